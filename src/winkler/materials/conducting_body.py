@@ -9,7 +9,17 @@ from winkler.errors import InvalidInput
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.values import value, words
 
-__all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "resistivity_of", "surface_of"]
+__all__ = [
+    "ConductingBody",
+    "Conductor",
+    "Plated",
+    "Rod",
+    "bulk_of",
+    "layers_of",
+    "parts_of",
+    "resistivity_of",
+    "surface_of",
+]
 
 Conductor = ElectricalConductor | ThermalConductor
 """What a body may be made of."""
@@ -25,8 +35,8 @@ class Plated:
         At the surface.
     thickness : float
         h [m], positive.
-    on : ElectricalConductor or ThermalConductor
-        Below the plating; of the same sort.
+    on : ElectricalConductor, ThermalConductor or Plated
+        Below the plating; of the same sort.  A `Plated` is a body that has been plated before.
 
     Raises
     ------
@@ -38,12 +48,13 @@ class Plated:
 
     plating: Conductor
     thickness: PositiveNotTiny
-    on: Conductor
+    on: Conductor | Plated
 
     def __post_init__(self) -> None:
-        if type(self.plating) is not type(self.on):
+        below = surface_of(self.on)
+        if type(self.plating) is not type(below):
             raise InvalidInput(
-                f"Plated: a plating of {type(self.plating).__name__} on {type(self.on).__name__}; give two of one sort."
+                f"Plated: a plating of {type(self.plating).__name__} on {type(below).__name__}; give two of one sort."
             )
 
 
@@ -86,6 +97,21 @@ def surface_of(body: ConductingBody) -> Conductor:
             return body.conductor
         case _:
             return body
+
+
+def layers_of(body: ConductingBody) -> tuple[tuple[tuple[Conductor, float], ...], Conductor]:
+    """Return the platings of a body with their thicknesses [m], from the surface down, and what carries them."""
+    layers: list[tuple[Conductor, float]] = []
+    while isinstance(body, Plated):
+        layers.append((body.plating, body.thickness))
+        body = body.on
+    return tuple(layers), surface_of(body)
+
+
+def parts_of(body: ConductingBody) -> tuple[Conductor, ...]:
+    """Return the conductors of a body, from the surface down."""
+    layers, base = layers_of(body)
+    return (*(conductor for conductor, _ in layers), base)
 
 
 def resistivity_of(conductor: Conductor) -> float:

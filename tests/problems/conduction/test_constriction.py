@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
 import winkler as wk
+from winkler.media.conduction.spot_resistances import spot_resistances
 
 STEEL = wk.Elastic(young=210e9, poisson=0.3)
 MEDIUM = wk.HalfSpace.between(STEEL, STEEL)
@@ -120,19 +121,25 @@ def test_rods_constrict_less_and_add_their_length():
         wk.Constriction(BALL, wk.ElectricalConductors(wk.Rod(SILVER, 1e-4, 1e-2), SILVER), wk.Radius(0.95e-4)).solve()
 
 
-@pytest.mark.parametrize(("plating", "on"), [(1.0, 10.0), (10.0, 1.0)])
-def test_a_plating_conducts_as_the_best_flux_allows(plating, on):
+@pytest.mark.parametrize(("plating", "on", "below"), [(1.0, 10.0, None), (10.0, 1.0, None), (1.0, 10.0, 0.3)])
+def test_a_plating_conducts_as_the_best_flux_allows(plating, on, below):
     """Galerkin's method in wave numbers, with fluxes (1 - r^2)^(k - 1/2) under the contact: an upper bound."""
     from scipy.special import gamma, jv
 
     thickness = 0.5
-    body = wk.Plated(wk.ElectricalConductor(plating), thickness, on=wk.ElectricalConductor(on))
+    base, under = wk.ElectricalConductor(on), on
+    if below is not None:
+        base = wk.Plated(base, 0.3, on=wk.ElectricalConductor(below))
+    body = wk.Plated(wk.ElectricalConductor(plating), thickness, on=base)
     bed = wk.Foundation(wk.FlatPunch(1.0), wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
     result = wk.Constriction(bed, wk.ElectricalConductors(body, body), wk.Force(1e-3)).solve().resistance
     nodes, weights = np.polynomial.legendre.leggauss(16)
     starts = np.arange(40.0)  # the difference to a bare body dies out like exp(-xi)
     xi, dxi = (starts[:, None] + 0.5 * (nodes + 1.0)).ravel(), np.tile(0.5 * weights, 40)
-    echo = (on - plating) / (on + plating) * np.exp(-2.0 * xi * thickness)
+    if below is not None:  # what the plating meets, by hyperbolic functions
+        through = np.tanh(0.3 * xi)
+        under = on * (below + on * through) / (on + below * through)
+    echo = (under - plating) / (under + plating) * np.exp(-2.0 * xi * thickness)
     more = 2.0 * echo / (1.0 - echo)
     fluxes = [2.0 ** (k - 0.5) * gamma(k + 0.5) * jv(k + 0.5, xi) / xi ** (k + 0.5) for k in range(6)]
     whole = np.array([2.0 * np.pi / (2.0 * k + 1.0) for k in range(6)])
@@ -157,6 +164,20 @@ def test_a_plating_conducts_as_the_best_flux_allows(plating, on):
     energy = 2.0 * np.pi * plating * (bare + extra)
     expected = 2.0 / (whole @ np.linalg.solve(energy, whole))
     assert result == pytest.approx(expected, rel=1e-6)
+
+
+def test_platings_of_one_metal_are_one():
+    """Also where a map of pixels follows them, of which each is scaled by the thickness."""
+    two = wk.Plated(COPPER, 1e-6, wk.Plated(COPPER, 2e-6, SILVER))
+    one = wk.Plated(COPPER, 3e-6, SILVER)
+    first, second = (
+        wk.Constriction(BALL, wk.ElectricalConductors(body, SILVER), wk.Force(1.0)).solve().resistance
+        for body in (two, one)
+    )
+    assert first == pytest.approx(second, rel=1e-9)
+    touching = np.ones((8, 8), dtype=bool)
+    parts = [spot_resistances(touching, (1e-5, 1e-5), (body, SILVER), 0.0, periodic=False) for body in (two, one)]
+    assert parts[0].first == pytest.approx(parts[1].first, rel=1e-6)
 
 
 def test_a_plating_of_the_same_metal_is_none():

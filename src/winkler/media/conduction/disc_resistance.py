@@ -2,7 +2,7 @@ r"""Two conducting bodies that meet in a disc: their resistance to a current or 
 
 The equations of conduction are those of a flat punch, :math:`E^* \to 2/(\rho_1+\rho_2)`: voltage for displacement,
 current for force.  A disc of radius a between half-spaces has Holm's resistance :math:`(\rho_1+\rho_2)/(4a)`; a plating
-is a layered medium with the response
+is a layered medium with the response, where several lie on each other layer by layer from below,
 
 .. math:: 1+M(\xi) = \frac{\rho_1 m_1+\rho_2 m_2}{\rho_1+\rho_2}, \qquad
           m = \frac{1+\kappa e^{-2\xi h}}{1-\kappa e^{-2\xi h}}, \quad
@@ -15,12 +15,21 @@ a rod constricts less (`winkler.numerics.fields.flux_tube`), and a film spreads 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.materials.conducting_body import ConductingBody, Plated, Rod, bulk_of, resistivity_of, surface_of
+from winkler.materials.conducting_body import (
+    ConductingBody,
+    Plated,
+    Rod,
+    bulk_of,
+    layers_of,
+    parts_of,
+    resistivity_of,
+    surface_of,
+)
 from winkler.numerics.fields.filmed_disc import spreading
 from winkler.numerics.fields.flux_tube import LARGEST_RADIUS_RATIO, relief
 from winkler.numerics.transforms import fredholm
@@ -91,11 +100,13 @@ class PlatedResponse:
     @property
     def span(self) -> float:
         """Length [m] beyond which the platings no longer matter."""
-        contrast = 1.0
+        contrast, deepest = 1.0, 0.0
         for body in self._platings:
-            pair = resistivity_of(body.plating), resistivity_of(body.on)
-            contrast = max(contrast, max(pair) / min(pair))
-        return contrast * max(body.thickness for body in self._platings)
+            layers, base = layers_of(body)
+            each = [resistivity_of(conductor) for conductor in (*(one for one, _ in layers), base)]
+            contrast = max(contrast, max(each) / min(each))
+            deepest = max(deepest, sum(thickness for _, thickness in layers))
+        return contrast * deepest
 
     precision = 3e-15
     """Rounding of M."""
@@ -108,12 +119,8 @@ class PlatedResponse:
         both = sum(rho for rho, _ in parts)
         whole_sum = np.zeros(np.shape(xi))
         for rho, body in parts:
-            answer = np.ones(np.shape(xi))
-            if isinstance(body, Plated):
-                under = resistivity_of(body.on)
-                echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * body.thickness)
-                answer = (1.0 + echo) / (1.0 - echo)
-            whole_sum = whole_sum + rho / both * answer
+            echo = _echo(body, xi)
+            whole_sum = whole_sum + rho / both * (1.0 + echo) / (1.0 - echo)
         return np.asarray(whole_sum)
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
@@ -123,16 +130,27 @@ class PlatedResponse:
         excess_sum = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
         for rho, body in parts:
             if isinstance(body, Plated):
-                under = resistivity_of(body.on)
-                echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * body.thickness)
+                echo = _echo(body, xi)
                 excess_sum = excess_sum + rho / whole * 2.0 * echo / (1.0 - echo)
         return np.asarray(excess_sum)
+
+
+def _echo(body: ConductingBody, xi: ComplexArray) -> Any:
+    """Return what comes back from below the outermost plating, at wave numbers xi [1/m]; zero of a bare body."""
+    layers, base = layers_of(body)
+    under: Any = resistivity_of(base)
+    echo: Any = np.zeros(np.shape(xi))
+    for conductor, thickness in reversed(layers):
+        rho = resistivity_of(conductor)
+        echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * thickness)
+        under = rho * (1.0 + echo) / (1.0 - echo)
+    return echo
 
 
 def _surface_resistivity(first: ConductingBody, second: ConductingBody, radius: Array) -> Array:
     """Return the radius of the disc that would conduct as well if the surfaces' conductors were all there is."""
     plated = [body for body in (first, second) if isinstance(body, Plated)]
-    if all(resistivity_of(body.plating) == resistivity_of(body.on) for body in plated):
+    if all(len({resistivity_of(part) for part in parts_of(body)}) == 1 for body in plated):
         return radius
     return fredholm.area(PlatedResponse(first, second), radius)
 

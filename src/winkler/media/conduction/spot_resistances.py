@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.materials.conducting_body import ConductingBody, Plated, resistivity_of, surface_of
+from winkler.materials.conducting_body import ConductingBody, Plated, parts_of, resistivity_of, surface_of
 from winkler.media.conduction.disc_resistance import PlatedResponse
 from winkler.numerics.pixels.layered import LayeredSurface
 from winkler.numerics.surfaces.punched_grid import punch
@@ -97,19 +97,21 @@ def spot_resistances(
     falls = [part * _fall(flow, pixel, _layers(body, body), periodic) for part, body in zip(rho, bodies, strict=True)]
     parts = [(whole - lost) * fall / sum(falls) for fall in falls]
     bare = flow if layers is None and film == 0.0 else flux(None, 0.0)
-    under = sum(resistivity_of(body.on if isinstance(body, Plated) else surface_of(body)) for body in bodies)
+    under = sum(resistivity_of(parts_of(body)[-1]) for body in bodies)
     return SpotResistances(parts[0], parts[1], lost, under / (2.0 * patch * float(np.sum(bare))))
 
 
 def _layers(first: ConductingBody, second: ConductingBody) -> LayeredSurface | None:
     """Return how platings respond, with lengths in units of the thinner one; nothing without platings."""
     plated = [body for body in (first, second) if isinstance(body, Plated)]
-    if all(resistivity_of(body.plating) == resistivity_of(body.on) for body in plated):
+    if all(len({resistivity_of(part) for part in parts_of(body)}) == 1 for body in plated):
         return None
     unit = min(body.thickness for body in plated)
 
     def scaled(body: ConductingBody) -> ConductingBody:
-        return dataclasses.replace(body, thickness=body.thickness / unit) if isinstance(body, Plated) else body
+        if not isinstance(body, Plated):
+            return body
+        return dataclasses.replace(body, thickness=body.thickness / unit, on=scaled(body.on))
 
     return LayeredSurface(PlatedResponse(scaled(first), scaled(second)), unit)
 

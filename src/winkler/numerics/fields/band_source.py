@@ -26,7 +26,7 @@ from winkler.numerics.integrals.quadrature import tanh_sinh
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 
-__all__ = ["FAST", "BandPeak", "BandSource"]
+__all__ = ["FAST", "BandPeak", "BandSource", "warmest_of_band"]
 
 FAST = math.inf
 """The wave number of the limit of high speed, in which lambda T is counted times the root of V / kappa."""
@@ -96,23 +96,9 @@ class BandSource:
 
     def peak(self, wave: float) -> BandPeak:
         """Return the greatest lambda T, and its place; `wave` as of `surface`."""
-        a, forth = self.half_width, math.copysign(1.0, wave)
-        angles = np.linspace(-0.5 * math.pi, 0.5 * math.pi, FIRST_PLACES)
-        heights = self.surface(abs(wave), a * np.sin(angles))
-        for _ in range(REFINEMENTS):
-            best = int(np.argmax(heights))
-            low, high = angles[max(best - 1, 0)], angles[min(best + 1, angles.size - 1)]
-            angles = np.linspace(low, high, BETWEEN)
-            heights = self.surface(abs(wave), a * np.sin(angles))
-        best = min(max(int(np.argmax(heights)), 1), BETWEEN - 2)
-        left, middle, right = heights[best - 1 : best + 2]
-        bend = left - 2.0 * middle + right
-        offset = 0.5 * (left - right) / bend if bend < 0.0 else 0.0
-        if abs(offset) > 1.0:
-            best = int(np.argmax(heights))
-            return BandPeak(float(heights[best]), forth * a * math.sin(angles[best]))
-        angle = angles[best] + offset * (angles[1] - angles[0])
-        return BandPeak(float(middle - 0.25 * (left - right) * offset), forth * a * math.sin(angle))
+        forth = math.copysign(1.0, wave)
+        best = warmest_of_band(lambda x: self.surface(abs(wave), x), self.half_width)
+        return BandPeak(best.height, forth * best.x)
 
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the strip [W/m]; `wave` as of `surface`, but finite."""
@@ -125,7 +111,7 @@ class BandSource:
         whole = (
             _downstream(half * ahead) + _upstream(half * behind) + _downstream(half * behind) + _upstream(half * ahead)
         )  # places s and -s together
-        return float(np.sum(self._flux(angle) * whole * share)) / (math.pi * wave * a)
+        return float(np.sum(self.flux_at(angle) * whole * share)) / (math.pi * wave * a)
 
     def _at(self, wave: float, x: float) -> float:
         from scipy.special import k0e
@@ -150,13 +136,42 @@ class BandSource:
             kernel = k0e(0.5 * wave * distance)
             ahead = behind < 0.0
             kernel[ahead] *= np.exp(-wave * distance[ahead])
-        return float(np.sum(self._flux(np.abs(angle)) * kernel * share)) / math.pi
+        return float(np.sum(self.flux_at(np.abs(angle)) * kernel * share)) / math.pi
 
-    def _flux(self, angle: Array) -> Array:
+    def flux_at(self, angle: Array) -> Array:
+        """Return the flux at angles on either side of the middle."""
         for joint in self.joints:
             near = np.abs(angle - joint) < KINK_CLEARANCE
             angle = np.where(near, joint + np.where(angle >= joint, 1.0, -1.0) * KINK_CLEARANCE, angle)
         return np.asarray(self.flux(np.abs(angle)))
+
+
+def warmest_of_band(surface: Curve, half_width: float) -> BandPeak:
+    """Return where a surface that moves along +x past a band is warmest within the strip, and how warm.
+
+    Parameters
+    ----------
+    surface : Curve
+        Temperature at places x [m].
+    half_width : float
+        a [m].
+    """
+    angles = np.linspace(-0.5 * math.pi, 0.5 * math.pi, FIRST_PLACES)
+    heights = surface(half_width * np.sin(angles))
+    for _ in range(REFINEMENTS):
+        best = int(np.argmax(heights))
+        low, high = angles[max(best - 1, 0)], angles[min(best + 1, angles.size - 1)]
+        angles = np.linspace(low, high, BETWEEN)
+        heights = surface(half_width * np.sin(angles))
+    best = min(max(int(np.argmax(heights)), 1), BETWEEN - 2)
+    left, middle, right = heights[best - 1 : best + 2]
+    bend = left - 2.0 * middle + right
+    offset = 0.5 * (left - right) / bend if bend < 0.0 else 0.0
+    if abs(offset) > 1.0:
+        best = int(np.argmax(heights))
+        return BandPeak(float(heights[best]), half_width * math.sin(angles[best]))
+    angle = angles[best] + offset * (angles[1] - angles[0])
+    return BandPeak(float(middle - 0.25 * (left - right) * offset), half_width * math.sin(angle))
 
 
 def _lengths(first: float, last: float) -> list[float]:

@@ -15,12 +15,12 @@ from __future__ import annotations
 
 import functools
 import math
-from itertools import pairwise
 
 import numpy as np
 
 from winkler.numerics.fields.moving_source import disc_mean, spread_loads, surface_points
 from winkler.numerics.fields.source_tables import cosine_rule, lag_table, powers, spread_table
+from winkler.numerics.fields.warmest_place import LEAST_TEMPERATURE_GAIN, PeakTemperature, warmest_place
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.cosine_pieces import cosine_places, place_on
 from winkler.numerics.types import Array, Curve
@@ -35,33 +35,7 @@ MEAN_NODES = 10
 TIME_NODES = 20
 ROUGH_TOLERANCE = 1e-6
 """Of the greatest line load, to which circles are compared before the warmest are computed in full."""
-FIRST_POINTS = 9
-"""Places along the centre line where the greatest temperature is searched for first."""
-REFINEMENT_ROUNDS = 3
-CUT_PARTS = np.array([1.0, 2.0]) / 3.0
-"""Where the stretches on both sides of the warmest place are cut."""
 CIRCLE_SAMPLES = 65
-CIRCLE_RADII = (0.3, 0.6, 0.8, 0.95, 1.0)
-"""Circles on which a greater one beside the centre line is searched for, in contact radii."""
-LEAST_TEMPERATURE_GAIN = 1e-8
-"""Part by which a place beside the centre line must be warmer to count."""
-
-
-@value
-class PeakTemperature:
-    """The greatest temperature of a surface, and its place.
-
-    Parameters
-    ----------
-    height : float
-        Conductivity times temperature [W/m].
-    x, y : float
-        Where [m]; of two places on both sides of the centre line that with y > 0.
-    """
-
-    height: float
-    x: float
-    y: float
 
 
 @value
@@ -91,7 +65,8 @@ class LineSource:
         return np.where(part <= 1.0, self.scale * self.curve(cosine_places(part, self.joints)), 0.0)
 
     @functools.cached_property
-    def _table(self) -> tuple[Array, Array, Array]:
+    def table(self) -> tuple[Array, Array, Array]:
+        """The line load as the kernels take it: joints, edges and powers of the panels."""
         return self.joints, self.curve.edges, powers(self.curve.coefficients)
 
     @property
@@ -127,66 +102,18 @@ class LineSource:
         forth = math.copysign(1.0, wave)
         flat, across = (np.ascontiguousarray(np.ravel(place) / self.radius) for place in (forth * x, y))
         result = np.empty(flat.size)
-        surface_points(flat, across, abs(wave) * self.radius, (*self._table, *lag_table(), *cosine_rule()), result)
+        surface_points(flat, across, abs(wave) * self.radius, (*self.table, *lag_table(), *cosine_rule()), result)
         return np.asarray(self.scale * result.reshape(np.shape(x)))
 
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the disc [W/m], on a body that moves."""
-        return self.scale * disc_mean(abs(wave) * self.radius, (*self._table, *lag_table(), *cosine_rule(MEAN_NODES)))
+        return self.scale * disc_mean(abs(wave) * self.radius, (*self.table, *lag_table(), *cosine_rule(MEAN_NODES)))
 
     def peak(self, wave: float) -> PeakTemperature:
-        """Return the greatest lambda T on a body that moves, and its place.
-
-        First along the centre line, by ever smaller steps about the greatest so far; then beside it, where a source
-        that is stronger at its rim may heat more.
-        """
+        """Return the greatest lambda T on a body that moves, and its place."""
         if wave == 0.0 and self.fading:
             return PeakTemperature(0.5 * float(self.load(np.zeros(1))[0]), 0.0, 0.0)
-        on_line = self._along_centre(wave)
-        if wave == 0.0 or self.fading:
-            return on_line
-        turn = np.linspace(0.0, np.pi, 9)[1:-1]
-        x, y = (np.outer(CIRCLE_RADII, each(turn)).ravel() * self.radius for each in (np.cos, np.sin))
-        beside = self.surface(wave, x, y)
-        best = int(np.argmax(beside))
-        if beside[best] > on_line.height * (1.0 + LEAST_TEMPERATURE_GAIN):
-            return self._beside(wave, PeakTemperature(float(beside[best]), float(x[best]), float(y[best])))
-        return on_line
-
-    def _along_centre(self, wave: float) -> PeakTemperature:
-        places = -self.radius * np.cos(np.linspace(0.0, np.pi, FIRST_POINTS))
-        heights = self.surface(wave, places, np.zeros(FIRST_POINTS))
-        for _ in range(REFINEMENT_ROUNDS):
-            best = int(np.argmax(heights))
-            near = places[max(best - 1, 0) : best + 2]
-            between = np.concatenate([low + (high - low) * CUT_PARTS for low, high in pairwise(near)])
-            neighbours = np.isin(places, near)
-            order = np.argsort(np.concatenate([places[neighbours], between]))
-            temperatures = np.concatenate([heights[neighbours], self.surface(wave, between, np.zeros(between.size))])
-            places, heights = np.concatenate([places[neighbours], between])[order], temperatures[order]
-        best = int(np.argmax(heights))
-        where = _summit(places, heights, best)
-        height = float(self.surface(wave, np.array([where]), np.zeros(1))[0])
-        return max(
-            PeakTemperature(float(heights[best]), float(places[best]), 0.0),
-            PeakTemperature(height, where, 0.0),
-            key=_height,
-        )
-
-    def _beside(self, wave: float, start: PeakTemperature) -> PeakTemperature:
-        x, y, step, best = start.x, start.y, 0.2 * self.radius, start.height
-        corners = np.array([(i, j) for i in (-1.0, 0.0, 1.0) for j in (-1.0, 0.0, 1.0) if i or j])
-        while step > LEAST_TEMPERATURE_GAIN**0.5 * self.radius:
-            near_x, near_y = x + step * corners[:, 0], np.abs(y + step * corners[:, 1])
-            off = np.maximum(np.hypot(near_x, near_y) / self.radius, 1.0)  # what lies outside is put onto the rim
-            near_x, near_y = near_x / off, near_y / off
-            heights = self.surface(wave, near_x, near_y)
-            which = int(np.argmax(heights))
-            if heights[which] > best:
-                x, y, best = float(near_x[which]), float(near_y[which]), float(heights[which])
-            else:
-                step *= 0.5
-        return PeakTemperature(best, x, y)
+        return warmest_place(functools.partial(self.surface, wave), self.radius, self.fading, rests=wave == 0.0)
 
     def risen(self, length: float, r: Array) -> Array:
         """Return lambda T [W/m] at distances r [m] on a body at rest whose source has been on for a time.
@@ -243,20 +170,5 @@ class LineSource:
     def _spread(self, length: float, s: Array) -> Array:
         """Return q_t [W/m] at places s >= 0, in contact radii, (n,)."""
         result = np.empty(s.size)
-        spread_loads(s, length, (*self._table, *spread_table(), *cosine_rule(TIME_NODES)), result)
+        spread_loads(s, length, (*self.table, *spread_table(), *cosine_rule(TIME_NODES)), result)
         return self.scale * result
-
-
-def _height(peak: PeakTemperature) -> float:
-    return peak.height
-
-
-def _summit(places: Array, heights: Array, best: int) -> float:
-    """Return where the parabola through the best place and its neighbours has its top."""
-    middle = min(max(best, 1), places.size - 2)
-    (x0, x1, x2), (y0, y1, y2) = places[middle - 1 : middle + 2], heights[middle - 1 : middle + 2]
-    first, second = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
-    bend = second - first
-    if bend >= 0.0:
-        return float(places[best])
-    return float(np.clip(0.5 * (x0 + x1 - first * (x2 - x0) / bend), places[0], places[-1]))

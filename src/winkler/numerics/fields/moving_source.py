@@ -22,7 +22,7 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["disc_mean", "spread_loads", "surface_points"]
+__all__ = ["disc_mean", "line_load", "panel_value", "spread_loads", "surface_points"]
 
 LENGTH_RATIO = 4.0
 """Ratio of the lengths of consecutive pieces that leave a boundary layer."""
@@ -41,11 +41,11 @@ def _lag(z: float, edges: Array, rows: Array, series: Array) -> float:
         for k in range(series.size - 1, -1, -1):
             total = total * inverse + series[k]
         return total * inverse * math.sqrt(inverse)
-    return _panel(z, edges, rows)
+    return panel_value(z, edges, rows)
 
 
 @compiled
-def _panel(x: float, edges: Array, rows: Array) -> float:
+def panel_value(x: float, edges: Array, rows: Array) -> float:
     """Return a piecewise polynomial at x; rows of 2 n coefficients of the panel's own variable from -1 to 1."""
     low, high = 0, edges.size - 1
     while high - low > 1:
@@ -66,7 +66,7 @@ def _panel(x: float, edges: Array, rows: Array) -> float:
 
 
 @compiled
-def _load(x: float, joints: Array, edges: Array, rows: Array) -> float:
+def line_load(x: float, joints: Array, edges: Array, rows: Array) -> float:
     """Return the line load at x, of either side; zero outside."""
     x = abs(x)
     if x > 1.0:
@@ -76,7 +76,7 @@ def _load(x: float, joints: Array, edges: Array, rows: Array) -> float:
         piece += 1
     part = (x - joints[piece]) / (joints[piece + 1] - joints[piece])
     part = min(max(part, 0.0), 1.0)
-    return _panel(piece + math.acos(1.0 - 2.0 * part) / math.pi, edges, rows)
+    return panel_value(piece + math.acos(1.0 - 2.0 * part) / math.pi, edges, rows)
 
 
 @compiled
@@ -87,7 +87,7 @@ def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
         return 0.0
     start = max(s, -1.0)
     if b == 0.0:
-        return _load(s, joints, edges, rows)
+        return line_load(s, joints, edges, rows)
     count = 2
     cuts[0] = start
     cuts[1] = 1.0
@@ -115,9 +115,9 @@ def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
         for k in range(nodes.size):
             t = ordered[j] + width * nodes[k]
             lag = _lag(0.5 * b * max(t - s, 0.0), near, lags, series)
-            part += weights[k] * lag * _load(t, joints, edges, rows)
+            part += weights[k] * lag * line_load(t, joints, edges, rows)
         total += width * part
-    return _load(s, joints, edges, rows) - 0.5 * b * total
+    return line_load(s, joints, edges, rows) - 0.5 * b * total
 
 
 @compiled
@@ -151,9 +151,9 @@ def spread_loads(s: Array, length: float, source: Source, result: Array) -> None
             for k in range(nodes.size):
                 t = ordered[j] + width * nodes[k]
                 away = 0.5 * abs(t - s[i]) / length
-                part += weights[k] * _spread(away, near, spreads, series) * _load(t, joints, edges, rows)
+                part += weights[k] * _spread(away, near, spreads, series) * line_load(t, joints, edges, rows)
             total += width * part
-        result[i] = _load(s[i], joints, edges, rows) - scale * total
+        result[i] = line_load(s[i], joints, edges, rows) - scale * total
 
 
 @compiled
@@ -165,7 +165,7 @@ def _spread(z: float, edges: Array, rows: Array, series: Array) -> float:
         for k in range(series.size - 1, -1, -1):
             total = total * inverse + series[k]
         return total * inverse
-    return _panel(z, edges, rows)
+    return panel_value(z, edges, rows)
 
 
 @compiled

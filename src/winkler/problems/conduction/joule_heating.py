@@ -15,7 +15,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
 from winkler.loading import Load
-from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
+from winkler.materials.conducting_body import ConductingBody, parts_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
@@ -180,8 +180,7 @@ def cold_contact(problem: JouleHeating, radius: Array) -> ColdContact:
 
 def _coefficient(body: ConductingBody) -> float:
     """Return the coefficient of temperature of a body."""
-    parts = [body.plating, body.on] if isinstance(body, Plated) else [surface_of(body)]
-    coefficients = {part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor)}
+    coefficients = {part.temperature_coefficient for part in parts_of(body) if isinstance(part, ElectricalConductor)}
     if len(coefficients) > 1:
         raise OutsideValidity(
             "JouleHeating: a plating and what carries it have different temperature coefficients, so the current would "

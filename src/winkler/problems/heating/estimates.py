@@ -1,6 +1,6 @@
 r"""Estimates of flash temperatures to compare with: slow and fast sliding, and the fit of Tian and Kennedy.
 
-Each gives the greatest temperature of either body for 1 W; the bodies share the heat by Blok's rule, or as given.
+Each gives the greatest temperature of a body for 1 W; the bodies share the heat by Blok's rule, or as given.
 Tian and Kennedy fitted the greatest temperature under a parabolic flux (that of Hertz' pressure) with the mean q by
 
 .. math:: T = \frac{1.31\,q\,a}{\lambda\sqrt{1.2344+\mathrm{Pe}}} .
@@ -15,28 +15,42 @@ from typing import Any
 import numpy as np
 
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
+from winkler.materials.conducting_body import layers_of
+from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.types import Array
 from winkler.problems.heating.heat_source import HeatSource
+from winkler.problems.heating.moved_body import HeatBody, moved_body, top
 
 __all__ = ["fast", "first_share", "shared", "stationary", "tian_kennedy"]
 
 
-def stationary(heat: HeatSource, peclet: Array) -> Array:
-    """Return the greatest lambda T of 1 W [1/m] as if the body were at rest."""
-    return np.full(np.shape(peclet), heat.source.peak(0.0).height)
+def stationary(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
+    """Return the greatest temperature of 1 W [K/W] as if the body were at rest."""
+    return np.full(np.shape(speed), moved_body(heat.source, body, 0.0).peak.height)
 
 
-def fast(heat: HeatSource, peclet: Array) -> Array:
-    """Return the greatest lambda T of 1 W [1/m] as if a body that moves did so fast; one at rest counts as such."""
-    moving = np.asarray(peclet) > 0.0
+def fast(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
+    """Return the greatest temperature of 1 W [K/W] as if a body that moves did so fast; one at rest counts as such.
+
+    At high speed a plated body answers as its plating.
+    """
+    moving = np.asarray(speed) != 0.0
     if not np.any(moving):
-        return stationary(heat, peclet)
-    return np.where(moving, heat.fast / np.sqrt(2.0 * np.where(moving, peclet, 1.0)), heat.source.peak(0.0).height)
+        return stationary(heat, body, speed)
+    surface, rest = top(body), moved_body(heat.source, body, 0.0).peak.height
+    waves = np.where(moving, np.abs(speed), 1.0) * heat.pressed.radius / surface.diffusivity
+    return np.where(moving, heat.fast / np.sqrt(waves) / surface.conductivity, rest)
 
 
-def tian_kennedy(heat: HeatSource, peclet: Array) -> Array:
-    """Return the greatest lambda T of 1 W [1/m] under a parabolic flux on the same disc, by the fit."""
-    return np.asarray(1.31 / (math.pi * heat.pressed.radius * np.sqrt(1.2344 + np.asarray(peclet))))
+def tian_kennedy(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
+    """Return the greatest temperature of 1 W [K/W] under a parabolic flux on the same disc, by the fit.
+
+    Platings are left out: the fit is that of the body below them.
+    """
+    _, base = layers_of(body)
+    assert isinstance(base, ThermalConductor)
+    peclet = 0.5 * np.abs(speed) * heat.pressed.radius / base.diffusivity
+    return np.asarray(1.31 / (math.pi * heat.pressed.radius * np.sqrt(1.2344 + peclet)) / base.conductivity)
 
 
 def first_share(partition: HeatPartition, greatest: Sequence[Any], means: Sequence[Any]) -> Any:

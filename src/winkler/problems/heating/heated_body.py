@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.bed import PressedSprings
-from winkler.materials.conductor import ThermalConductor
-from winkler.numerics.fields.line_source import PeakTemperature
+from winkler.numerics.fields.stacked_source import StackedSource
+from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.heat_source import heat_source
+from winkler.problems.heating.moved_body import HeatBody, ThickBody, fastest_conductor, moved_body
 from winkler.values import value
 
 __all__ = ["HeatedBody"]
@@ -20,7 +21,7 @@ class HeatedBody:
 
     Parameters
     ----------
-    conductor : ThermalConductor
+    conductor : ThermalConductor or Plated
         What it is made of.
     speed : float
         Velocity of its surface along x, past the contact [m/s].
@@ -30,19 +31,19 @@ class HeatedBody:
         The springs; the flux has the shape of their pressure.
     """
 
-    conductor: ThermalConductor
+    conductor: HeatBody
     speed: float
     heat_rate: float
     pressed: PressedSprings
 
     @property
     def peclet(self) -> float:
-        """Pe = V a / (2 kappa) [-]."""
-        return 0.5 * abs(self.speed) * self.pressed.radius / self.conductor.diffusivity
+        """Pe = V a / (2 kappa) [-]; of a plated body with the least diffusivity."""
+        return 0.5 * abs(self.speed) * self.pressed.radius / fastest_conductor(self.conductor).diffusivity
 
     @property
-    def _wave(self) -> float:
-        return self.speed / self.conductor.diffusivity
+    def _moved(self) -> ThickBody | StackedSource:
+        return moved_body(heat_source(self.pressed).source, self.conductor, self.speed)
 
     def temperature(self, x: ArrayLike, y: ArrayLike = 0.0) -> Array:
         """Return the temperature of the surface above that far away.
@@ -61,13 +62,12 @@ class HeatedBody:
         along, across = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float))
         if self.pressed.radius == 0.0 or self.heat_rate == 0.0:
             return np.zeros(along.shape)
-        source = heat_source(self.pressed).source
-        return source.surface(self._wave, along, across) * (self.heat_rate / self.conductor.conductivity)
+        return self._moved.surface(along, across) * self.heat_rate
 
     @property
     def warmest(self) -> PeakTemperature:
         """The greatest temperature within the contact: `height` [K] and its place [m]."""
         if self.pressed.radius == 0.0 or self.heat_rate == 0.0:
             return PeakTemperature(0.0, 0.0, 0.0)
-        peak = heat_source(self.pressed).source.peak(self._wave)
-        return PeakTemperature(peak.height * self.heat_rate / self.conductor.conductivity, peak.x, peak.y)
+        peak = self._moved.peak
+        return PeakTemperature(peak.height * self.heat_rate, peak.x, peak.y)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
-from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.band_source import BandPeak
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.band_flux import band_sources
+from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_under_band
 from winkler.problems.line.indentation import LineSolution
 from winkler.values import value
 
@@ -21,7 +21,7 @@ class HeatedStrip:
 
     Parameters
     ----------
-    conductor : ThermalConductor
+    conductor : ThermalConductor or Plated
         What it is made of.
     speed : float
         Velocity of its surface along x, past the contact [m/s].
@@ -31,15 +31,15 @@ class HeatedStrip:
         Of one load; the flux has the shape of its pressure.
     """
 
-    conductor: ThermalConductor
+    conductor: HeatBody
     speed: float
     heat_per_length: float
     contact: LineSolution
 
     @property
     def peclet(self) -> float:
-        """Pe = V a / (2 kappa) [-]."""
-        return 0.5 * abs(self.speed) * float(self.contact.half_width) / self.conductor.diffusivity
+        """Pe = V a / (2 kappa) [-]; of a plated body with the least diffusivity."""
+        return 0.5 * abs(self.speed) * float(self.contact.half_width) / fastest_conductor(self.conductor).diffusivity
 
     def temperature(self, x: ArrayLike) -> Array:
         """Return the temperature of the surface above that far away [K].
@@ -58,8 +58,7 @@ class HeatedStrip:
         (source,) = band_sources(self.contact)
         if source is None or self.heat_per_length == 0.0:
             return np.zeros(places.shape)
-        found = source.surface(self.speed / self.conductor.diffusivity, places)
-        return np.asarray(found * (self.heat_per_length / self.conductor.conductivity))
+        return np.asarray(moved_under_band(source, self.conductor, self.speed).surface(places) * self.heat_per_length)
 
     @property
     def warmest(self) -> BandPeak:
@@ -67,5 +66,5 @@ class HeatedStrip:
         (source,) = band_sources(self.contact)
         if source is None or self.heat_per_length == 0.0:
             return BandPeak(0.0, 0.0)
-        peak = source.peak(self.speed / self.conductor.diffusivity)
-        return BandPeak(peak.height * self.heat_per_length / self.conductor.conductivity, peak.x)
+        peak = moved_under_band(source, self.conductor, self.speed).peak
+        return BandPeak(peak.height * self.heat_per_length, peak.x)

@@ -7,11 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.conducting_body import Plated
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.heating.moved_body import HeatBody, fastest_conductor
 
-__all__ = ["RubbingBodies", "peclet_numbers"]
+__all__ = ["RubbingBodies", "RubbingPlatedBodies", "peclet_numbers"]
 
 HIGHEST_PECLET = 1e8
 """Peclet number above which rounding matters in means over the contact."""
@@ -28,28 +30,62 @@ class RubbingBodies:
     @property
     def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
         """Both bodies; those that are no half-spaces are refused, and surfaces that hold heat back."""
-        owner, interface = type(self).__name__, self.conductors.interface
         first, second = self.conductors.first, self.conductors.second
         if not isinstance(first, ThermalConductor) or not isinstance(second, ThermalConductor):
             raise InvalidInput(
-                f"{owner}: the bodies are {type(first).__name__} and {type(second).__name__}; how the heat of friction "
-                "flows is known for two thick bodies: give ThermalConductor(conductivity, diffusivity) for both."
+                f"{type(self).__name__}: the bodies are {type(first).__name__} and {type(second).__name__}; how the "
+                "heat of friction flows is known for two thick bodies: give ThermalConductor(conductivity, "
+                "diffusivity) for both."
             )
-        if interface.area_resistance > 0.0:
-            raise InvalidInput(
-                f"{owner}: the surfaces have an interface_conductance of {interface.interface_conductance:g} "
-                "W/(m^2 K), but sliding surfaces are taken to have one temperature; leave the interface out."
-            )
+        _refuse_interface(type(self).__name__, self.conductors)
         return first, second
 
 
+class RubbingPlatedBodies:
+    """A problem of frictional heating: its `conductors` are thick bodies, plated or not, in perfect touch."""
+
+    conductors: HeatConductors
+
+    def __post_init__(self) -> None:
+        _ = self._bodies
+
+    @property
+    def _bodies(self) -> tuple[HeatBody, HeatBody]:
+        """Both bodies; rods are refused, and surfaces that hold heat back."""
+        first, second = self.conductors.first, self.conductors.second
+        if not isinstance(first, ThermalConductor | Plated) or not isinstance(second, ThermalConductor | Plated):
+            raise InvalidInput(
+                f"{type(self).__name__}: the bodies are {type(first).__name__} and {type(second).__name__}; how the "
+                "heat of friction flows is known for two thick bodies: give ThermalConductor(conductivity, "
+                "diffusivity), or Plated made of it, for both."
+            )
+        _refuse_interface(type(self).__name__, self.conductors)
+        return first, second
+
+    @property
+    def _plated(self) -> bool:
+        """Whether a body is plated."""
+        return any(isinstance(body, Plated) for body in self._bodies)
+
+
+def _refuse_interface(owner: str, conductors: HeatConductors) -> None:
+    interface = conductors.interface
+    if interface.area_resistance > 0.0:
+        raise InvalidInput(
+            f"{owner}: the surfaces have an interface_conductance of {interface.interface_conductance:g} "
+            "W/(m^2 K), but sliding surfaces are taken to have one temperature; leave the interface out."
+        )
+
+
 def peclet_numbers(
-    owner: str, radius: Quantity, speeds: Sequence[Array], bodies: tuple[ThermalConductor, ThermalConductor]
+    owner: str, radius: Quantity, speeds: Sequence[Array], bodies: tuple[HeatBody, HeatBody]
 ) -> list[Array]:
-    """Return V a / (2 kappa) of both bodies [-]; refuse those above the range in which temperatures are computed."""
-    peclets = [
-        np.asarray(0.5 * np.abs(speed) * radius / body.diffusivity) for speed, body in zip(speeds, bodies, strict=True)
-    ]
+    """Return V a / (2 kappa) of both bodies [-]; refuse those above the range in which temperatures are computed.
+
+    That of a plated body has the least of its diffusivities.
+    """
+    rates = [fastest_conductor(body).diffusivity for body in bodies]
+    peclets = [np.asarray(0.5 * np.abs(speed) * radius / rate) for speed, rate in zip(speeds, rates, strict=True)]
     fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
     if fastest > HIGHEST_PECLET:
         raise OutsideValidity(

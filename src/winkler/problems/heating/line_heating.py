@@ -29,7 +29,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.heated_strip import HeatedStrip
-from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
+from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers
 from winkler.problems.heating.line_sharing import fast_strip_temperature, shared_strip_temperatures
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.validity import moving_notes
@@ -43,7 +43,7 @@ __all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
 
 
 @value
-class LineFrictionHeating(RubbingBodies):
+class LineFrictionHeating(RubbingPlatedBodies):
     """Two bodies in line contact that slide on each other, or roll and slide, and warm up.
 
     Parameters
@@ -55,7 +55,8 @@ class LineFrictionHeating(RubbingBodies):
     load : LineForce, HalfWidth or MeanPressure
         The load per length, which may be an array.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made
+        of it, a perfect touch between them.
     first_speed, second_speed : float or ndarray
         Velocities [m/s] along x at which the surface of either body moves past the contact, not zero: they slide with
         the difference.  Zero is allowed for a body that takes no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays
@@ -170,7 +171,7 @@ class LineFrictionHeatingSolution:
     first_share : float or ndarray
         Part of it that goes into the first body [-].
     first_peclet, second_peclet : float or ndarray
-        Pe = V a / (2 kappa) of either body [-].
+        Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
         Greatest temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
@@ -260,5 +261,5 @@ class LineFrictionHeatingSolution:
         return (
             *line_contact_notes(bed, contact.force_per_length, contact.half_width, friction),
             sliding_note(bed.medium, friction),  # type: ignore[arg-type]
-            *moving_notes(peclets, greatest, means, self.problem.partition),
+            *moving_notes(peclets, greatest, means, self.problem.partition, self.problem._plated),
         )

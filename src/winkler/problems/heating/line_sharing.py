@@ -9,11 +9,11 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.laws.heat import HeatPartition
-from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.band_source import FAST, BandSource
 from winkler.numerics.types import Array
 from winkler.problems.heating.band_flux import band_sources
 from winkler.problems.heating.estimates import first_share, shared
+from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_under_band, top
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import rim_load
 
@@ -21,7 +21,7 @@ __all__ = ["fast_strip_temperature", "shared_strip_temperatures"]
 
 SLOWEST = 1e-8
 """V a / kappa below which a band hardly moves."""
-Bodies = tuple[ThermalConductor, ThermalConductor]
+Bodies = tuple[HeatBody, HeatBody]
 
 
 def shared_strip_temperatures(
@@ -32,7 +32,7 @@ def shared_strip_temperatures(
     Parameters
     ----------
     contact : LineSolution
-    bodies : tuple of ThermalConductor
+    bodies : tuple of ThermalConductor or Plated
     partition : EqualMaximum, EqualMean or FixedShare
     speeds : sequence of ndarray
         Those of both bodies [m/s], of one shape to which the loads of the contact broadcast; zero only for a body that
@@ -55,17 +55,19 @@ def _shares(
     source: BandSource | None, bodies: Bodies, partition: HeatPartition, speeds: Sequence[float]
 ) -> tuple[float, ...]:
     if source is None:
-        return bodies[0].conductivity / (bodies[0].conductivity + bodies[1].conductivity), 0.0, 0.0, 0.0, 0.0
+        first, second = (top(body).conductivity for body in bodies)
+        return first / (first + second), 0.0, 0.0, 0.0, 0.0
     peaks, means = [], []
     for speed, body in zip(speeds, bodies, strict=True):
-        wave = speed / body.diffusivity
+        wave = speed / fastest_conductor(body).diffusivity
         if 0.0 < abs(wave) * source.half_width < SLOWEST:
             raise OutsideValidity(
                 f"LineFrictionHeating: a Peclet number V a / (2 kappa) is {0.5 * abs(wave) * source.half_width:.3g}; a "
                 "band of heat that hardly moves warms a body up without bound: give a higher speed."
             )
-        peaks.append(source.peak(wave).height / body.conductivity if wave else 0.0)
-        means.append(source.mean(wave) / body.conductivity if wave else 0.0)
+        moved = moved_under_band(source, body, abs(speed))
+        peaks.append(moved.peak.height if speed else 0.0)
+        means.append(moved.mean if speed else 0.0)
     share = first_share(partition, peaks, means)
     return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
 
@@ -83,7 +85,8 @@ def fast_strip_temperature(
     known = (height > 0.0) & np.isfinite(height)
     alone = []
     for speed, body in zip(speeds, bodies, strict=True):
-        root = body.conductivity * np.sqrt(np.abs(speed) / body.diffusivity)
+        surface = top(body)  # at high speed a plated body answers as its plating
+        root = surface.conductivity * np.sqrt(np.abs(speed) / surface.diffusivity)
         with np.errstate(divide="ignore"):
             alone.append(np.where(known, height, 1.0) / root)
     with np.errstate(divide="ignore"):

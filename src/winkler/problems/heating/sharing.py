@@ -7,15 +7,15 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from winkler.laws.heat import HeatPartition
-from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.heating.estimates import first_share, shared
 from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
+from winkler.problems.heating.moved_body import HeatBody, moved_body, top
 from winkler.problems.normal.indentation import IndentationSolution
 
 __all__ = ["estimated", "shared_temperatures"]
 
-Bodies = tuple[ThermalConductor, ThermalConductor]
+Bodies = tuple[HeatBody, HeatBody]
 
 
 def shared_temperatures(
@@ -26,7 +26,7 @@ def shared_temperatures(
     Parameters
     ----------
     contact : IndentationSolution
-    bodies : tuple of ThermalConductor
+    bodies : tuple of ThermalConductor or Plated
     partition : EqualMaximum, EqualMean or FixedShare
     speeds : sequence of ndarray
         Those of both bodies [m/s], of one shape to which the loads of the contact broadcast.
@@ -50,47 +50,40 @@ def _shares(
 ) -> tuple[float, ...]:
     """Return the share of the first body, and greatest and mean temperatures of both for 1 W in all [K/W]."""
     if heat is None:
-        return bodies[0].conductivity / (bodies[0].conductivity + bodies[1].conductivity), 0.0, 0.0, 0.0, 0.0
-    waves = [speed / body.diffusivity for speed, body in zip(speeds, bodies, strict=True)]
-    same = abs(waves[0]) == abs(waves[1])
-    peaks = [heat.source.peak(abs(waves[0])).height]
-    means = [heat.source.mean(waves[0])]
-    peaks.append(peaks[0] if same else heat.source.peak(abs(waves[1])).height)
-    means.append(means[0] if same else heat.source.mean(waves[1]))
-    peaks, means = (
-        [each / body.conductivity for each, body in zip(pair, bodies, strict=True)] for pair in (peaks, means)
-    )
+        first, second = (top(body).conductivity for body in bodies)
+        return first / (first + second), 0.0, 0.0, 0.0, 0.0
+    moved = [moved_body(heat.source, body, abs(speed)) for speed, body in zip(speeds, bodies, strict=True)]
+    peaks, means = [each.peak.height for each in moved], [each.mean for each in moved]
     share = first_share(partition, peaks, means)
     return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
 
 
 def estimated(
-    per_watt: Callable[[HeatSource, Array], Array],
+    per_watt: Callable[[HeatSource, HeatBody, Array], Array],
     contact: IndentationSolution,
     bodies: Bodies,
     partition: HeatPartition,
-    peclets: tuple[Quantity, Quantity],
+    speeds: tuple[Quantity, Quantity],
 ) -> Array:
     """Return an estimate of the greatest temperature of the contact per watt [K/W], zero without contact.
 
     Parameters
     ----------
     per_watt : Callable
-        Source and Peclet number to the greatest lambda T of 1 W [1/m].
+        Source, body and speed to the greatest temperature of 1 W [K/W].
     contact : IndentationSolution
-    bodies : tuple of ThermalConductor
+    bodies : tuple of ThermalConductor or Plated
     partition : EqualMaximum, EqualMean or FixedShare
-    peclets : tuple of float or ndarray
-        V a / (2 kappa) of both bodies [-].
+    speeds : tuple of float or ndarray
+        Those of both bodies [m/s], of one shape.
     """
-    shape = np.shape(peclets[0])
+    shape = np.shape(speeds[0])
     which, temperature = loads_over(contact, shape), np.zeros(shape)
     for j, source in enumerate(heat_sources(contact)):
         mine = which == j
         if source is not None:
             first, second = (
-                per_watt(source, np.asarray(peclet)[mine]) / body.conductivity
-                for peclet, body in zip(peclets, bodies, strict=True)
+                per_watt(source, body, np.asarray(speed)[mine]) for speed, body in zip(speeds, bodies, strict=True)
             )
             temperature[mine] = shared(first, second, partition)
     return temperature

@@ -31,7 +31,8 @@ from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
 from winkler.problems.heating.heat_source import HeatSource
 from winkler.problems.heating.heated_body import HeatedBody
-from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
+from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers
+from winkler.problems.heating.moved_body import HeatBody
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.sharing import estimated, shared_temperatures
 from winkler.problems.heating.validity import heating_notes, sliding_contact_notes
@@ -44,7 +45,7 @@ __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 
 @value
-class FrictionHeating(RubbingBodies):
+class FrictionHeating(RubbingPlatedBodies):
     """Two bodies that slide on each other and warm up.
 
     Parameters
@@ -56,7 +57,8 @@ class FrictionHeating(RubbingBodies):
     load : Force, Depth or Radius
         The normal load, which may be an array.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made
+        of it, a perfect touch between them.
     first_speed, second_speed : float or ndarray, optional
         Velocities [m/s] along x at which the surface of either body moves past the contact; they slide with the
         difference.  A pin of the second body on a plate has `second_speed` 0, the default.  Arrays broadcast with each
@@ -161,7 +163,7 @@ class FrictionHeatingSolution:
     first_share : float or ndarray
         Part of it that goes into the first body [-].
     first_peclet, second_peclet : float or ndarray
-        Pe = V a / (2 kappa) of either body [-].
+        Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
         Greatest temperature of either surface within the contact [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
@@ -217,9 +219,11 @@ class FrictionHeatingSolution:
         """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]."""
         return self._estimate(tian_kennedy)
 
-    def _estimate(self, per_watt: Callable[[HeatSource, Array], Array]) -> Quantity:
-        problem, peclets = self.problem, (self.first_peclet, self.second_peclet)
-        return shaped(estimated(per_watt, self.contact, problem._bodies, problem.partition, peclets) * self.heat_rate)
+    def _estimate(self, per_watt: Callable[[HeatSource, HeatBody, Array], Array]) -> Quantity:
+        problem, shape = self.problem, np.shape(self.heat_rate)
+        first, second = (np.broadcast_to(each, shape) for each in (problem.first_speed, problem.second_speed))
+        found = estimated(per_watt, self.contact, problem._bodies, problem.partition, (first, second))
+        return shaped(found * self.heat_rate)
 
     @property
     def overestimate(self) -> Quantity:
@@ -271,5 +275,5 @@ class FrictionHeatingSolution:
             (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature)),
             (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
         )
-        notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
+        notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition, self.problem._plated)
         return (*sliding_contact_notes(self.contact, self.problem.law.coefficient), *notes)

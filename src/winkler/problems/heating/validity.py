@@ -31,6 +31,16 @@ STEADY_SOURCE = Note(
 )
 
 
+STEADY_STACK = Note(
+    Assumption.CONDUCTION,
+    Standing.EXACT,
+    "Steady heat conduction in platings and what carries them, of constant conductivity and diffusivity, bonded "
+    "without resistance; nothing is lost through the surface outside the contact; the flux is the pressure times "
+    "friction and speed, everywhere.",
+    "own transfer through the layers, wave by wave",
+)
+
+
 def sliding_contact_notes(contact: IndentationSolution, coefficient: float) -> tuple[Note, ...]:
     """Return how far a contact can be trusted all of which slides with a coefficient of friction [-]."""
     rubbed = contact.notes_with(SurfaceFriction(coefficient, math.inf))
@@ -43,6 +53,7 @@ def heating_notes(
     means: tuple[Array, Array],
     overestimate: Array,
     partition: HeatPartition,
+    plated: bool = False,
 ) -> tuple[Note, ...]:
     """Return how far temperatures can be trusted.
 
@@ -53,13 +64,20 @@ def heating_notes(
     overestimate : ndarray
         By how much the rule of slow sliding is too high [-].
     partition : EqualMaximum, EqualMean or FixedShare
+    plated : bool
+        Whether a body has platings of another conductor.
     """
     hottest = temperature_note(float(np.max(greatest)))
-    return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), hottest
+    conduction, alike = (STEADY_STACK, None) if plated else (STEADY_SOURCE, peclets)
+    return conduction, _speed(peclets, overestimate, plated), _sharing(alike, greatest, means, partition), hottest
 
 
 def moving_notes(
-    peclets: tuple[Array, Array], greatest: tuple[Array, Array], means: tuple[Array, Array], partition: HeatPartition
+    peclets: tuple[Array, Array],
+    greatest: tuple[Array, Array],
+    means: tuple[Array, Array],
+    partition: HeatPartition,
+    plated: bool = False,
 ) -> tuple[Note, ...]:
     """Return how far temperatures of a line contact can be trusted; parameters as of `heating_notes`."""
     motion = Note(
@@ -71,17 +89,18 @@ def moving_notes(
         JAEGER,
     )
     hottest = temperature_note(float(np.max(greatest)))
-    return STEADY_SOURCE, motion, _sharing(None, greatest, means, partition), hottest
+    return STEADY_STACK if plated else STEADY_SOURCE, motion, _sharing(None, greatest, means, partition), hottest
 
 
-def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
+def _speed(peclets: tuple[Array, Array], overestimate: Array, plated: bool) -> Note:
     fastest, excess = float(np.max(peclets)), float(np.max(overestimate))
     if fastest <= SLOW_PECLET:
+        rule = "" if plated else "T = mu v E* u_z / (2 (lambda_1 + lambda_2)) "
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
-            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule "
-            f"T = mu v E* u_z / (2 (lambda_1 + lambda_2)) would be {100.0 * excess:.2g} % too high at most.",
+            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule {rule}would be "
+            f"{100.0 * excess:.2g} % too high at most.",
             OWN,
         )
     return Note(

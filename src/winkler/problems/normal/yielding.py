@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import ClassVar
 
 import numpy as np
@@ -10,17 +11,21 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
 from winkler.problems.normal.single_contact import refuse_unless_disc
 from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.yield_statement import RADIUS_SHARES, WIDEST_ON_LAYER
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["YieldOnset", "YieldOnsetSolution"]
 
 MOST_STEPS = 40
+ROUGH_MISS = 0.02
+"""Logarithm of stress over strength below which stresses in layers are sought finely."""
 OCTAVES = 500
 REACH_SHARE = 0.999
 """Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
@@ -33,12 +38,13 @@ class YieldOnset:
     Parameters
     ----------
     bed : Bed
-        Springs over a `HalfSpace` of which at least one body was given a strength.
+        Springs over a `HalfSpace` or a `CoatedHalfSpace` of which at least one body, layer or base was given a
+        strength.
 
     Raises
     ------
     InvalidInput
-        If no body has a strength, or the medium is not isotropic.
+        If no part has a strength, or the medium is another one.
 
     References
     ----------
@@ -51,12 +57,12 @@ class YieldOnset:
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, HalfSpace):
+        if not isinstance(self.bed.medium, HalfSpace | CoatedHalfSpace):
             raise InvalidInput(
                 f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "homogeneous, isotropic bodies only: give a HalfSpace."
+                "isotropic bodies and bonded layers only: give a HalfSpace or a CoatedHalfSpace."
             )
-        if min(self.bed.medium.strengths) == math.inf:
+        if not strong_parts(self.bed.medium):
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
 
     def solve(self) -> YieldOnsetSolution:
@@ -66,26 +72,30 @@ class YieldOnset:
         ------
         OutsideValidity
             If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach,
-            or where the contact is no disc; under the edge of an incompressible truncated body.
+            or where the contact is no disc; under the edge of an incompressible truncated body; on layers, if the
+            contact would be ten times as wide as the uppermost layer is thick.
         NotConverged
             If the contact radius at the onset is not found.
         """
-        onsets, missed = [], []
+        onsets: list[tuple[float, GreatestStress, StrongPart]] = []
+        missed = []
         for part in strong_parts(self.bed.medium):
+            if onsets and _stress(self.bed, part, min(onsets, key=_radius)[0], True).value < part.solid.strength:
+                continue  # still elastic where another part yields
             onset = _onset(self.bed, part)
             if isinstance(onset, str):
                 missed.append(onset)
             else:
-                onsets.append((*onset, part.first))
+                onsets.append((*onset, part))
         if not onsets:
             raise OutsideValidity(missed[0])
-        radius, place, first = min(onsets, key=lambda onset: onset[0])
+        radius, place, part = min(onsets, key=_radius)
         at = np.array([radius])
         depth = float(self.bed.gap(at)[0])
         force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
         if not self.bed.certain:
             refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
-        return YieldOnsetSolution(self, depth, force, radius, r=place.x, z=place.z if first else -place.z)
+        return YieldOnsetSolution(self, depth, force, radius, r=place.x, z=place.z if part.first else -place.z)
 
 
 @value
@@ -110,6 +120,13 @@ class YieldOnsetSolution:
     z: float
 
     @property
+    def _part(self) -> str:
+        """Name of the part that yields."""
+        parts = [part for part in strong_parts(self.problem.bed.medium) if part.first == (self.z >= 0.0)]
+        depth = abs(self.z)
+        return min(parts, key=lambda part: max(part.top - depth, depth - part.bottom, 0.0)).name
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
         return (
@@ -117,7 +134,8 @@ class YieldOnsetSolution:
             Note(
                 Assumption.ELASTIC,
                 Standing.EXACT,
-                "Yielding begins where the von Mises stress of the elastic field first reaches the strength.",
+                f"Yielding begins in the {self._part}, where the von Mises stress of the elastic field first reaches its "
+                "strength.",
                 "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
             ),
         )
@@ -125,19 +143,29 @@ class YieldOnsetSolution:
 
 def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     """Return the contact radius at which one body yields, and where; or why it does not."""
-    assert isinstance(bed.medium, HalfSpace)
     strength, flat = part.solid.strength, flat_radius(bed)
     sharp = [b for b, jump in bed.kinks if jump != 0.0]
-    end = min([bed.reach, bed.rim, *(b for b in sharp if b > flat)])
+    widest = math.inf
+    if isinstance(bed.medium, CoatedHalfSpace):
+        widest = WIDEST_ON_LAYER * bed.medium.layers[0].thickness
+        if flat > widest:
+            return _too_wide(part, widest)
+    end = min([bed.reach, bed.rim, widest, *(b for b in sharp if b > flat)])
     a = _start(bed, flat, end, strength)
     _refuse_first_touch(bed, part, a, flat, sharp)
 
-    def stress(radius: float) -> GreatestStress:
-        return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part)
+    def stress(radius: float, fine: bool = True) -> GreatestStress:
+        return _stress(bed, part, radius, fine)
 
     with np.errstate(divide="ignore", invalid="ignore"):
         vertical = not math.isfinite(float(bed.gap_slope(np.array([end]))[0]))  # as the equator of a ball
-    if end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
+    if end == widest < math.inf:
+        while stress(a, fine=False).value < strength:  # wide contacts on layers take long: the least that suffices
+            if a == end:
+                return _too_wide(part, widest)
+            a = min(flat + 2.0 * (a - flat), end)
+        end = a
+    elif end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
         place = stress(end)
         if place.value < strength:
             if end in sharp or bed.rim <= bed.reach:  # reached first, and there the stress is infinite
@@ -155,11 +183,28 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
                 f"{place.value:.6g} Pa, below the strength, {strength:.6g} Pa: the body does not yield before; check "
                 "the units of strength and modulus."
             )
-    low, high = flat, end
+    found = _crossing(stress, strength, flat, end, a)
+    if isinstance(found, str) or isinstance(bed.medium, HalfSpace):
+        return found
+    for share in RADIUS_SHARES[:-1]:  # in layers the stress need not grow with the load
+        earlier = flat + share * (found[0] - flat)
+        if stress(earlier, fine=False).value >= strength:
+            return _crossing(stress, strength, flat, earlier, 0.5 * (flat + earlier))
+    return found
+
+
+def _crossing(
+    stress: Callable[..., GreatestStress], strength: float, flat: float, end: float, a: float
+) -> tuple[float, GreatestStress] | str:
+    """Return where the stress reaches the strength between two radii [m], from one of them on; or why it does not."""
+    low, high, fine = flat, end, False
     last: tuple[float, float] | None = None
     for _ in range(MOST_STEPS):
-        place = stress(a)
+        place = stress(a, fine)
         miss = math.log(place.value / strength)
+        if not fine and abs(miss) < ROUGH_MISS:
+            fine, place = True, stress(a, fine=True)
+            miss = math.log(place.value / strength)
         if abs(miss) < 1e-10:
             return a, place
         if last is not None and abs(miss - last[1]) < 1e-8 * abs(math.log(a - flat) - last[0]):
@@ -177,16 +222,35 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {MOST_STEPS} steps.")
 
 
+def _stress(bed: Bed, part: StrongPart, radius: float, fine: bool) -> GreatestStress:
+    """Return the greatest stress in a part at a contact radius."""
+    return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part, fine=fine)
+
+
+def _radius(onset: tuple[float, GreatestStress, StrongPart]) -> float:
+    return onset[0]
+
+
+def _too_wide(part: StrongPart, widest: float) -> str:
+    return (
+        f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the uppermost "
+        f"layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of wider contacts "
+        "on layers are not computed."
+    )
+
+
 def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
     """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength."""
-    assert isinstance(bed.medium, HalfSpace)
+    assert isinstance(bed.medium, HalfSpace | CoatedHalfSpace)
     wanted = strength / bed.medium.modulus
-    if math.isfinite(end):
+    if isinstance(bed.medium, HalfSpace) and math.isfinite(end):
         return 0.5 * (flat + end)
-    a, before = 2.0 * flat or 1.0, math.nan
+    a, before = 0.5 * (flat + end) if math.isfinite(end) else 2.0 * flat or 1.0, math.nan
     for _ in range(OCTAVES):
         slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
         if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before:
+            break
+        if math.isfinite(end) and slope < wanted:
             break
         a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
     return a

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.errors import OutsideValidity
-from winkler.materials.conducting_body import Plated, Rod
+from winkler.materials.conducting_body import Rod, layers_of
 from winkler.media.conduction.conductors import ElectricalConductors
 
 __all__ = ["refuse_bodies"]
@@ -25,8 +25,9 @@ def refuse_bodies(conductors: ElectricalConductors, longest: float) -> None:
                 "SurfaceConstriction: a rod constricts the current of one round contact, not that of a height map; "
                 "give its conductor alone, and add the resistance of its length, resistivity * length / section."
             )
-        if isinstance(body, Plated) and body.thickness < THINNEST_SHARE * longest:
+        thinnest = min((thickness for _, thickness in layers_of(body)[0]), default=longest)
+        if thinnest < THINNEST_SHARE * longest:
             raise OutsideValidity(
-                f"SurfaceConstriction: a plating of {body.thickness:.3g} m is less than {THINNEST_SHARE:g} of the "
+                f"SurfaceConstriction: a plating of {thinnest:.3g} m is less than {THINNEST_SHARE:g} of the "
                 f"map, {longest:.3g} m, which does not resolve it; leave the plating out."
             )

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
+from winkler.materials.conducting_body import ConductingBody, parts_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
@@ -20,8 +20,7 @@ MOST_DOUBLINGS = 60
 
 def coefficients_of(body: ConductingBody) -> tuple[float, ...]:
     """Return the coefficients of temperature of what a body is made of [1/K]."""
-    parts = (body.plating, body.on) if isinstance(body, Plated) else (surface_of(body),)
-    return tuple(part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor))
+    return tuple(part.temperature_coefficient for part in parts_of(body) if isinstance(part, ElectricalConductor))
 
 
 def coefficient_of(body: ConductingBody) -> float:

@@ -1,0 +1,136 @@
+"""The temperature of a layered body under a round source of heat that it moves past."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from winkler.numerics.fields.layer_echo import LayerEcho, Stack
+from winkler.numerics.fields.layered_source import echoed_points
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.source_tables import cosine_rule, powers
+from winkler.numerics.fields.warmest_place import PeakTemperature, warmest_place
+from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["StackedSource"]
+
+DIRECTION_NODES = 9
+"""Of the rule on every piece of the quarter turn."""
+FOLD_NODES = 10
+ENDS = 61
+"""Nodes of the double-exponential rule, where a load or a chord ends."""
+LENGTH_RATIO = 4.0
+
+
+@value
+class StackedSource:
+    """A round source of heat on a layered body that moves past it along x.
+
+    Parameters
+    ----------
+    source : LineSource
+        The source.
+    stack : Stack
+        The body.
+    speed : float
+        V [m/s]; negative if it moves backwards.
+    """
+
+    source: LineSource
+    stack: Stack
+    speed: float
+
+    @property
+    def _wave(self) -> float:
+        return self.speed / self.stack.diffusivities[0]
+
+    @functools.cached_property
+    def _rule(self) -> tuple[Array, Array]:
+        """Directions from 0 to a quarter turn, and weights: finer where the motion has no part, and about the edge."""
+        cuts = {0.0, 0.25 * math.pi, 0.5 * math.pi}
+        a = self.source.radius
+        # long waves, which feel the whole stack, turn with the motion the closest to its normal
+        layer = min(self.stack.diffusivities) / max(abs(self.speed) * a * max(2.0, self.stack.depth / a), 1e-300)
+        while layer < 0.25 * math.pi:
+            cuts.add(0.5 * math.pi - layer)
+            layer *= LENGTH_RATIO
+        edge = math.sqrt(self.stack.thicknesses[0] / a)
+        while edge < 0.25 * math.pi:
+            cuts.add(edge)
+            edge *= LENGTH_RATIO
+        ends = np.array(sorted(cuts))
+        node, weight = gauss_legendre(DIRECTION_NODES)
+        width = np.diff(ends)[:, None]
+        return (ends[:-1, None] + width * node).ravel(), (width * weight).ravel()
+
+    def _echo(self, reach: float) -> LayerEcho:
+        rates = abs(self.speed) * np.cos(self._rule[0])
+        return LayerEcho(self.stack, self.source.radius, rates, reach, round=True)
+
+    @functools.cached_property
+    def _inner(self) -> tuple[Array, Array]:
+        """The echo within the contact: marks and rows."""
+        echo = self._echo(2.0)
+        return echo.marks, _powers(echo.rows)
+
+    def surface(self, x: Array, y: Array) -> Array:
+        """Return the temperature [K] under this source.
+
+        Parameters
+        ----------
+        x, y : ndarray
+            Places [m], of one shape.
+        """
+        forth, a = math.copysign(1.0, self.speed), self.source.radius
+        flat, across = (np.ascontiguousarray(np.ravel(place) / a) for place in (forth * x, y))
+        farthest = float(np.max(np.hypot(flat, across), initial=0.0))
+        if farthest <= 1.0:
+            marks, rows = self._inner
+        else:
+            echo = self._echo(1.0 + farthest)
+            marks, rows = echo.marks, _powers(echo.rows)
+        added, load = np.empty(flat.size), self.source.table
+        echoed_points(flat, across, *self._rule, load, marks, rows, cosine_rule(FOLD_NODES), added)
+        whole = self.source.surface(self._wave, x, y) + self.source.scale * added.reshape(np.shape(x))
+        return np.asarray(whole / self.stack.conductivities[0])
+
+    @functools.cached_property
+    def peak(self) -> PeakTemperature:
+        """The greatest temperature within the contact [K], and its place."""
+        return warmest_place(self.surface, self.source.radius, self.source.fading, rests=self.speed == 0.0)
+
+    @functools.cached_property
+    def mean(self) -> float:
+        """Mean temperature over the contact [K]."""
+        echo = self._echo(2.0)
+        node, weight = gauss_legendre(FOLD_NODES)
+        width = np.diff(echo.marks)[:, None]
+        places, shares = (echo.marks[:-1, None] + width * node).ravel(), (width * weight).ravel()
+        overlap = self._overlap(places) * shares
+        along = (echo.at(places) + echo.at(-places)) @ overlap
+        added = float(along @ self._rule[1]) / math.pi
+        whole = self.source.mean(self._wave) + self.source.scale * added
+        return whole / self.stack.conductivities[0]
+
+    def _overlap(self, z: Array) -> Array:
+        """Return the integrals (n,) of q(t) and the chord of the disc at t + z, over its area and the scale of q."""
+        joints = np.array(sorted({-1.0, 1.0, *self.source.joints[:-1], *(-self.source.joints[:-1])}))
+        cuts = np.minimum(joints, 1.0 - z[:, None])
+        cuts[:, -1] = 1.0 - z
+        node, far, weight = tanh_sinh(ENDS)
+        low, width = cuts[:, :-1, None], np.diff(cuts)[..., None]
+        t = low + width * node
+        ahead = (1.0 - z[:, None, None] - cuts[:, 1:, None]) + width * far  # to where the chord ends
+        chord = 2.0 / math.pi * np.sqrt(np.maximum(ahead * (1.0 + t + z[:, None, None]), 0.0))
+        load = self.source.load(self.source.radius * t.ravel()).reshape(t.shape) / self.source.scale
+        return np.asarray(np.sum(load * chord * width * weight, axis=(1, 2)))
+
+
+def _powers(rows: Array) -> Array:
+    """Return Chebyshev coefficients (..., n) in powers, as the kernels take them."""
+    flat = powers(rows.reshape(-1, rows.shape[-1]))
+    return np.ascontiguousarray(flat.reshape(*rows.shape[:-1], flat.shape[-1]))

@@ -1,0 +1,125 @@
+"""A body, plated or not, that moves past 1 W of heat: its temperature per watt, of a round source and of a band."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from winkler.materials.conducting_body import Plated, layers_of, parts_of, surface_of
+from winkler.materials.conductor import ThermalConductor
+from winkler.numerics.fields.band_source import BandPeak, BandSource
+from winkler.numerics.fields.layer_echo import Stack
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.stacked_band import StackedBand
+from winkler.numerics.fields.stacked_source import StackedSource
+from winkler.numerics.fields.warmest_place import PeakTemperature
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["HeatBody", "ThickBand", "ThickBody", "fastest_conductor", "moved_body", "moved_under_band", "top"]
+
+HeatBody = ThermalConductor | Plated
+"""A thick body of one conductor, or a plated one."""
+
+
+def top(body: HeatBody) -> ThermalConductor:
+    """Return the conductor at the surface of a body that conducts heat."""
+    conductor = surface_of(body)
+    assert isinstance(conductor, ThermalConductor)
+    return conductor
+
+
+def _parts(body: HeatBody) -> list[ThermalConductor]:
+    return [part for part in parts_of(body) if isinstance(part, ThermalConductor)]
+
+
+def fastest_conductor(body: HeatBody) -> ThermalConductor:
+    """Return the conductor of the least diffusivity in a body, that of the highest Peclet number."""
+    return min(_parts(body), key=lambda part: part.diffusivity)
+
+
+def _stack(body: HeatBody) -> Stack | None:
+    """Return the layers of a body, from the surface down; None if all of it conducts alike."""
+    parts = _parts(body)
+    if len(set(parts)) == 1:
+        return None
+    conductivities, diffusivities = zip(*((part.conductivity, part.diffusivity) for part in parts), strict=True)
+    return Stack(conductivities, diffusivities, tuple(thickness for _, thickness in layers_of(body)[0]))
+
+
+@value
+class ThickBody:
+    """A thick body under a round source.
+
+    Parameters
+    ----------
+    source : LineSource
+    conductor : ThermalConductor
+    speed : float
+        [m/s].
+    """
+
+    source: LineSource
+    conductor: ThermalConductor
+    speed: float
+
+    @property
+    def _wave(self) -> float:
+        return self.speed / self.conductor.diffusivity
+
+    def surface(self, x: Array, y: Array) -> Array:
+        """Return the temperature [K] at places [m]."""
+        return self.source.surface(self._wave, x, y) / self.conductor.conductivity
+
+    @functools.cached_property
+    def peak(self) -> PeakTemperature:
+        """The greatest temperature [K], and its place."""
+        peak = self.source.peak(self._wave)
+        return PeakTemperature(peak.height / self.conductor.conductivity, peak.x, peak.y)
+
+    @functools.cached_property
+    def mean(self) -> float:
+        """Mean temperature over the contact [K]."""
+        return self.source.mean(self._wave) / self.conductor.conductivity
+
+
+@value
+class ThickBand:
+    """A thick body under a band; parameters as of `ThickBody`."""
+
+    source: BandSource
+    conductor: ThermalConductor
+    speed: float
+
+    @property
+    def _wave(self) -> float:
+        return self.speed / self.conductor.diffusivity
+
+    def surface(self, x: Array) -> Array:
+        """Return the temperature [K] at places [m]."""
+        return self.source.surface(self._wave, x) / self.conductor.conductivity
+
+    @property
+    def peak(self) -> BandPeak:
+        """The greatest temperature [K], and its place."""
+        peak = self.source.peak(self._wave)
+        return BandPeak(peak.height / self.conductor.conductivity, peak.x)
+
+    @property
+    def mean(self) -> float:
+        """Mean temperature over the strip [K]."""
+        return self.source.mean(self._wave) / self.conductor.conductivity
+
+
+@functools.lru_cache(maxsize=256)
+def moved_body(source: LineSource, body: HeatBody, speed: float) -> ThickBody | StackedSource:
+    """Return a body that moves at `speed` [m/s] past a round source of 1 W."""
+    stack = _stack(body)
+    return ThickBody(source, top(body), speed) if stack is None else StackedSource(source, stack, speed)
+
+
+def moved_under_band(source: BandSource, body: HeatBody, speed: float) -> ThickBand | StackedBand:
+    """Return a body that moves at `speed` [m/s] past a band of 1 W per length."""
+    stack = _stack(body)
+    return ThickBand(source, top(body), speed) if stack is None else StackedBand(source, stack, speed)

@@ -1,0 +1,69 @@
+"""Onset of yield in layers: a layer of the base's solid is none, and stresses by matrix exponentials of the test."""
+
+import math
+
+import numpy as np
+import pytest
+from layer_waves import _base, _plane
+from scipy.linalg import expm
+from scipy.special import j0
+
+import winkler as wk
+
+E, R, Y, H = 210e9, 1e-2, 1e9, 5e-5
+GAUSS = np.polynomial.legendre.leggauss(48)
+
+
+def coated(young, thickness, layer=Y, base=Y):
+    stack = [wk.Layer(wk.Elastic(young, 0.3, strength=layer), thickness)]
+    return wk.Foundation(wk.Paraboloid(R), wk.CoatedHalfSpace(stack, on=wk.Elastic(E, 0.3, strength=base)))
+
+
+@pytest.mark.parametrize(
+    ("thickness", "part"), [(1e-4, "layer 1"), pytest.param(2e-5, "body under the layers", marks=pytest.mark.slow)]
+)
+def test_a_layer_of_the_solid_of_its_base_yields_as_a_half_space(thickness, part):
+    plain = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace(wk.Elastic(E, 0.3, strength=Y)))).solve()
+    found = wk.YieldOnset(coated(E, thickness)).solve()
+    assert found.force == pytest.approx(plain.force, rel=3e-7)
+    assert (found.r, found.z) == (0.0, pytest.approx(plain.z, rel=1e-3))
+    assert found.validity[-1].statement.startswith(f"Yielding begins in the {part}, ")
+
+
+def mises_on_axis(onset, layers, z):
+    """|axial - radial| at a depth, from fields carried up from there; `layers` lie above it, the last one below too."""
+    solution = wk.Indentation(onset.problem.bed, wk.Radius(onset.radius)).solve()
+    angle, area = 0.25 * np.pi * (GAUSS[0] + 1.0), 0.25 * np.pi * GAUSS[1]
+    r = onset.radius * np.sin(angle)
+    load = area * onset.radius * np.cos(angle) * r * wk.restore(solution, r).pressure
+    cuts = np.concatenate([[0.0], np.geomspace(0.02, 1.0, 6), np.arange(2.0, 28.0)]) / z
+    xi = (cuts[:-1, None] + 0.5 * np.diff(cuts)[:, None] * (GAUSS[0] + 1.0)).ravel()
+    shares = (0.5 * np.diff(cuts)[:, None] * GAUSS[1]).ravel()
+    wave = j0(np.outer(xi, r)) @ load
+    shear, poisson = layers[-1][:2]  # on the interface the layer, which is stressed more
+    here = fields = np.broadcast_to(_base((E / 2.6, 0.3)), (xi.size, 4, 2))
+    for modulus, nu, thickness in reversed(layers):
+        scale = np.array([1.0, 1.0, modulus, modulus])[:, None]
+        fields = scale * (expm(-_plane(nu) * (xi * thickness)[:, None, None]) @ (fields / scale))
+    amplitudes = np.linalg.solve(fields[:, 2:], np.array([0.0, -1.0])[None, :, None] * wave[:, None, None])
+    moved = (here @ amplitudes)[..., 0]  # U, tractions over xi
+    axial, strain = np.sum(shares * xi * moved[:, 3]), 0.5 * np.sum(shares * xi * moved[:, 0])
+    radial = (2.0 * shear * strain * (1.0 + poisson) + poisson * axial) / (1.0 - poisson)
+    return abs(axial - radial)
+
+
+@pytest.mark.slow
+def test_a_stiff_layer_yields_at_its_lower_face_and_a_soft_one_lets_the_base_yield():
+    stiff, soft = wk.YieldOnset(coated(3.0 * E, H)).solve(), wk.YieldOnset(coated(E / 3.0, H)).solve()
+    assert (stiff.r, stiff.z) == (0.0, pytest.approx(H, rel=1e-12))
+    assert mises_on_axis(stiff, [(3.0 * E / 2.6, 0.3, H)], H) == pytest.approx(Y, rel=1e-6)
+    assert soft.z > H
+    above = [(E / 7.8, 0.3, H), (E / 2.6, 0.3, soft.z - H)]
+    assert mises_on_axis(soft, above, soft.z) == pytest.approx(Y, rel=1e-6)
+
+
+def test_media_and_parts_without_an_onset_are_refused():
+    with pytest.raises(wk.InvalidInput, match="no body has a strength"):
+        wk.YieldOnset(coated(E, H, layer=math.inf, base=math.inf))
+    with pytest.raises(wk.InvalidInput, match="give a HalfSpace or a CoatedHalfSpace"):
+        wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
