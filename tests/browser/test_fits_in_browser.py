@@ -202,7 +202,10 @@ def test_a_folder_of_curves(fresh, tmp_path):
     page.locator(".pictures", has_text="Curve and fit: sample_curves/place_13.csv").wait_for()
     app_page.settled()
     app_page.shot("fit_folder")
+    page.locator('[data-picture="map"]').scroll_into_view_if_needed()
     ground = page.locator('[data-picture="map"] .nsewdrag').bounding_box()
+    page.mouse.move(ground["x"] + 0.5 * ground["width"], ground["y"] + 0.9 * ground["height"])
+    page.locator('[data-picture="map"] .hoverlayer .hovertext').first.wait_for()
     page.mouse.click(ground["x"] + 0.5 * ground["width"], ground["y"] + 0.95 * ground["height"])  # the lowest row
     page.locator(".pictures", has_text="Curve and fit: sample_curves/place_03.csv").wait_for()
     folder = tmp_path / "run"

@@ -21,6 +21,6 @@ class LiveText(ui.element, component="live.js"):
             self.props["first"] = content
         self.run_method("show", content)
 
-    def mark(self, word: str) -> None:
+    def show_state(self, word: str) -> None:
         """Set the state of the enclosing answer."""
         self.run_method("mark", word)

@@ -80,7 +80,7 @@ class Page:
                 self.uploads.keep(name, content, SAMPLE_CURVES)
             form.put(self.entered.other_table, "fit.curve", SAMPLE)
         self.requests = RequestQueue(self.send)
-        self.stopping = Stopping(self)
+        self.stopping = Stopping(limit, self.solver, self.requests)
         self.anew = True
         self.shown_task = self.entered.task
 
@@ -109,7 +109,7 @@ class Page:
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
                 self.front: Front = Front(self.entered.load)
-                self.result = Result(self.show_moment, self.stopping.by_hand, right)
+                self.result = self.stopping.result = Result(self.show_moment, self.stopping.by_hand, right)
         self.rebuild()
         ui.timer(0.25, self.stopping.tick)
 

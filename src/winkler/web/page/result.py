@@ -206,7 +206,7 @@ class Result:
         """Set the state: running (``busy``), complete (``done``), or refused (``wrong``)."""
         self.points = ""
         self.batch = self.halting = False
-        self.head.mark(word)
+        self.head.show_state(word)
 
     def show_progress(self, progress: Progress) -> None:
         """Show the number of solved points of a sweep or a path, or of fitted curves."""

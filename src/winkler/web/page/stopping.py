@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING
 
-from winkler.web.session.solver import no_process
-
-if TYPE_CHECKING:
-    from winkler.web.page.page import Page
+from winkler.web.page.result import Result
+from winkler.web.session.requests import RequestQueue
+from winkler.web.session.solver import Solver, no_process
 
 __all__ = ["Stopping"]
 
@@ -18,12 +16,17 @@ class Stopping:
 
     Parameters
     ----------
-    page
-        The page.
+    limit
+        The longest that a study, or one curve of a batch, may take [s].
+    solver, requests
+        What runs, and what waits.
     """
 
-    def __init__(self, page: Page) -> None:
-        self.page = page
+    result: Result
+    """What shows that something runs; set as soon as it is drawn."""
+
+    def __init__(self, limit: float, solver: Solver, requests: RequestQueue) -> None:
+        self.limit, self.solver, self.requests = limit, solver, requests
         self.progress = 0.0
 
     def progressed(self) -> None:
@@ -32,30 +35,27 @@ class Stopping:
 
     def tick(self) -> None:
         """Update the elapsed time, and stop at the limit; of a batch each curve may take so long."""
-        page = self.page
-        page.result.show_elapsed(page.solver.seconds, ready=not page.solver.starting)
-        alone = page.solver.seconds
-        if page.result.batch:
+        alone = self.solver.seconds
+        self.result.show_elapsed(alone, ready=not self.solver.starting)
+        if self.result.batch:
             alone = min(alone, time.monotonic() - self.progress)
-        if alone > page.limit:
-            late = f"The study took longer than {page.limit:g} s and was stopped"
+        if alone > self.limit:
+            late = f"The study took longer than {self.limit:g} s and was stopped"
             self.stop(f"{late}; ask for less, or run it on the command line.")
 
     def by_hand(self) -> None:
         """Stop the running request; of a batch what was fitted stays, unless this is the second time."""
-        result = self.page.result
-        if result.batch and not result.halting:
-            result.halting = True
-            self.page.solver.halt()
+        if self.result.batch and not self.result.halting:
+            self.result.halting = True
+            self.solver.halt()
         else:
             self.stop()
 
     def stop(self, why: str = "Stopped.") -> None:
         """Stop the running request, and say why."""
-        page = self.page
-        page.requests.clear()
+        self.requests.clear()
         try:
-            page.solver.stop()
+            self.solver.stop()
         except OSError as error:
             why = f"{why} {no_process(error)}"
-        page.result.refuse([why], beside=False)
+        self.result.refuse([why], beside=False)

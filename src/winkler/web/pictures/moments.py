@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.loading import Depth
+from winkler.plot.series import name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.answer import is_march, is_recovering, is_restorable, is_worn
 from winkler.problems.normal.indentation import Indentation
-from winkler.plot.series import name_in_words
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome

@@ -143,12 +143,11 @@ def _refused() -> None:
     ui.notify(f"The file is not taken: it has more than {LARGEST / 1e6:.0f} MB, or another ending.", type="negative")
 
 
-def _picker(upload: ui.upload, *, folder: bool | None = None) -> str:
+def _picker(upload: ui.upload, *, folder: bool = False) -> str:
     """Return the script that opens the choice of a file; it runs in the browser as part of the click.
 
     Quasar has no property for the choice of a folder: its hidden input gets it before it is clicked.
     """
-    asked = (
-        f"for (const e of u.$el.querySelectorAll('input[type=file]')) e.webkitdirectory = {str(bool(folder)).lower()}; "
-    )
+    inputs = "u.$el.querySelectorAll('input[type=file]')"
+    asked = f"for (const one of {inputs}) one.webkitdirectory = {str(folder).lower()}; "
     return f"() => {{ const u = getElement({upload.id}); {asked}u.$refs.qRef.pickFiles(); }}"
