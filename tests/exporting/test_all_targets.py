@@ -11,7 +11,7 @@ from winkler.exporting.choose import law_of
 from winkler.exporting.sizes import of_every_radius
 
 TOLERANCE = 1e-13
-FEW, MANY, STEPS = 5, 84, 6
+FEW, MANY, STEPS = 5, 84, 4
 """Histories of one law; the many are more than a thousand over all laws."""
 SIZED = ("beads", "sticky")
 """Laws that are compared as those of all radii, too."""

@@ -9,8 +9,11 @@ from winkler.exporting.targets.c_law import ITEMS
 
 __all__ = ["granular_law"]
 
-MOTIONS = {"depth": "share * gm->delta", "duration": "gm->history_update ? gm->dt : 0.0"}
-MOTIONS["curvature_radius"] = "gm->Reff / share"
+MOTIONS = {
+    "depth": "share * gm->delta",
+    "duration": "gm->history_update ? gm->dt : 0.0",
+    "curvature_radius": "gm->Reff / share",
+}
 
 
 def granular_law(law: StepLaw, name: str, hold: float, radii: Mapping[str, str]) -> dict[str, str]:
