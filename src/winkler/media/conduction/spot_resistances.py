@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.materials.conducting_body import ConductingBody, Plated, parts_of, resistivity_of, surface_of
+from winkler.materials.conducting_body import ConductingBody, Plated, Rod, parts_of, resistivity_of, surface_of
 from winkler.media.conduction.disc_resistance import PlatedResponse
 from winkler.numerics.pixels.layered import LayeredSurface
 from winkler.numerics.surfaces.punched_grid import punch
@@ -111,7 +111,9 @@ def _layers(first: ConductingBody, second: ConductingBody) -> LayeredSurface | N
     def scaled(body: ConductingBody) -> ConductingBody:
         if not isinstance(body, Plated):
             return body
-        return dataclasses.replace(body, thickness=body.thickness / unit, on=scaled(body.on))
+        below = scaled(body.on)
+        assert not isinstance(below, Rod)  # no plating lies on one
+        return dataclasses.replace(body, thickness=body.thickness / unit, on=below)
 
     return LayeredSurface(PlatedResponse(scaled(first), scaled(second)), unit)
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from winkler.numerics.fields.moving_source import line_load, panel_value
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array

@@ -6,10 +6,11 @@ import numpy as np
 
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.fields.stacked_source import StackedSource
+from winkler.numerics.fields.thick_body import ThickBody
 from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.heat_source import heat_source
-from winkler.problems.heating.moved_body import HeatBody, ThickBody, fastest_conductor, moved_body
+from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_body
 from winkler.values import value
 
 __all__ = ["HeatedBody"]

@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import functools
 
-import numpy as np
-
 from winkler.materials.conducting_body import Plated, layers_of, parts_of, surface_of
 from winkler.materials.conductor import ThermalConductor
-from winkler.numerics.fields.band_source import BandPeak, BandSource
+from winkler.numerics.fields.band_source import BandSource
 from winkler.numerics.fields.layer_echo import Stack
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.stacked_band import StackedBand
 from winkler.numerics.fields.stacked_source import StackedSource
-from winkler.numerics.fields.warmest_place import PeakTemperature
-from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.numerics.fields.thick_body import ThickBand, ThickBody
 
-__all__ = ["HeatBody", "ThickBand", "ThickBody", "fastest_conductor", "moved_body", "moved_under_band", "top"]
+__all__ = ["HeatBody", "fastest_conductor", "moved_body", "moved_under_band", "top"]
 
 HeatBody = ThermalConductor | Plated
 """A thick body of one conductor, or a plated one."""
@@ -28,6 +24,11 @@ def top(body: HeatBody) -> ThermalConductor:
     conductor = surface_of(body)
     assert isinstance(conductor, ThermalConductor)
     return conductor
+
+
+def _numbers(body: HeatBody) -> tuple[float, float]:
+    conductor = top(body)
+    return conductor.conductivity, conductor.diffusivity
 
 
 def _parts(body: HeatBody) -> list[ThermalConductor]:
@@ -48,78 +49,14 @@ def _stack(body: HeatBody) -> Stack | None:
     return Stack(conductivities, diffusivities, tuple(thickness for _, thickness in layers_of(body)[0]))
 
 
-@value
-class ThickBody:
-    """A thick body under a round source.
-
-    Parameters
-    ----------
-    source : LineSource
-    conductor : ThermalConductor
-    speed : float
-        [m/s].
-    """
-
-    source: LineSource
-    conductor: ThermalConductor
-    speed: float
-
-    @property
-    def _wave(self) -> float:
-        return self.speed / self.conductor.diffusivity
-
-    def surface(self, x: Array, y: Array) -> Array:
-        """Return the temperature [K] at places [m]."""
-        return self.source.surface(self._wave, x, y) / self.conductor.conductivity
-
-    @functools.cached_property
-    def peak(self) -> PeakTemperature:
-        """The greatest temperature [K], and its place."""
-        peak = self.source.peak(self._wave)
-        return PeakTemperature(peak.height / self.conductor.conductivity, peak.x, peak.y)
-
-    @functools.cached_property
-    def mean(self) -> float:
-        """Mean temperature over the contact [K]."""
-        return self.source.mean(self._wave) / self.conductor.conductivity
-
-
-@value
-class ThickBand:
-    """A thick body under a band; parameters as of `ThickBody`."""
-
-    source: BandSource
-    conductor: ThermalConductor
-    speed: float
-
-    @property
-    def _wave(self) -> float:
-        return self.speed / self.conductor.diffusivity
-
-    def surface(self, x: Array) -> Array:
-        """Return the temperature [K] at places [m]."""
-        return self.source.surface(self._wave, x) / self.conductor.conductivity
-
-    @property
-    def peak(self) -> BandPeak:
-        """The greatest temperature [K], and its place."""
-        peak = self.source.peak(self._wave)
-        return BandPeak(peak.height / self.conductor.conductivity, peak.x)
-
-    @property
-    def mean(self) -> float:
-        """Mean temperature over the strip [K]."""
-        return self.source.mean(self._wave) / self.conductor.conductivity
-
-
 @functools.lru_cache(maxsize=256)
 def moved_body(source: LineSource, body: HeatBody, speed: float) -> ThickBody | StackedSource:
     """Return a body that moves at `speed` [m/s] past a round source of 1 W."""
     stack = _stack(body)
-    return ThickBody(source, top(body), speed) if stack is None else StackedSource(source, stack, speed)
+    return ThickBody(source, *_numbers(body), speed) if stack is None else StackedSource(source, stack, speed)
 
 
 def moved_under_band(source: BandSource, body: HeatBody, speed: float) -> ThickBand | StackedBand:
     """Return a body that moves at `speed` [m/s] past a band of 1 W per length."""
     stack = _stack(body)
-    return ThickBand(source, top(body), speed) if stack is None else StackedBand(source, stack, speed)
+    return ThickBand(source, *_numbers(body), speed) if stack is None else StackedBand(source, stack, speed)

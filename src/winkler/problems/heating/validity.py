@@ -99,8 +99,8 @@ def _speed(peclets: tuple[Array, Array], overestimate: Array, plated: bool) -> N
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
-            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule {rule}would be "
-            f"{100.0 * excess:.2g} % too high at most.",
+            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule {rule}would "
+            f"be {100.0 * excess:.2g} % too high at most.",
             OWN,
         )
     return Note(

@@ -134,8 +134,8 @@ class YieldOnsetSolution:
             Note(
                 Assumption.ELASTIC,
                 Standing.EXACT,
-                f"Yielding begins in the {self._part}, where the von Mises stress of the elastic field first reaches its "
-                "strength.",
+                f"Yielding begins in the {self._part}, where the von Mises stress of the elastic field first reaches "
+                "its strength.",
                 "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
             ),
         )
@@ -233,9 +233,9 @@ def _radius(onset: tuple[float, GreatestStress, StrongPart]) -> float:
 
 def _too_wide(part: StrongPart, widest: float) -> str:
     return (
-        f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the uppermost "
-        f"layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of wider contacts "
-        "on layers are not computed."
+        f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the "
+        f"uppermost layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of wider "
+        "contacts on layers are not computed."
     )
 
 
