@@ -17,8 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.materials.elastic import Rigid
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.blocks import Four, add, invert, scaled, times
 from winkler.media.layered.faces import THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
 from winkler.media.layered.wave_constants import Body, WaveConstants, constants_of

@@ -8,7 +8,7 @@ from typing import NamedTuple, Self
 import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import StackLayer
 from winkler.media.layered.climb import AnyLayer, climbed, is_bonded
 from winkler.media.layered.layers import rounded
 from winkler.media.layered.shear_responses import across_layer

@@ -11,8 +11,7 @@ from typing import ClassVar
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.families import StackedBody
 from winkler.media.layered import coated_interior
 from winkler.media.layered.climb import is_bonded
