@@ -109,7 +109,7 @@ from winkler.materials.depth_grading import ExponentialGrading, SigmoidalGrading
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.graded import PowerLawGraded
-from winkler.materials.layered import Layer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.materials.named import (
     NamedElastic,
     NamedElectricalConductor,
@@ -121,7 +121,6 @@ from winkler.materials.named import (
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
-from winkler.materials.stack_layer import StackLayer
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony

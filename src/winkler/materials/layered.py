@@ -1,14 +1,14 @@
-"""A layer of a coating: its solid and its thickness."""
+"""Layers: of a coating, bonded and isotropic; of a stack, bonded or sliding, isotropic or transversely isotropic."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
 from winkler.checks.number_checks import Advice, PositiveNotTiny
-from winkler.materials.elastic import Elastic
-from winkler.values import value
+from winkler.materials.elastic import Elastic, TransverselyIsotropic
+from winkler.values import value, words
 
-__all__ = ["Layer"]
+__all__ = ["Layer", "StackLayer"]
 
 
 BUILT_ELASTIC = Advice(
@@ -41,3 +41,35 @@ class Layer:
 
     solid: Annotated[Elastic, BUILT_ELASTIC]
     thickness: Annotated[PositiveNotTiny, Advice("leave a layer without thickness out")]
+
+
+@value
+class StackLayer:
+    """One layer of a `StackedHalfSpace`.
+
+    Parameters
+    ----------
+    solid : Elastic or TransverselyIsotropic
+        What it is made of; the axis of a transversely isotropic solid is the surface normal.
+    thickness : float
+        [m], positive.
+    bonded : bool, optional
+        Whether it is bonded to what lies below it (the default).  If not, it slides there without friction, and does
+        not lift off: the interface passes on the normal stress and the normal displacement alone.
+
+    Raises
+    ------
+    InvalidInput
+        If the solid is neither, or the thickness not positive.
+
+    Examples
+    --------
+    >>> StackLayer(Elastic(young=70e9, poisson=0.2), thickness=1e-4, bonded=False).bonded
+    False
+    """
+
+    __words__ = words(bonded=("", "", "whether it is bonded to what lies below it; if not, it slides there"))
+
+    solid: Elastic | TransverselyIsotropic
+    thickness: Annotated[PositiveNotTiny, Advice("leave a layer without thickness out")]
+    bonded: bool = True

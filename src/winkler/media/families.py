@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from winkler.materials.elastic import Solid, TransverselyIsotropic
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Curve
 

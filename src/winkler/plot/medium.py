@@ -16,8 +16,7 @@ from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace

@@ -12,7 +12,7 @@ from stack_waves import surface
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.layered.coated_interior import wave_states
-from winkler.media.layered.sheet import sheet_of
+from winkler.media.layered.wave_constants import constants_of
 from winkler.media.stacked.response import StackAlong, StackNormal
 from winkler.problems.rough.compliance import compliance_of
 
@@ -56,7 +56,7 @@ def test_compliances_are_those_of_elasticity(name):
 
 
 def test_the_exponents_of_these_solids_are_of_all_kinds():
-    splits = [sheet_of(solid).split for solid in (QUARTZ_LIKE, FIBRES, GLASS, WEAVE)]
+    splits = [constants_of(solid).split for solid in (QUARTZ_LIKE, FIBRES, GLASS, WEAVE)]
     assert splits[0] > 0.1
     assert splits[1] > 0.1
     assert splits[2] == 0.0
@@ -155,7 +155,7 @@ def test_stresses_inside_by_elasticity_in_one_wave():
     depths = np.array([0.4, 1.0, 1.2, 1.5])
     for wave in (0.2, 2.0):
         _, _, states = surface(wave, parts, on, depths=depths.tolist())
-        own = sheet_of(GLASS).decay(np.array([wave * 0.4]))
+        own = constants_of(GLASS).decay(np.array([wave * 0.4]))
         found = list(wave_states(layers, on, np.array([1.0, 1.5]), depths, np.array([wave])))
         for (_, state, _), wanted in zip(found[2:], states[2:], strict=True):
             assert np.concatenate([state.moved[0], state.loaded[0]]) == pytest.approx(wanted, rel=1e-10)

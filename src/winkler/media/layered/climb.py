@@ -17,11 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.materials.elastic import Rigid
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.blocks import Four, add, invert, scaled, times
 from winkler.media.layered.faces import THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
-from winkler.media.layered.sheet import Body, Sheet, sheet_of
+from winkler.media.layered.wave_constants import Body, WaveConstants, constants_of
 from winkler.numerics.types import ComplexArray
 
 __all__ = ["AnyLayer", "Crossing", "Support", "climbed", "is_bonded", "support_of"]
@@ -51,39 +50,39 @@ def is_bonded(layer: AnyLayer) -> bool:
     return isinstance(layer, Layer) or layer.bonded
 
 
-def crossing(sheet: Sheet, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
+def crossing(constants: WaveConstants, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
     """Return the state in a layer.
 
     Parameters
     ----------
-    sheet : Sheet
+    constants : WaveConstants
         Its solid.
     support : Support
         What lies below it.
     x, start : ndarray, (m,)
         xi times its thickness, and times the depth of the place below its upper face.
     """
-    thin = np.abs(x) * sheet.steepest <= THIN_LAYER_LIMIT
+    thin = np.abs(x) * constants.steepest <= THIN_LAYER_LIMIT
     x = np.where(np.abs(x) < LEAST_WAVE, LEAST_WAVE, x)
     entries = [np.empty_like(x) for _ in range(8)]
-    compliance = tuple(np.broadcast_to(sheet.shear * entry, x.shape) for entry in support.compliance)
+    compliance = tuple(np.broadcast_to(constants.shear * entry, x.shape) for entry in support.compliance)
     for chosen, crossed in ((thin, _propagated), (~thin, _split)):
         if chosen.any():
             below = Support(tuple(entry[chosen] for entry in compliance), support.bonded)  # type: ignore[arg-type]
-            found = crossed(sheet, below, x[chosen], start[chosen])
+            found = crossed(constants, below, x[chosen], start[chosen])
             for entry, part in zip(entries, (*found.moved, *found.loaded), strict=True):
                 entry[chosen] = part
     return Crossing(tuple(entries[:4]), tuple(entries[4:]))  # type: ignore[arg-type]
 
 
-def _propagated(sheet: Sheet, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
+def _propagated(constants: WaveConstants, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
     one, none = np.ones_like(x), np.zeros_like(x)
     moved, loaded = support.compliance, (one, none, none, one)
     if not support.bonded:
         moved, loaded = (one, none, none, moved[3]), (none, none, none, one)
 
     def lifted(height: ComplexArray) -> tuple[Four, Four]:
-        uu, ut, tu, tt = sheet.propagator(height)
+        uu, ut, tu, tt = constants.propagator(height)
         return add(times(uu, moved), times(ut, loaded)), add(times(tu, moved), times(tt, loaded))
 
     at_top = invert(lifted(x)[1])
@@ -91,8 +90,8 @@ def _propagated(sheet: Sheet, support: Support, x: ComplexArray, start: ComplexA
     return Crossing(times(here_moved, at_top), times(here_loaded, at_top))
 
 
-def _split(sheet: Sheet, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
-    own, rising, one = sheet.half_space, sheet.rising_half_space, (1.0, 0.0, 0.0, 1.0)
+def _split(constants: WaveConstants, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
+    own, rising, one = constants.half_space, constants.rising_half_space, (1.0, 0.0, 0.0, 1.0)
 
     def misfit(half_space: Four) -> Four:
         """What the states of a half-space leave of the conditions below the layer."""
@@ -102,11 +101,11 @@ def _split(sheet: Sheet, support: Support, x: ComplexArray, start: ComplexArray)
         zero = np.zeros_like(x)
         return zero + 1.0, zero, zero + half_space[2], half_space[3] - d
 
-    down = sheet.decay(x)
+    down = constants.decay(x)
     reflected = scaled(-1.0, times(invert(misfit(rising)), times(misfit(own), down)))
     amplitude = invert(add(one, times(mirrored(down), reflected)))  # type: ignore[arg-type]
-    falling = times(sheet.decay(start), amplitude)
-    climbing = times(mirrored(sheet.decay(x - start)), times(reflected, amplitude))
+    falling = times(constants.decay(start), amplitude)
+    climbing = times(mirrored(constants.decay(x - start)), times(reflected, amplitude))
     return Crossing(add(times(own, falling), times(rising, climbing)), add(falling, climbing))
 
 
@@ -115,8 +114,8 @@ def support_of(on: Body) -> Four:
     if isinstance(on, Rigid):
         nothing = np.array(0.0)
         return nothing, nothing, nothing, nothing
-    sheet = sheet_of(on)
-    return scaled(1.0 / sheet.shear, sheet.half_space)
+    constants = constants_of(on)
+    return scaled(1.0 / constants.shear, constants.half_space)
 
 
 def climbed(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> list[tuple[Support, Four]]:
@@ -142,6 +141,6 @@ def climbed(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> list[tu
     for layer in reversed(layers):
         bonded = is_bonded(layer)
         support = Support(compliance_of(face), bonded)
-        face = above(sheet_of(layer.solid), face if bonded else slid(face), xi * layer.thickness)
+        face = above(constants_of(layer.solid), face if bonded else slid(face), xi * layer.thickness)
         rungs.append((support, compliance_of(face)))
     return rungs[::-1]

@@ -24,8 +24,8 @@ from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse
 from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
 from winkler.media.layered.sheared import ShearedLayers
-from winkler.media.layered.sheet import Body
 from winkler.media.layered.tangential_response import TangentialResponse
+from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.pixels.layered import GridResponse

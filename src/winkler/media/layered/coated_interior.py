@@ -21,7 +21,7 @@ from winkler.media.layered import layers as stack
 from winkler.media.layered.blocks import Four, add, scaled, stacked, times
 from winkler.media.layered.climb import AnyLayer, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.sheet import Body, sheet_of
+from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
@@ -139,27 +139,27 @@ def wave_states(
     arrived = [surface]
     for layer, support in zip(layers, supports, strict=True):
         x = xi * layer.thickness
-        arrived.append(_matrices(crossing(sheet_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
+        arrived.append(_matrices(crossing(constants_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
     for depth in depths:
         index = int(np.searchsorted(bottoms, depth))
         start = xi * (depth - tops[index])
         if index == len(layers):
             assert not isinstance(on, Rigid)
             solid = on
-            sheet = sheet_of(solid)
-            loaded = sheet.decay(start)
-            moved = times(sheet.half_space, loaded)
+            constants = constants_of(solid)
+            loaded = constants.decay(start)
+            moved = times(constants.half_space, loaded)
         else:
             solid = layers[index].solid
-            sheet = sheet_of(solid)
-            moved, loaded = crossing(sheet, supports[index], xi * layers[index].thickness, start)
+            constants = constants_of(solid)
+            moved, loaded = crossing(constants, supports[index], xi * layers[index].thickness, start)
         if index == 0:
-            own = scaled(-1.0, sheet.decay(start))
-            loaded, moved = add(loaded, own), add(moved, times(sheet.half_space, own))
+            own = scaled(-1.0, constants.decay(start))
+            loaded, moved = add(loaded, own), add(moved, times(constants.half_space, own))
         states = (_matrices(part, xi) @ arrived[index] for part in (moved, loaded))
         displacement, traction = (state[..., 0] for state in states)
         end = int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, bottoms, depth)))
-        yield float(depth), WaveState(displacement / sheet.shear, traction, solid), end
+        yield float(depth), WaveState(displacement / constants.shear, traction, solid), end
 
 
 def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float:
@@ -168,7 +168,7 @@ def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float
         return float(2.0 * bottoms[0] - depth)
     above = zip(layers, bottoms, strict=True)
     return sum(
-        float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0))) * sheet_of(layer.solid).slowest
+        float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0))) * constants_of(layer.solid).slowest
         for layer, bottom in above
     )
 
@@ -189,11 +189,11 @@ def superposed(state: WaveState, waves: HankelWaves, r: Array) -> Array:
     from scipy.special import j0, j1
 
     end = waves.xi.size
-    sheet = sheet_of(state.solid)
-    plane, twice = sheet.shear * sheet.plane, 2.0 * sheet.shear * sheet.twist
+    constants = constants_of(state.solid)
+    plane, twice = constants.shear * constants.plane, 2.0 * constants.shear * constants.twist
     strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
     shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
-    common = sheet.lateral * axial + (plane - twice) * strain
+    common = constants.lateral * axial + (plane - twice) * strain
     result = np.empty((6, r.size))
     step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, r.size, step):

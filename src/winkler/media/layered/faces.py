@@ -21,7 +21,7 @@ from typing import TypeAlias
 import numpy as np
 
 from winkler.media.layered.blocks import Four, scaled, times
-from winkler.media.layered.sheet import Sheet
+from winkler.media.layered.wave_constants import WaveConstants
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["THIN_LAYER_LIMIT", "Face", "above", "compliance_of", "face_of", "mirrored", "reflection", "slid"]
@@ -61,32 +61,32 @@ def _rescaled(face: Face, modulus: float) -> Face:
     return face[0] * modulus, *face[1:5], face[5] / modulus
 
 
-def above(sheet: Sheet, face: Face, x: ComplexArray) -> Face:
+def above(constants: WaveConstants, face: Face, x: ComplexArray) -> Face:
     """Return the upper face of a layer.
 
     Parameters
     ----------
-    sheet : Sheet
+    constants : WaveConstants
         Its solid.
     face : Face
         What is below it.
     x : ndarray, (m,)
         xi times its thickness.
     """
-    thin = np.abs(x) * sheet.steepest <= THIN_LAYER_LIMIT
+    thin = np.abs(x) * constants.steepest <= THIN_LAYER_LIMIT
     x = np.where(np.abs(x) < LEAST_WAVE, LEAST_WAVE, x)
-    below = _rescaled(face, sheet.shear)
+    below = _rescaled(face, constants.shear)
     result = [np.empty_like(x) for _ in PAIRS]
     for chosen, crossed in ((thin, _propagated), (~thin, _reflected)):
         if chosen.any():
             part: Face = tuple(np.broadcast_to(minor, x.shape)[chosen] for minor in below)  # type: ignore[assignment]
-            for minor, found in zip(result, crossed(sheet, part, x[chosen]), strict=True):
+            for minor, found in zip(result, crossed(constants, part, x[chosen]), strict=True):
                 minor[chosen] = found
-    return _rescaled(tuple(result), 1.0 / sheet.shear)  # type: ignore[arg-type]
+    return _rescaled(tuple(result), 1.0 / constants.shear)  # type: ignore[arg-type]
 
 
-def _propagated(sheet: Sheet, face: Face, x: ComplexArray) -> Face:
-    uu, ut, tu, tt = sheet.propagator(x)
+def _propagated(constants: WaveConstants, face: Face, x: ComplexArray) -> Face:
+    uu, ut, tu, tt = constants.propagator(x)
     rows = [(*uu[:2], *ut[:2]), (*uu[2:], *ut[2:]), (*tu[:2], *tt[:2]), (*tu[2:], *tt[2:])]
     result = []
     for i, j in PAIRS:
@@ -98,21 +98,21 @@ def _propagated(sheet: Sheet, face: Face, x: ComplexArray) -> Face:
     return tuple(result)
 
 
-def _reflected(sheet: Sheet, face: Face, x: ComplexArray) -> Face:
+def _reflected(constants: WaveConstants, face: Face, x: ComplexArray) -> Face:
     """Return the minors of the states D + G K: fields that decay from above, and what comes back of them."""
-    down = sheet.decay(x)
-    back = times(times(mirrored(down), reflection(sheet, face)), down)
-    a, b, c, d = times(sheet.rising_half_space, back)
-    own = sheet.half_space
+    down = constants.decay(x)
+    back = times(times(mirrored(down), reflection(constants, face)), down)
+    a, b, c, d = times(constants.rising_half_space, back)
+    own = constants.half_space
     columns = ((own[0] + a, own[2] + c, 1.0 + back[0], back[2]), (own[1] + b, own[3] + d, back[1], 1.0 + back[3]))
     return tuple(columns[0][i] * columns[1][j] - columns[0][j] * columns[1][i] for i, j in PAIRS)  # type: ignore[return-value]
 
 
-def reflection(sheet: Sheet, face: Face) -> Four:
+def reflection(constants: WaveConstants, face: Face) -> Four:
     """Return the tractions of the field that comes back from a face, per those of the one that arrives there."""
     falling, rising = (
         ((four[0], four[2], 1.0, 0.0), (four[1], four[3], 0.0, 1.0))
-        for four in (sheet.half_space, sheet.rising_half_space)
+        for four in (constants.half_space, constants.rising_half_space)
     )
 
     def volume(first: Sequence[Array | float], second: Sequence[Array | float]) -> ComplexArray:

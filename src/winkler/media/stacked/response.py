@@ -8,16 +8,16 @@ from typing import NamedTuple, Self
 import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import StackLayer
 from winkler.media.layered.climb import AnyLayer, climbed, is_bonded
 from winkler.media.layered.layers import rounded
 from winkler.media.layered.shear_responses import across_layer
-from winkler.media.layered.sheet import (
+from winkler.media.layered.wave_constants import (
     Body,
     across_compliance,
     along_compliance,
+    constants_of,
     normal_compliance,
-    sheet_of,
     stiffness_scale,
 )
 from winkler.numerics.types import ComplexArray
@@ -73,7 +73,7 @@ class StackResponse:
     def length(self) -> float:
         """M tends to zero like exp(-2 xi length) [m]."""
         top = self.layers[0]
-        return top.thickness * sheet_of(top.solid).slowest
+        return top.thickness * constants_of(top.solid).slowest
 
     @property
     def smooth(self) -> float:
@@ -159,10 +159,10 @@ def _yielding(group: _Group) -> float:
     """Return how much less thick a group gets under a uniform pressure of one [m/Pa]; if not held, it widens."""
     straight = widening = stretched = 0.0
     for layer in group.layers:
-        sheet, h = sheet_of(layer.solid), layer.thickness
-        straight += h * sheet.axial / sheet.shear
-        widening += h * sheet.lateral
-        stretched += h * sheet.plane * sheet.shear
+        constants, h = constants_of(layer.solid), layer.thickness
+        straight += h * constants.axial / constants.shear
+        widening += h * constants.lateral
+        stretched += h * constants.plane * constants.shear
     return straight if group.held else straight + widening**2 / stretched
 
 
@@ -205,14 +205,14 @@ class StackAcross(StackResponse):
     def length(self) -> float:
         """M tends to zero like exp(-2 xi length) [m]."""
         top = self.layers[0]
-        return top.thickness * math.sqrt(sheet_of(top.solid).twist)
+        return top.thickness * math.sqrt(constants_of(top.solid).twist)
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         across = np.full(xi.shape, across_compliance(self.on), dtype=xi.dtype)
         excess: ComplexArray = np.zeros_like(xi)
         for layer in reversed(self.layers):
-            depth = layer.thickness * math.sqrt(sheet_of(layer.solid).twist)
+            depth = layer.thickness * math.sqrt(constants_of(layer.solid).twist)
             across, excess = across_layer(across, across_compliance(layer.solid), xi * depth)
         return np.asarray(self._share * excess)
 
@@ -248,4 +248,4 @@ class StackTangential(StackResponse):
         """The limit of (1 + M) / xi for long waves [m]; infinite if one of the bodies is a half-space."""
         if not isinstance(self.on, Rigid) or not isinstance(self.second, Rigid):
             return math.inf
-        return 0.5 * self.modulus * sum(layer.thickness / sheet_of(layer.solid).shear for layer in self.layers)
+        return 0.5 * self.modulus * sum(layer.thickness / constants_of(layer.solid).shear for layer in self.layers)

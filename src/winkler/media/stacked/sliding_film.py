@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Solid
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.coated import BARBER
 from winkler.media.stacked.stacked import SlidingStack
 from winkler.validity import Assumption, Note, Standing

@@ -11,8 +11,7 @@ from typing import ClassVar
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
-from winkler.materials.layered import Layer
-from winkler.materials.stack_layer import StackLayer
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.families import StackedBody
 from winkler.media.layered import coated_interior
 from winkler.media.layered.climb import is_bonded
@@ -115,13 +114,15 @@ class StackedHalfSpace(SlidingStack):
 
     Examples
     --------
-    A glass cover slip on a gel: bonded to it, and sliding on it.
+    A glass cover slip on a polymer: bonded to it, and sliding on it.
 
     >>> import numpy as np
-    >>> glass, gel = Elastic(young=70e9, poisson=0.2), Elastic(young=10e3, poisson=0.5)
+    >>> glass, polymer = Elastic(young=70e9, poisson=0.2), Elastic(young=3e9, poisson=0.35)
     >>> for bonded in (True, False):
-    ...     slip = StackedHalfSpace([StackLayer(glass, 0.15e-3, bonded)], on=gel)
-    ...     print(f"{float(slip.punch_stiffness(np.array(1e-3))):.1f} N/m")
+    ...     cover = StackedHalfSpace([StackLayer(glass, 10e-6, bonded)], on=polymer)
+    ...     print(f"{float(cover.punch_stiffness(np.array(10e-6))) / 1e6:.4f} MN/m")
+    0.1687 MN/m
+    0.1525 MN/m
     """
 
     layers: tuple[StackLayer | Layer, ...]

@@ -1,6 +1,6 @@
 r"""How far layers are compressed against their thickness.
 
-Linear elasticity needs strains that are small.  In bonded layers of total thickness h the mean strain is the depth less
+Linear elasticity needs strains that are small.  In layers of total thickness h the mean strain is the depth less
 what the bodies on either side of them yield, over h.  A half-space yields :math:`0.75\,F/(E^*a)` under the middle of a
 Hertzian pressure, a rigid body nothing; on a rigid base under a rigid body the number is d/h.
 """
@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from winkler.foundation.bed import Bed
 from winkler.media.families import CoatedBody, StackedBody
-from winkler.media.layered.sheet import normal_compliance
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
@@ -35,6 +34,8 @@ def film_strain(medium: CoatedBody | StackedBody, depth: float, force: float, ra
     depth, force, radius : float
         d [m], F_N [N] and a [m], positive.
     """
+    from winkler.media.layered.wave_constants import normal_compliance  # not loaded for numbers of other bodies
+
     yielding = normal_compliance(medium.on) + normal_compliance(medium.second)
     return max(depth - 0.75 * max(force, 0.0) * yielding / radius, 0.0) / medium.thickness
 

@@ -187,7 +187,7 @@ BODIES: Kinds = {
             thickness="50 um",
         ),
         "stack_layer": kind(
-            "winkler.materials.stack_layer:StackLayer",
+            "winkler.materials.layered:StackLayer",
             solid={"kind": "elastic", "young": "450 GPa", "poisson": 0.25},
             thickness="50 um",
             bonded=False,

@@ -29,7 +29,15 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.blocks import Four
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["Body", "Sheet", "across_compliance", "along_compliance", "normal_compliance", "sheet_of", "stiffness_scale"]
+__all__ = [
+    "Body",
+    "WaveConstants",
+    "across_compliance",
+    "along_compliance",
+    "constants_of",
+    "normal_compliance",
+    "stiffness_scale",
+]
 
 Body = TransverselyIsotropic | Elastic | Rigid
 """What carries the layers, or presses on them."""
@@ -38,7 +46,7 @@ SERIES_TERMS = 10
 """Terms of the series of cosh and sinh up to an argument of one."""
 
 
-class Sheet(NamedTuple):
+class WaveConstants(NamedTuple):
     """A solid, in units of its C44.
 
     `lateral` is n, `axial` C44/C33, `plane` c/C44, `twist` C66/C44; `total` and `product` are p and q, `split` is
@@ -120,11 +128,11 @@ class Sheet(NamedTuple):
         return block(0, 0), block(0, 2), block(2, 0), block(2, 2)
 
 
-def sheet_of(solid: Elastic | TransverselyIsotropic) -> Sheet:
+def constants_of(solid: Elastic | TransverselyIsotropic) -> WaveConstants:
     """Return what the waves need of a solid."""
     if isinstance(solid, Elastic):
         nu = solid.poisson
-        return Sheet(
+        return WaveConstants(
             solid.shear, nu / (1.0 - nu), (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)), 2.0 / (1.0 - nu), 1.0, 2.0, 1.0, 0.0
         )
     c11, c13, c33, c44 = solid.c11, solid.c13, solid.c33, solid.c44
@@ -133,35 +141,35 @@ def sheet_of(solid: Elastic | TransverselyIsotropic) -> Sheet:
     total = math.sqrt((mean - c13) * (mean + c13 + 2.0 * c44) / ratio)
     split = 0.25 * (mean + c13) * (mean - c13 - 2.0 * c44) / ratio  # (p^2 - 4 q) / 4 without a difference of squares
     plane = (mean - c13) * (mean + c13) / ratio
-    return Sheet(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
+    return WaveConstants(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
 
 
 def normal_compliance(body: Body) -> float:
     """Return 1/E* of a body [1/Pa]; zero of a rigid one."""
     if isinstance(body, Rigid):
         return 0.0
-    sheet = sheet_of(body)
-    return 0.5 * sheet.total * sheet.product / (sheet.plane * sheet.shear)
+    constants = constants_of(body)
+    return 0.5 * constants.total * constants.product / (constants.plane * constants.shear)
 
 
 def along_compliance(body: Body) -> float:
     """Return 1/m_L of a body [1/Pa], of shear along a wave; zero of a rigid one."""
     if isinstance(body, Rigid):
         return 0.0
-    sheet = sheet_of(body)
-    return 0.5 * sheet.total / (sheet.plane * sheet.shear)
+    constants = constants_of(body)
+    return 0.5 * constants.total / (constants.plane * constants.shear)
 
 
 def across_compliance(body: Body) -> float:
     """Return 1/m_T of a body [1/Pa], of shear across a wave: 1 / (2 sqrt(C44 C66)); zero of a rigid one."""
     if isinstance(body, Rigid):
         return 0.0
-    sheet = sheet_of(body)
-    return 0.5 / (sheet.shear * math.sqrt(sheet.twist))
+    constants = constants_of(body)
+    return 0.5 / (constants.shear * math.sqrt(constants.twist))
 
 
 def stiffness_scale(solid: Elastic | TransverselyIsotropic) -> tuple[float, float]:
     """Return the least and the greatest of the moduli of a solid that bound lengths [Pa]."""
-    sheet = sheet_of(solid)
-    moduli = [1.0, 0.5 * sheet.plane, sheet.twist]
-    return sheet.shear * min(moduli), sheet.shear * max(moduli)
+    constants = constants_of(solid)
+    moduli = [1.0, 0.5 * constants.plane, constants.twist]
+    return constants.shear * min(moduli), constants.shear * max(moduli)
