@@ -19,8 +19,8 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale
+from winkler.media.families import CoatedBody, SlidingBody
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
@@ -176,7 +176,7 @@ def _approach(
 ) -> SuddenPull | DiscOfStress | DiscOnLayers:
     if isinstance(law, DerjaguinMullerToporov):
         return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
-    if not isinstance(bed.medium, HomogeneousMedium | LayeredMedium) or not bed.rising:
+    if not isinstance(bed.medium, HomogeneousMedium | CoatedBody | SlidingBody) or not bed.rising:
         raise OutsideValidity(
             "AdhesiveCycle: how bodies attract each other before they touch is known for Dugdale's law on homogeneous "
             "half-spaces and on layers, and for profiles that rise up to their end; use ShortRange(work), or "
