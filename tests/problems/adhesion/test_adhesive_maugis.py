@@ -224,6 +224,9 @@ def test_a_wave_in_the_zone_takes_the_first_end():
 
 
 def test_refusals():
+    graded = wk.DepthGradedHalfSpace(wk.ExponentialGrading(1e6, 3e6, depth_scale=1e-5, poisson=0.3))
+    with pytest.raises(OutsideValidity, match="DepthGradedHalfSpace is not known"):
+        PullOff(wk.Foundation(wk.Paraboloid(R), graded), law(1.0)).solve()
     gibson = GradedHalfSpace.between(PowerLawGraded(1e6, 1e-4, 1.0, 0.5))
     with pytest.raises(OutsideValidity, match="Gibson"):
         PullOff(wk.Foundation(wk.Paraboloid(R), gibson), law(1.0)).solve()

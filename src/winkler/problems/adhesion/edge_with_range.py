@@ -20,7 +20,6 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
@@ -176,14 +175,14 @@ def _approach(
 ) -> SuddenPull | DiscOfStress | DiscOnLayers:
     if isinstance(law, DerjaguinMullerToporov):
         return SuddenPull(-float(force_of(states, np.zeros(1))[0]))
-    if not isinstance(bed.medium, HomogeneousMedium | LayeredMedium) or not bed.rising:
+    if isinstance(states, LayeredStates) and bed.rising:
+        return DiscOnLayers(states, states.touch())
+    if not isinstance(bed.medium, HomogeneousMedium) or not bed.rising:
         raise OutsideValidity(
             "AdhesiveCycle: how bodies attract each other before they touch is known for Dugdale's law on homogeneous "
             "half-spaces and on layers, and for profiles that rise up to their end; use ShortRange(work), or "
             "Equilibrium and PullOff, which begin at touch."
         )
-    if isinstance(states, LayeredStates):
-        return DiscOnLayers(states, states.touch())
     modulus = bed.medium.modulus
     # at touch the middle of the disc has risen by 2 sigma c / E*
     length = float(-states.depth(np.zeros(1))[0]) * modulus / (2.0 * law.strength)

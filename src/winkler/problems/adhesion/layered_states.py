@@ -39,18 +39,20 @@ ENERGY_RULE = ("double", 161)
 TABLE_TOLERANCE = 1e-12
 LOWEST_OCTAVE = -3
 """All narrower contacts, in radii of the disc at first touch, are in one table."""
+VERTICAL_SHARE = 0.97
+"""Up to this part of the radius of a body whose flank ends vertical rings are followed."""
 LEAST_DISC = 1e-12
 """Radius of the narrowest disc of stress, in parts of that at first touch."""
 
 
 @value
 class LayeredStates:
-    """States under a constant stress, on layers and on bodies graded in depth.
+    """States under a constant stress, on layers.
 
     Parameters
     ----------
     bed : Bed
-        On a medium with a known surface compliance.
+        On bonded layers or a film that slides.
     law : Dugdale
     """
 
@@ -215,6 +217,8 @@ def _zones(states: LayeredStates) -> RingOnLayers:
     bed, medium, law = states.bed, states.bed.medium, states.law
     assert isinstance(medium, LayeredMedium)
     end = min(bed.reach, bed.rim)
+    if math.isfinite(end) and not math.isfinite(float(bed.slope(np.array([end]))[0])):
+        end *= VERTICAL_SHARE
     springs = RingSprings(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, medium.modulus, 0.0, end)
     widest = rough_root(bed.height, law.range) if isinstance(bed, Foundation) and not math.isfinite(end) else end
     return RingOnLayers(springs, medium.response, springs.amplitude(law.strength), law.range, widest)
