@@ -234,8 +234,8 @@ def _radius(onset: tuple[float, GreatestStress, StrongPart]) -> float:
 def _too_wide(part: StrongPart, widest: float) -> str:
     return (
         f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the "
-        f"uppermost layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of wider "
-        "contacts on layers are not computed."
+        f"uppermost layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of "
+        "wider contacts on layers are not computed."
     )
 
 
