@@ -84,7 +84,7 @@ def test_a_thick_coating_says_nothing_of_what_carries_it():
 def test_a_thin_coating():
     note = coated(4e-7, ("bed.medium.layers[0].solid.young",))
     assert note.standing is Standing.APPROXIMATE
-    assert "0.5 of the thickness 4e-07 m" in note.statement
+    assert "0.5 of the thickness 400 nm" in note.statement
     assert (
         "distinguished only by how this grows"
         in coated(4e-7, ("bed.medium.layers[0].solid.young", "bed.medium.on.young")).statement

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from winkler.units import scale
 
-__all__ = ["Calculator", "Number", "Slider"]
+__all__ = ["AnswerNumber", "Calculator", "Slider"]
 
 
 class Slider(NamedTuple):
@@ -36,7 +36,7 @@ class Slider(NamedTuple):
     ratio: bool = True
 
 
-class Number(NamedTuple):
+class AnswerNumber(NamedTuple):
     """A number that is found.
 
     Parameters
@@ -72,7 +72,7 @@ class Calculator(NamedTuple):
     kind : str
         Of the study.
     sliders : tuple of Slider
-    numbers : tuple of Number
+    numbers : tuple of AnswerNumber
         The first is what is asked.
     across, up : str
         Slider and number of the first curve.
@@ -91,7 +91,7 @@ class Calculator(NamedTuple):
     question: str
     kind: str
     sliders: tuple[Slider, ...]
-    numbers: tuple[Number, ...]
+    numbers: tuple[AnswerNumber, ...]
     across: str
     up: str
     valid: str

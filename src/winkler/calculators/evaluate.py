@@ -17,7 +17,7 @@ __all__ = ["answer_of", "study_text_of", "values_of"]
 
 @functools.cache
 def _kept() -> Mapping[str, Array]:
-    with np.load(TABLE_FILE) as kept:
+    with np.load(TABLE_FILE, allow_pickle=False) as kept:
         return {name: kept[name] for name in kept.files}
 
 

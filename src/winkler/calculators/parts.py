@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.calculators.calculator import Number, Slider
+from winkler.calculators.calculator import AnswerNumber, Slider
 
 __all__ = [
     "ALIKE", "BALL", "COEFFICIENT", "FORCE", "FRICTION", "POISSON", "PRESSED", "RADIUS", "SHARE", "YOUNG",
@@ -17,12 +17,12 @@ COEFFICIENT = Slider("coefficient", "μ", "coefficient of friction", "", 0.01, 1
 SHARE = Slider("share", "F_x/μF_N", "part of the force at which all slides", "", 0.01, 0.99, 0.6, False)
 
 
-def metres(name: str, symbol: str, words: str, path: str, unit: str = "um") -> Number:
+def metres(name: str, symbol: str, words: str, path: str, unit: str = "um") -> AnswerNumber:
     """Return a length that is found."""
-    return Number(name, symbol, words, unit, "m", path)
+    return AnswerNumber(name, symbol, words, unit, "m", path)
 
 
-def contact_radius(path: str = "radius") -> Number:
+def contact_radius(path: str = "radius") -> AnswerNumber:
     """Return the contact radius."""
     return metres("radius", "a", "contact radius", path)
 

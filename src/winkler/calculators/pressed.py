@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from winkler.calculators import kernels
-from winkler.calculators.calculator import Calculator, Number, Slider
+from winkler.calculators.calculator import AnswerNumber, Calculator, Slider
 from winkler.calculators.parts import ALIKE, BALL, FORCE, POISSON, PRESSED, RADIUS, YOUNG, contact_radius, metres
 
 __all__ = ["PRESSED_ONES"]
 
 DEPTH = metres("depth", "d", "indentation depth", "depth")
-MEAN = Number("mean_pressure", "p_m", "mean pressure", "MPa", "Pa", "mean_pressure")
-STIFFNESS = Number("stiffness", "k", "stiffness", "N/um", "N/m", "stiffness")
+MEAN = AnswerNumber("mean_pressure", "p_m", "mean pressure", "MPa", "Pa", "mean_pressure")
+STIFFNESS = AnswerNumber("stiffness", "k", "stiffness", "N/um", "N/m", "stiffness")
 RESISTIVITY = Slider("resistivity", "ρ_1", "resistivity of the first body", "nohm m", 10.0, 1e4, 15.9)
 
 NORMAL = Calculator(
@@ -24,7 +24,8 @@ NORMAL = Calculator(
         POISSON._replace(name="poisson_2", symbol="ν_2", words="Poisson's ratio of the other body"),
     ),
     (
-        DEPTH, contact_radius(), Number("peak_pressure", "p_0", "greatest pressure", "MPa", "Pa", "peak_pressure"),
+        DEPTH, contact_radius(),
+        AnswerNumber("peak_pressure", "p_0", "greatest pressure", "MPa", "Pa", "peak_pressure"),
         MEAN, STIFFNESS,
     ),
     "force", "depth",
@@ -108,10 +109,10 @@ ADHESION = Calculator(
         Slider("pull", "F/|F_A|", "force over the pull-off force; negative pulls", "", -0.99, 49.0, 0.0, False),
     ),
     (
-        Number("radius", "a", "contact radius", "um", "m", "radius"),
+        AnswerNumber("radius", "a", "contact radius", "um", "m", "radius"),
         DEPTH,
-        Number("force", "F_N", "normal force", "mN", "N", "force"),
-        Number("pull_off", "F_A", "pull-off force", "mN", "N", "pull_off.force"),
+        AnswerNumber("force", "F_N", "normal force", "mN", "N", "force"),
+        AnswerNumber("pull_off", "F_A", "pull-off force", "mN", "N", "pull_off.force"),
         metres("last_radius", "a_A", "contact radius when it parts", "pull_off.radius"),
     ),
     "pull", "radius",
@@ -147,12 +148,12 @@ ROUGHNESS = Calculator(
         RESISTIVITY._replace(symbol="ρ", words="resistivity of both bodies"),
     ),
     (
-        Number("least", "G_min", "least conductance", "S", "S", "least_conductance"),
-        Number("smooth", "G_0", "conductance without roughness", "S", "S", "smooth_conductance"),
-        Number("greatest", "G_max", "greatest conductance", "S", "S", "greatest_conductance"),
-        Number("least_stiffness", "k_min", "least stiffness", "N/um", "N/m", "least_stiffness"),
-        Number("smooth_stiffness", "k_0", "stiffness without roughness", "N/um", "N/m", "smooth_stiffness"),
-        Number("greatest_stiffness", "k_max", "greatest stiffness", "N/um", "N/m", "greatest_stiffness"),
+        AnswerNumber("least", "G_min", "least conductance", "S", "S", "least_conductance"),
+        AnswerNumber("smooth", "G_0", "conductance without roughness", "S", "S", "smooth_conductance"),
+        AnswerNumber("greatest", "G_max", "greatest conductance", "S", "S", "greatest_conductance"),
+        AnswerNumber("least_stiffness", "k_min", "least stiffness", "N/um", "N/m", "least_stiffness"),
+        AnswerNumber("smooth_stiffness", "k_0", "stiffness without roughness", "N/um", "N/m", "smooth_stiffness"),
+        AnswerNumber("greatest_stiffness", "k_max", "greatest stiffness", "N/um", "N/m", "greatest_stiffness"),
     ),
     "roughness", "least",
     "Barber's bounds hold for elastic bodies with roughness of any shape between the two heights; where peaks yield, "
@@ -172,9 +173,9 @@ CONDUCTION = Calculator(
         Slider("film", "σ_f", "resistance of the film times its area", "ohm m^2", 1e-14, 1e-7, 1e-13),
     ),
     (
-        Number("resistance", "R_c", "contact resistance", "mohm", "ohm", "resistance"),
-        Number("constriction", "R_s", "of it: constriction of both bodies", "mohm", "ohm", "constriction"),
-        Number("film_resistance", "R_f", "of it: film", "mohm", "ohm", "film_resistance"),
+        AnswerNumber("resistance", "R_c", "contact resistance", "mohm", "ohm", "resistance"),
+        AnswerNumber("constriction", "R_s", "of it: constriction of both bodies", "mohm", "ohm", "constriction"),
+        AnswerNumber("film_resistance", "R_f", "of it: film", "mohm", "ohm", "film_resistance"),
         contact_radius(), DEPTH,
     ),
     "force", "resistance",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.calculators import kernels
-from winkler.calculators.calculator import Calculator, Number, Slider
+from winkler.calculators.calculator import AnswerNumber, Calculator, Slider
 from winkler.calculators.parts import (
     ALIKE,
     BALL,
@@ -37,7 +37,7 @@ TANGENTIAL = Calculator(
     (*BODIES, SHARE),
     (
         metres("shift", "u_x", "shift of the bodies", "shift[-1]"),
-        Number("shear_force", "F_x", "shear force", "N", "N", "shear_force[-1]"),
+        AnswerNumber("shear_force", "F_x", "shear force", "N", "N", "shear_force[-1]"),
         contact_radius("radius[-1]"),
         metres("stick_radius", "c", "radius of what sticks", "stick_radius[-1]"),
     ),
@@ -51,11 +51,11 @@ TORSION = Calculator(
     "torsion", "Torsion", "Which torque twists a ball, and how much of it still sticks?", "torsion",
     (*BODIES, SHARE._replace(symbol="M_z/M_max", words="part of the greatest torque")),
     (
-        Number("angle", "φ", "angle of twist", "mrad", "rad", "angle[-1]"),
-        Number("torque", "M_z", "torque", "N mm", "N m", "torque[-1]"),
+        AnswerNumber("angle", "φ", "angle of twist", "mrad", "rad", "angle[-1]"),
+        AnswerNumber("torque", "M_z", "torque", "N mm", "N m", "torque[-1]"),
         contact_radius("radius[-1]"),
         metres("stick_radius", "c", "radius of what sticks", "stick_radius[-1]"),
-        Number("torque_limit", "M_max", "torque at which all would slide", "N mm", "N m", "torque_limit[-1]"),
+        AnswerNumber("torque_limit", "M_max", "torque at which all would slide", "N mm", "N m", "torque_limit[-1]"),
     ),
     "share", "angle",
     "Coulomb's friction; twisted for the first time, under a steady normal force. A pressure and a twist do not act on "
@@ -68,8 +68,8 @@ DAMPING = Calculator(
     "damping", "Damping by friction", "What does a joint lose in every cycle of vibration?", "friction_damping",
     (*BODIES, SHARE),
     (
-        Number("loss_per_cycle", "W", "energy lost in a cycle", "uJ", "J", "loss_per_cycle"),
-        Number("shear_force", "F_x", "amplitude of the shear force", "N", "N", "shear_force"),
+        AnswerNumber("loss_per_cycle", "W", "energy lost in a cycle", "uJ", "J", "loss_per_cycle"),
+        AnswerNumber("shear_force", "F_x", "amplitude of the shear force", "N", "N", "shear_force"),
         metres("shift", "u_x", "amplitude of the shift", "shift"),
         contact_radius("contact.radius"),
     ),
@@ -95,12 +95,12 @@ ROLLING = Calculator(
         YOUNG, POISSON, COEFFICIENT, SHARE._replace(symbol="Q/μP"),
     ),
     (
-        Number("creepage", "ξ", "creepage", "%", "", "longitudinal_creepage"),
-        Number("shear_force", "Q", "force per length along the way", "N/mm", "N/m", "shear_force_per_length"),
-        Number("stick_share", "c/a", "part of the width that sticks", "", "", "stick_share"),
+        AnswerNumber("creepage", "ξ", "creepage", "%", "", "longitudinal_creepage"),
+        AnswerNumber("shear_force", "Q", "force per length along the way", "N/mm", "N/m", "shear_force_per_length"),
+        AnswerNumber("stick_share", "c/a", "part of the width that sticks", "", "", "stick_share"),
         metres("half_width", "a", "half-width of the contact", "contact.half_width"),
-        Number("peak_pressure", "p_0", "greatest pressure", "MPa", "Pa", "contact.peak_pressure"),
-        Number("loss", "W'", "loss per way and length", "J/m^2", "J/m^2", "loss_per_area"),
+        AnswerNumber("peak_pressure", "p_0", "greatest pressure", "MPa", "Pa", "contact.peak_pressure"),
+        AnswerNumber("loss", "W'", "loss per way and length", "J/m^2", "J/m^2", "loss_per_area"),
     ),
     "share", "creepage",
     f"A cylinder in plane strain (Carter) that rolls steadily on a flat. {BETWEEN_ALIKE}.",
@@ -131,10 +131,10 @@ HEATING = Calculator(
         CONDUCTIVITY._replace(name="conductivity_2", symbol="λ_2", words="conductivity of the ball, at rest"),
     ),
     (
-        Number("temperature", "ΔT", "greatest rise of temperature", "K", "K", "first_max_temperature"),
-        Number("heat_rate", "Q", "heat of friction", "W", "W", "heat_rate"),
-        Number("first_share", "", "part that goes into the moving body", "", "", "first_share"),
-        Number("peclet", "Pe", "Peclet number v a / (2 κ)", "", "", "first_peclet"),
+        AnswerNumber("temperature", "ΔT", "greatest rise of temperature", "K", "K", "first_max_temperature"),
+        AnswerNumber("heat_rate", "Q", "heat of friction", "W", "W", "heat_rate"),
+        AnswerNumber("first_share", "", "part that goes into the moving body", "", "", "first_share"),
+        AnswerNumber("peclet", "Pe", "Peclet number v a / (2 κ)", "", "", "first_peclet"),
         contact_radius(),
     ),
     "speed", "temperature",
@@ -158,10 +158,10 @@ WEAR = Calculator(
         YOUNG, POISSON, COEFFICIENT, SHARE._replace(symbol="U/U_max", words="part of the shift at which all slides"),
     ),
     (
-        Number("worn_volume", "V", "volume worn in the end", "um^3", "m^3", "worn_volume"),
+        AnswerNumber("worn_volume", "V", "volume worn in the end", "um^3", "m^3", "worn_volume"),
         metres("stick_radius", "c", "radius of what never slips", "stick_radius"),
         metres("radius", "a", "contact radius in the end", "radius"),
-        Number("force", "F_N", "normal force in the end", "N", "N", "force"),
+        AnswerNumber("force", "F_N", "normal force in the end", "N", "N", "force"),
         metres("shift", "U", "amplitude of the shift", "problem.amplitude.shift"),
     ),
     "share", "worn_volume",

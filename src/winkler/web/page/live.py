@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from nicegui import ui
 
-__all__ = ["LiveText"]
+__all__ = ["LiveHtml"]
 
 
-class LiveText(ui.element, component="live.js"):
+class LiveHtml(ui.element, component="live.js"):
     """HTML that is replaced without a new look at the rest of the page."""
 
     content = ""

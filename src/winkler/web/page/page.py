@@ -11,20 +11,20 @@ import tomli_w
 from nicegui import context, ui
 
 from winkler.errors import InvalidInput, WinklerError, mistake_in
+from winkler.web.fields.fields import FormFields
+from winkler.web.fields.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
+from winkler.web.fields.sweep_fields import draw_sweep
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE, SAMPLES
 from winkler.web.form.sample_folder import sample_folder
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
-from winkler.web.page.fields import FormFields
-from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
 from winkler.web.page.front import Front
 from winkler.web.page.kept_studies import KeptStudies
 from winkler.web.page.question import Question
 from winkler.web.page.result import Result
 from winkler.web.page.stopping import Stopping
-from winkler.web.page.sweep_fields import draw_sweep
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.export import File
 from winkler.web.session.files import Files

@@ -8,7 +8,7 @@ from typing import Any
 from nicegui import ui
 
 from winkler.study.report.markup import safe
-from winkler.web.page.live import LiveText
+from winkler.web.page.live import LiveHtml
 from winkler.web.page.picture import Card, caption
 from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
@@ -55,17 +55,17 @@ class Result:
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
         ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
-        self.head = LiveText().classes("paper head")
+        self.head = LiveHtml().classes("paper head")
         self.pinned = PinnedAnswer(self._pin)
         self.batch = self.halting = False
-        self.curves = LiveText().classes("paper curve-list")
+        self.curves = LiveHtml().classes("paper curve-list")
         self.curves.on("click", lambda event: self.choose(event.args), js_handler=CHOSEN_ROW)
         self._film()
         self.remark = ui.label().classes("meaning")
         ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
         self.grid = ui.element("div").classes("pictures")
         self.drawn = ui.element("div").classes("paper sheets")
-        self.tail = [LiveText().classes("paper tail") for _ in range(3)]
+        self.tail = [LiveHtml().classes("paper tail") for _ in range(3)]
 
     def _film(self) -> None:
         with ui.element("div").classes("film") as self.film:

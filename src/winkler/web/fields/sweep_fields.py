@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from nicegui import ui
 
+from winkler.web.fields.fields import FormFields
+from winkler.web.fields.range_field import draw_range_boxes
 from winkler.web.form import sweep_form
 from winkler.web.form.ranges import SPACINGS, range_texts
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.sweep_form import DESIGN_LABELS, VariedNumber
-from winkler.web.page.fields import FormFields
-from winkler.web.page.range_field import draw_range_boxes
 from winkler.web.session.worker import MOST_POINTS
 
 __all__ = ["draw_sweep"]

@@ -12,15 +12,15 @@ from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.vocabulary import Word
+from winkler.web.fields.field_actions import FieldActions
+from winkler.web.fields.material_field import draw_material
+from winkler.web.fields.number_field import UnitMenu
+from winkler.web.fields.range_field import draw_range_boxes
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.materials_menu import NAMED
 from winkler.web.form.ranges import SPACINGS, is_range, range_texts, spacing_of
 from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import SWITCH, typed
-from winkler.web.page.field_actions import FieldActions
-from winkler.web.page.material_field import draw_material
-from winkler.web.page.number_field import UnitMenu
-from winkler.web.page.range_field import draw_range_boxes
 from winkler.web.pictures.words import symbol_html
 
 __all__ = ["FormFields"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from winkler.web.page.range_field import RangeActions
+from winkler.web.fields.range_field import RangeActions
 
 __all__ = ["FieldActions"]
 

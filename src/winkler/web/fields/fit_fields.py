@@ -8,13 +8,13 @@ from collections.abc import Callable
 from nicegui import ui
 
 from winkler.study.language.explain import plain_symbol
+from winkler.web.fields.fields import FormFields
 from winkler.web.form import fit_form, form, measurement_form
 from winkler.web.form.fit_form import CURVE
 from winkler.web.form.measurement_form import Choice
 from winkler.web.form.sample_curve import SAMPLE_REMARKS
 from winkler.web.form.sample_folder import FOLDER_REMARK
 from winkler.web.form.study_form import StudyForm
-from winkler.web.page.fields import FormFields
 from winkler.web.session.files import Files
 from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES
 

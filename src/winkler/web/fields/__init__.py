@@ -1,0 +1,1 @@
+"""Fields of the form in the browser: numbers with units, ranges, materials, curves, sweeps."""
