@@ -20,7 +20,7 @@ FOLDERS = {"src", "tests", "examples", "docs", "benchmarks", "constraints"}
 PAGES = {"README.md", "CHANGELOG.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md", "SECURITY.md", "CITATION.cff", "LICENSE"}
 MADE = {"PKG-INFO", "pyproject.toml", ".gitignore"}
 LARGEST = 500_000  # bytes of one file
-ENDINGS = {".py", ".toml", ".md", ".csv", ".css", ".js", ".bib", ".typed"}
+ENDINGS = {".py", ".toml", ".md", ".csv", ".css", ".js", ".bib", ".typed", ".html", ".npz", ".wasm", ".sha256"}
 
 
 @pytest.fixture(scope="module")

@@ -17,9 +17,11 @@ from winkler.translation.translate import Translation
 
 FAST = ("-O2",)
 SEEDS = range(10)
-REFUSED = {"rolled", "mapped", "passages", "spread_loads", "surface_points", "disc_mean", "_lagged", "_lag", "_panel",
-           "_spread", "_angle"}  # fmt: skip
+REFUSED = {"rolled", "mapped", "passages", "spread_loads", "surface_points", "disc_mean", "_lagged", "_lag", "_spread",
+           "_angle"}  # fmt: skip
 """Kernels of fields that leave the subset: they sort, or return arrays that they make."""
+UNUSED = {"panel_value", "line_load", "echoed_points", "_folded", "fill_columns"}
+"""Kernels of fields and of maps that no law calls; they are not compared."""
 
 
 @pytest.fixture(scope="module")
@@ -93,13 +95,13 @@ def all_kernels():
     return list(found)
 
 
-def test_every_kernel_is_translated_or_known_to_be_refused():
+def test_every_kernel_is_translated_or_known_to_be_left_out():
     translation = Translation()
     for name, (kernel, _) in HISTORIES.items():
         translation.routine(kernel, tuple(map(type_of, history(name, 0))))
     done = {kernel.function for kernel, _ in translation.routines}
     left = {kernel.__name__ for kernel in all_kernels() if kernel.function not in done}
-    assert left == REFUSED | {"_load"}  # one of the same name
+    assert left == REFUSED | UNUSED
 
 
 @pytest.mark.parametrize("name", ["rolled", "passages"])

@@ -203,7 +203,7 @@ def test_a_process_that_ends_or_cannot_be_started_again(browser, workers, monkey
         assert workers.alive == []
         with monkeypatch.context() as patch:
             patch.setattr(solver, "started", refused)
-            for request, why in ((page.stop, "Stopped. No process"), (page.solve, "No process")):
+            for request, why in ((page.stopping.stop, "Stopped. No process"), (page.solve, "No process")):
                 browser.portal.call(request)
                 wait_for_text(socket, f"{why} can be started (resource temporarily unavailable); close other programs")
             assert not page.solver.starting
@@ -228,7 +228,7 @@ def test_no_thread_can_be_started(browser, workers, monkeypatch):
         page = page_of(browser, socket)
         with monkeypatch.context() as patch:
             patch.setattr(solver.threading.Thread, "start", refused)
-            browser.portal.call(page.stop)
+            browser.portal.call(page.stopping.stop)
         wait_for_text(socket, "Stopped. No process can be started (can't start new thread); close other programs")
         assert workers.alive == []
 

@@ -94,7 +94,7 @@ class BoxContact:
         # wrong gaps of the pixels that may change, one in those pixels, the direction, and changes of pressures
         self.wrong, self.kept, self.along, self.more = (self._empty() for _ in range(4))
 
-    def solve(self, tolerance: float, most: int = MOST_ITERATIONS) -> int:
+    def solve(self, tolerance: float, most: int | None = None) -> int:
         """Solve it in so many steps, and count them; in single digits end where nothing is gained any more.
 
         Raises
@@ -107,6 +107,7 @@ class BoxContact:
         patience = STEPS_WITHOUT_GAIN if self.digits == xp.float32 else STEPS_OF_STIFF_FILMS
         before = self._empty()
         product, left, best, last, share = 0.0, (math.inf, math.inf), math.inf, 0, 1.0
+        most = MOST_ITERATIONS if most is None else most
         for count in range(most):
             pixels, left = self._gaps()
             if math.prod(self.p.shape) >= REPORTED_PIXELS:

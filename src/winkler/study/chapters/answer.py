@@ -97,6 +97,8 @@ class Answer(NamedTuple):
         The contact in the pictures of the method.
     contact_shown
         The same in words, of an answer that holds many contacts.
+    verdict
+        Name of the answer in words that stands before the headline; empty where the question is for numbers.
     """
 
     kind: Kind
@@ -107,6 +109,7 @@ class Answer(NamedTuple):
     compared: tuple[str, ...] = ()
     pictured: PicturedContact = PicturedContact.LOAD
     contact_shown: str = ""
+    verdict: str = ""
 
 
 def answer(
@@ -120,6 +123,7 @@ def answer(
     compared: tuple[str, ...] = (),
     pictured: PicturedContact = PicturedContact.LOAD,
     contact_shown: str = "",
+    verdict: str = "",
     **example: Any,
 ) -> Answer:
     """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
@@ -127,7 +131,8 @@ def answer(
     Formulas in place of a function of the problem are the same for each problem of the kind.
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
-    return Answer(kind(path, *cites, **example), made, headline, picture, curves, compared, pictured, contact_shown)
+    line = kind(path, *cites, **example)
+    return Answer(line, made, headline, picture, curves, compared, pictured, contact_shown, verdict)
 
 
 class Chapter(NamedTuple):

@@ -76,6 +76,7 @@ POROELASTIC = Chapter(
         ),
         "held_contacts": answer(
             "winkler.fitting.holds.held_contacts:HeldContacts",
+            verdict="verdict",
             headline=("exponent", "shear", "poisson", "diffusivity"),
             holds=[SHALLOW, DEEP],
             picture=Caption(

@@ -6,6 +6,7 @@ import math
 
 from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
+from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figure import capital
 from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.advice import Doubt, worst_doubt
@@ -48,8 +49,9 @@ def headline_section(outcome: Outcome) -> str:
 
 def _verdict(outcome: Outcome) -> str:
     """Return what kind of body a measurement speaks for, as held contacts do; empty where that is not asked."""
-    verdict = getattr(shown_point(outcome).solution, "verdict", "")
-    return verdict if isinstance(verdict, str) else ""
+    point = shown_point(outcome)
+    name = answer_of(point.problem).verdict
+    return str(getattr(point.solution, name)) if name else ""
 
 
 def doubt_of(outcome: Outcome) -> Doubt:
