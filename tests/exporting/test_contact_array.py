@@ -348,8 +348,9 @@ def test_closed_histories_create_no_energy(name):
         work, least, heat, scale = closed_work(name, law, HISTORIES, 7, parts)
         assert np.all(least >= -1e-14 * scale)
         misses.append(np.sqrt(np.mean(((work - heat) / scale) ** 2)))
-    # trapeziums over steps within which edges jump and springs begin to slip
-    assert misses[1] < 3e-4
+    # trapeziums over steps within which edges jump and springs begin to slip; at each turn of the path the force of a
+    # dashpot jumps, which they spread over a step: of the first order
+    assert misses[1] < (3e-3 if name == "damped" else 3e-4)
     assert misses[1] < 0.5 * misses[0]
 
 

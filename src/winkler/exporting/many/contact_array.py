@@ -37,7 +37,7 @@ class ContactArray(ContactStore):
         `Contacts` that differ, are several kinds of contacts.
     size : int, optional
         How many contacts there are.
-    kind : ndarray, (size,), optional
+    kind : ndarray, (n,), optional
         Which law each contact has, from 0 on, where there are several; may be left out if there are as many laws.
     answers : tuple of str, optional
         Names of the numbers of `names` that are kept; all unless given.
@@ -95,15 +95,15 @@ class ContactArray(ContactStore):
 
         Parameters
         ----------
-        depth : float or ndarray, (size,)
+        depth : float or ndarray, (n,)
             d [m] at the end of the step, not positive without contact.
-        motion : ndarray, (size, 2) or (2,), optional
+        motion : ndarray, (n, 2) or (2,), optional
             By which the bodies move against each other along the surface [m]; of laws with friction.
-        twist : float or ndarray, (size,), optional
+        twist : float or ndarray, (n,), optional
             By which they turn about the normal [rad]; of `Contacts`.
-        roll : ndarray, (size, 2) or (2,), optional
+        roll : ndarray, (n, 2) or (2,), optional
             By which they roll over each other [rad]; of `Contacts`.
-        duration : float or ndarray, (size,), optional
+        duration : float or ndarray, (n,), optional
             Of the step [s]; needed by bodies that relax, zero for a sudden step.
 
         Raises

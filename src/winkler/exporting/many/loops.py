@@ -12,13 +12,15 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 from winkler.problems.particles.ball_step import step_ball
+from winkler.problems.particles.damped_step import step_damped
 from winkler.problems.particles.particle_step import step_particle
 from winkler.problems.particles.sheared_step import step_sheared
 from winkler.problems.particles.table_step import step_attracted, step_table
 from winkler.problems.viscoelastic.relaxing_step import step_relaxing
 
 __all__ = [
-    "first_beyond", "loop_attracted", "loop_balls", "loop_particles", "loop_relaxing", "loop_sheared", "loop_table",
+    "first_beyond", "loop_attracted", "loop_balls", "loop_damped", "loop_particles", "loop_relaxing", "loop_sheared",
+    "loop_table",
 ]  # fmt: skip
 
 Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
@@ -114,6 +116,21 @@ def loop_particles(
         k = kind[i] if kind.size > 1 else kind[0]
         motion[0] = pressed[i] if pressed.size > 1 else pressed[0]
         step_particle(law[k], memory[i], motion, answer)
+        for j in range(kept.size):
+            out[i, j] = answer[kept[j]]
+
+
+@compiled
+def loop_damped(
+    first: int, last: int, kind: Whole, depth: Array, force: Array, stiffness: Array, energy: Array, delay: Array,
+    past: Array, pressed: Array, duration: Array, motion: Array, answer: Array, kept: Whole, out: Array,
+) -> None:  # fmt: skip
+    """Let contacts with solids of springs and dashpots side by side do a step."""
+    for i in range(first, last):
+        k = kind[i] if kind.size > 1 else kind[0]
+        motion[0] = pressed[i] if pressed.size > 1 else pressed[0]
+        motion[1] = duration[i] if duration.size > 1 else duration[0]
+        step_damped(depth[k], force[k], stiffness[k], energy[k], delay[k], past[i], motion, answer)
         for j in range(kept.size):
             out[i, j] = answer[kept[j]]
 

@@ -14,6 +14,7 @@ from winkler.exporting.laws.balls import ball_rows
 from winkler.exporting.many.loops import (
     loop_attracted,
     loop_balls,
+    loop_damped,
     loop_particles,
     loop_relaxing,
     loop_sheared,
@@ -60,6 +61,7 @@ LOOPS: dict[str, ContactLoop] = {
     "step_sheared": ContactLoop(loop_sheared, True, ("depth", "motion"), ("displaced",), ("depth", -1)),
     "step_ball": ContactLoop(loop_balls, False, ("depth", "motion", "twist", "roll"), ("displaced",), ("law", 5)),
     "step_particle": ContactLoop(loop_particles, False, ("depth",), (), ("law", 10)),
+    "step_damped": ContactLoop(loop_damped, True, ("depth", "duration"), (), ("depth", -1)),
     "step_relaxing": ContactLoop(loop_relaxing, True, ("depth", "duration"), ("place", "memory"), ("solid", 2)),
 }
 """Name of the kernel of a law -> its loop."""
