@@ -57,7 +57,9 @@ def _angular_piece(function: Curve, low: float, high: float, x: Array, what: str
     def integrand(node: Array, index: Array) -> Array:
         angle = start[index, None] + width[index, None] * node
         r = np.clip(x[index, None] * np.sin(angle), first, high)
-        result: Array = np.multiply(function(r), width[index, None])
+        slope = function(r)
+        with np.errstate(over="ignore"):  # an infinite sum settles nothing, and is refused
+            result: Array = np.multiply(slope, width[index, None])
         return result
 
     return settled(integrand, x.size, what, noise(np.minimum(x, high), low), least)

@@ -44,7 +44,9 @@ RULES: tuple[tuple[int, Rule], ...] = (
 SETTLED = 1e-9
 """Greatest change of the opening on refinement at which the zone, corrected by it, is settled: errors fall faster."""
 LAST_STEP = 1e-7
-"""A step of the secant method in log s so small is the last one with the coarsest rule."""
+"""A step of the secant method in log s so small is the last one with that rule."""
+NEARLY = 0.1
+"""Part by which openings may change on refinement for the search for s to begin with the coarser rule."""
 ITERATIONS = 100
 
 
@@ -105,11 +107,12 @@ def layered_zone(zones: RingOnLayers, radius: Array, refuse: Callable[[Array], N
     """
     alone = zones.distance / zones.amplitude
     guess = np.minimum(np.where(radius > alone, np.sqrt(alone * radius), alone), zones.widest_guess)
-    span, power = _span(zones, radius, guess, refuse)
+    coarsest = _coarsest(zones, radius, guess)
+    span, power = _span(zones, radius, guess, coarsest, refuse)
     waiting, before = np.arange(radius.size), np.full(radius.shape, math.inf)
     parts: list[tuple[Array, LayeredRing]] = []
     level_of = np.zeros(radius.shape, dtype=int)
-    for level in range(1, len(RULES)):
+    for level in range(coarsest + 1, len(RULES)):
         excess = zones.apart(radius[waiting], span[waiting], level)[0]
         span[waiting] *= np.exp(-np.log1p(np.clip(excess, -0.5, 1.0)) / power[waiting])
         moved = np.abs(excess)
@@ -148,8 +151,21 @@ def _gathered(parts: list[tuple[Array, LayeredRing]], size: int) -> LayeredRing:
     return LayeredRing(*fields)
 
 
-def _span(zones: RingOnLayers, radius: Array, guess: Array, refuse: Callable[[Array], None]) -> tuple[Array, Array]:
-    """Return s = sqrt(c^2 - a^2) by the coarsest rule, and with which power of s the surfaces open there.
+def _coarsest(zones: RingOnLayers, radius: Array, guess: Array) -> int:
+    """Return the first rule by which rings as wide as the guess open nearly as by the next one."""
+    before = zones.apart(radius, guess, 0)[0]
+    for level in range(1, len(RULES) - 1):
+        here = zones.apart(radius, guess, level)[0]
+        if np.all(np.abs(here - before) <= NEARLY * (1.0 + np.abs(here))):
+            return level - 1
+        before = here
+    return len(RULES) - 2
+
+
+def _span(
+    zones: RingOnLayers, radius: Array, guess: Array, level: int, refuse: Callable[[Array], None]
+) -> tuple[Array, Array]:
+    """Return s = sqrt(c^2 - a^2) by the rule of a level, and with which power of s the surfaces open there.
 
     The secant method in logarithms, inside a bracket that only shrinks.
     """
@@ -160,7 +176,7 @@ def _span(zones: RingOnLayers, radius: Array, guess: Array, refuse: Callable[[Ar
     left, powers = np.arange(radius.size), np.full(radius.shape, 2.0)
     for _ in range(ITERATIONS):
         here = span[left]
-        excess = zones.apart(radius[left], here, 0)[0]
+        excess = zones.apart(radius[left], here, level)[0]
         short = excess < 0.0
         if np.any(short & (here >= farthest[left])):
             beyond = np.zeros(radius.shape, dtype=bool)

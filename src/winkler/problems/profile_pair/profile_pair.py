@@ -34,7 +34,7 @@ from winkler.values import value, words
 __all__ = ["ProfilePair", "ProfilePairSolution"]
 
 ONE_LOAD = Condition(
-    lambda load: np.size(next(iter(vars(load).values()))) == 1 and float(next(iter(vars(load).values()))) > 0.0,
+    lambda load: np.ndim(next(iter(vars(load).values()))) == 0 and float(next(iter(vars(load).values()))) > 0.0,
     "give Force(F) or Depth(d) with one positive number",
 )
 LARGEST_TURN = 0.5
