@@ -179,7 +179,7 @@ PROFILES = list(CATALOGUE["profile"])
 SEARCHES = {"line_yield_onset", "line_shakedown"}
 """Problems that search for the greatest stress under many loads, a second or two for a profile."""
 MARCHES = {"sliding_wear", "viscoelastic_adhesion"}
-"""Problems whose march takes a second for a profile: one profile of each is tried, and one among the slow tests."""
+"""Problems whose march takes a second for a profile: two profiles of each are tried among the slow tests."""
 
 TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 """Takes more than ten minutes: quadratures over hundreds of pieces of the tip, at 35,000 places."""
@@ -192,7 +192,7 @@ def pairs():
             if (problem, profile) in TOO_LONG:
                 continue
             usual = problem == "indentation" or profile in USUAL
-            if (profile == USUAL[0] or problem == "indentation") and problem not in SEARCHES:
+            if (profile == USUAL[0] or problem == "indentation") and problem not in SEARCHES | MARCHES:
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
                 lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
