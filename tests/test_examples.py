@@ -1,7 +1,7 @@
 """Every example runs: the scripts as a reader would start them, the studies through the command line.
 
-They run in this process, one script of each folder and some studies by default; the other studies are slow tests, as is
-one script of each folder in a process of its own.  The other scripts run where the manual's gallery is built, which
+They run in this process, one script of each folder and some studies by default; the other studies are slow tests, as
+are some scripts in a process of their own.  The other scripts run where the manual's gallery is built, which
 stops at a mistake or a warning as these tests do: `pytest -m manual` runs them without it, and `.ci/run` does not.
 """
 
@@ -93,7 +93,7 @@ def test_script(script, tmp_path, monkeypatch):
         plt.close("all")
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("script", QUICK_SCRIPTS, ids=map(name, QUICK_SCRIPTS))
 def test_script_on_its_own(script, tmp_path):
     solution = subprocess.run(

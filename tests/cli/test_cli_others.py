@@ -11,6 +11,7 @@ import typing
 from pathlib import Path
 
 import pytest
+from example_answers import example_problem
 
 import winkler as wk
 from winkler.cli import main
@@ -173,30 +174,30 @@ PROBLEMS = [name for name in CATALOGUE["problem"] if "bed" in hints(kinds()[name
 
 
 USUAL = ("sphere", "rounded_punch", "flat_punch")
-"""Profiles that every problem is tried with, the last two by turns by default; all others with an indentation."""
+"""Profiles that every problem is tried with, the first by default; all others with an indentation."""
 PROFILES = list(CATALOGUE["profile"])
 SEARCHES = {"line_yield_onset", "line_shakedown"}
 """Problems that search for the greatest stress under many loads, a second or two for a profile."""
 MARCHES = {"sliding_wear", "viscoelastic_adhesion"}
-"""Problems whose march takes a second for a profile: one profile of each is tried, and one among the slow tests."""
+"""Problems whose march takes a second for a profile: two profiles of each are tried among the slow tests."""
 
 TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 """Takes more than ten minutes: quadratures over hundreds of pieces of the tip, at 35,000 places."""
 
 
 def pairs():
-    """Of the rest, every eighth: so many profiles meet each problem, and so many problems each profile."""
+    """Of the rest, every sixteenth: each problem meets other profiles, and each profile other problems."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
             if (problem, profile) in TOO_LONG:
                 continue
             usual = problem == "indentation" or profile in USUAL
-            few = USUAL[:1] if problem in MARCHES else (USUAL[0], USUAL[1 + number % 2])
-            if (profile in few or problem == "indentation") and problem not in SEARCHES:
+            if (profile == USUAL[0] or problem == "indentation") and problem not in SEARCHES | MARCHES:
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
                 lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
-                yield pytest.param(problem, profile, marks=pytest.mark.long if lasts else pytest.mark.slow)
+                more = not usual and (number + place) % 16 != 0
+                yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
@@ -212,7 +213,8 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     text = (here / "study.toml").read_text(encoding="utf-8")
     study = parse_study(text)
     assert type(study.problem) is kinds()[problem].cls
-    assert run(study).failed == ()
+    if study.problem != example_problem(problem):  # the examples are solved in test_cli_same_numbers.py
+        assert run(study).failed == ()
     for line in text.splitlines():
         assert not re.match(r"^\w+ = .*[^ ]$", line) or "#" in line or line.startswith(("kind", "title"))
 
@@ -346,6 +348,7 @@ def test_draw(part, here, capsys):
     assert (here / f"ball-{part}.png").read_bytes()[:4] == b"\x89PNG"
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(
     ("option", "kind", "part"),
     [

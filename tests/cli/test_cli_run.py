@@ -106,7 +106,7 @@ def test_json_with_a_folder_writes_there_too(here, capsys):
     ("words", "endings"),
     [
         ([], {"svg"}),
-        (["--figures", "png, pdf"], {"png", "pdf"}),
+        pytest.param(["--figures", "png, pdf"], {"png", "pdf"}, marks=pytest.mark.slow),
         pytest.param(["--figures", "all"], {"svg", "png", "pdf"}, marks=pytest.mark.slow),
     ],
 )

@@ -74,11 +74,14 @@ def contacts(draw, kind: str, medium: str = "half_space", least: float = 0.1) ->
 
 
 def over_shapes(count: int, slow: int, *, kinds: Iterable[str] = KINDS, medium: str = "half_space"):
-    """Turn a law of a contact into a test of every kind of shape: each with a third of so many examples, or all."""
+    """Turn a law of a contact into a test of every kind of shape: each with a third of so many examples.
+
+    All of them are long tests.
+    """
     all_of = {kind: slow if kind in SLOW else count for kind in kinds}
     few = [pytest.param(kind, math.ceil(many / 3), id=kind) for kind, many in all_of.items()]
     more = [
-        pytest.param(kind, many, id=f"{kind}-{many}", marks=pytest.mark.slow)
+        pytest.param(kind, many, id=f"{kind}-{many}", marks=pytest.mark.long)
         for kind, many in all_of.items()
         if many > 1
     ]

@@ -37,7 +37,7 @@ def assert_scaled(contact, s: float, m: float) -> None:
 
 
 FEW = [pytest.param(kind, 1 if kind == "wavy_ball" else 3, id=kind) for kind in KINDS]
-MORE = [pytest.param(kind, 10, id=f"{kind}-10", marks=pytest.mark.slow) for kind in KINDS]
+MORE = [pytest.param(kind, 10, id=f"{kind}-10", marks=pytest.mark.long) for kind in KINDS]
 
 
 @pytest.mark.parametrize(("kind", "many"), [*FEW, *MORE])

@@ -27,7 +27,7 @@ def places(specimen: Specimen) -> np.ndarray:
 
 def over_specimens(law):
     few = [pytest.param(kind, 2 if kind in SLOW else 4, id=kind) for kind in SHAPES]
-    more = [pytest.param(kind, 4 if kind in SLOW else 12, id=f"{kind}-more", marks=pytest.mark.slow) for kind in SHAPES]
+    more = [pytest.param(kind, 4 if kind in SLOW else 12, id=f"{kind}-more", marks=pytest.mark.long) for kind in SHAPES]
 
     @pytest.mark.parametrize(("kind", "many"), [*few, *more])
     def test(kind, many):

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from change_of_units import Units
-from example_answers import example_problem, solved
+from example_answers import LASTING, example_problem, lasting_slow, solved
 
 import winkler as wk
 from winkler.errors import WinklerError
@@ -274,16 +274,17 @@ def assert_same(problem: Any, changes: list[Units]) -> None:
             assert field_differences(fields, others, units, close) == [], units
 
 
-@pytest.mark.parametrize("name", PROBLEMS)
+@pytest.mark.parametrize("name", lasting_slow(PROBLEMS))
 def test_every_problem_in_other_units(name):
     """Powers of ten find what powers of two find and more, to two digits less; these are among the slow tests."""
     assert_same(specimen(name), [DECIMAL])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", PROBLEMS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.long if name in LASTING else pytest.mark.slow) for name in PROBLEMS]
+)
 def test_every_problem_at_all_scales(name):
-    """The corners that `test_every_problem_in_other_units` leaves."""
+    """The corners that `test_every_problem_in_other_units` leaves; of examples that take long they are long tests."""
     assert_same(specimen(name), OTHERS)
 
 
@@ -301,9 +302,15 @@ SHAPES = {"cone": wk.Cone(1.35), "power_law": wk.PowerLaw(1e6, 4.0), "flat_punch
 """Bodies without a length of their own, and one whose contact has one radius."""
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("name", PROBLEMS)
+PLAIN = [
+    pytest.param(name, shape, marks=pytest.mark.slow if (number + place) % 3 == 0 else pytest.mark.long)
+    for number, name in enumerate(PROBLEMS)
+    for place, shape in enumerate(SHAPES)
+]
+"""One of these bodies for each problem, by turns, is a slow test; the others are long tests."""
+
+
+@pytest.mark.parametrize(("name", "shape"), PLAIN)
 def test_every_problem_of_bodies_without_a_length(name, shape):
     problem = specimen(name)
     bed = getattr(problem, "bed", None)

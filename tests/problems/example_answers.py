@@ -3,10 +3,26 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterable
 from typing import Any
+
+import pytest
 
 from winkler.study.language.build import build
 from winkler.study.language.explain import example_study
+
+LASTING = {
+    "adhesive_impact", "joint_stiffness", "reduced_friction", "reduction", "sliding_resistance", "sliding_wear",
+    "surface_adhesion", "surface_rolling_start", "surface_tangential", "surface_wear", "viscoelastic_adhesion",
+}  # fmt: skip
+"""Kinds of problems whose examples take longer to solve than all others together.
+
+`tests/laws/test_assumptions.py` solves them by default; what solves them once more is a slow test."""
+
+
+def lasting_slow(kinds: Iterable[str]) -> list[Any]:
+    """Return parameters of a test of all kinds, of which those that take long are slow tests."""
+    return [pytest.param(kind, marks=pytest.mark.slow) if kind in LASTING else kind for kind in kinds]
 
 
 @functools.cache

@@ -83,7 +83,7 @@ def test_pressed_again_in_a_graded_medium():
     assert np.max(np.abs(solution.force - force[3:-1:16])) < max(20.0 * body.tolerance, 1e-8) * force[-1]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize(
     ("name", "profile"),
     [

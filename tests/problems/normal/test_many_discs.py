@@ -33,7 +33,7 @@ def alone(bed: wk.Foundation, depth: float) -> float | None:
         return None
 
 
-SLOW = {"waves on a film", "a hard coating"}
+SLOW = {"waves on a film", "a sharper tip on a film", "a hard coating"}
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in CASES])

@@ -27,6 +27,7 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.template import template
 from winkler.study.language.writing import study_text
+from winkler.study.report import figures
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
 from winkler.study.report.figures import figures_of
@@ -270,7 +271,8 @@ def test_the_inputs_of_a_path_are_its_steps():
     assert not any(name in ("time", "normal") for _, name, _ in message)
 
 
-def test_figures_of_a_sweep_lay_loops_side_by_side():
+def test_figures_of_a_sweep_lay_loops_side_by_side(monkeypatch):
+    monkeypatch.setattr(figures, "pictures_of", lambda contact: ("springs",))  # those of the method: one of them
     outcome = run(Study("", RUBBED, sweep=(Axis("problem.law.coefficient", (0.1, 0.2)),)))
     drawn = list(figures_of(outcome))
     assert {"answer_tangential", "answer_shear_force", "answer_dissipation"} <= {shown.name for shown in drawn}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import functools
 import math
 
 import h5netcdf
@@ -25,11 +26,24 @@ def outcomes():
     return {name: run(study) for name, study in SAMPLES.items()}
 
 
-@pytest.fixture
-def reopened(outcomes, tmp_path):
+@pytest.fixture(scope="module")
+def folder(outcomes, tmp_path_factory):
+    """Return the folder of the archive of a sample, which is written once."""
+
+    @functools.cache
+    def written(name):
+        path = tmp_path_factory.mktemp("archive")
+        archive.write_archive(outcomes[name], path)
+        return path
+
+    return written
+
+
+@pytest.fixture(scope="module")
+def reopened(folder):
+    @functools.cache
     def reopen(name):
-        archive.write_archive(outcomes[name], tmp_path)
-        with xarray.open_dataset(tmp_path / archive.NETCDF, engine="h5netcdf") as data:
+        with xarray.open_dataset(folder(name) / archive.NETCDF, engine="h5netcdf") as data:
             return data.load()
 
     return reopen
@@ -50,13 +64,13 @@ def test_every_answer_comes_back(name, outcomes, reopened):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_file_is_the_one_that_xarray_writes(name, outcomes, reopened, tmp_path):
+def test_the_file_is_the_one_that_xarray_writes(name, outcomes, reopened, folder, tmp_path):
     """An independent writer of the same dataset: values, types, dimensions, coordinates and attributes."""
     other = tmp_path / "other.nc"
     archive.dataset(outcomes[name]).to_netcdf(other, engine="h5netcdf")
     with xarray.open_dataset(other, engine="h5netcdf") as data:
         assert reopened(name).identical(data.load())
-    with h5netcdf.File(tmp_path / archive.NETCDF) as one, h5netcdf.File(other) as two:
+    with h5netcdf.File(folder(name) / archive.NETCDF) as one, h5netcdf.File(other) as two:
         text, wanted = (
             {key: str(sorted(item.attrs.items())) for key, item in file.variables.items()} for file in (one, two)
         )
@@ -123,12 +137,12 @@ def test_what_is_no_number_is_stated_by_name(reopened):
     ]
 
 
-def test_a_point_without_an_answer_is_missing_and_says_why(reopened, tmp_path):
+def test_a_point_without_an_answer_is_missing_and_says_why(reopened, folder):
     data = reopened("some fail")
     assert np.isnan(data["depth"].values).tolist() == [False, False, True]
     assert list(data["failure"].values[:2]) == ["", ""]
     assert "0.002 m is beyond the rim" in data["failure"].values[2]
-    table = rows(tmp_path / archive.CSV)
+    table = rows(folder("some fail") / archive.CSV)
     assert table[0][-1] == "failure"
     assert table[3][0] == "0.002"
     assert math.isnan(float(table[3][1]))
@@ -149,12 +163,12 @@ def test_fields_at_multiples_of_the_contact_radius(outcomes, reopened):
     assert data["separation" if "separation" in data else "gap"].attrs["units"] == "m"
 
 
-def test_fields_at_lengths(outcomes, reopened, tmp_path):
+def test_fields_at_lengths(outcomes, reopened, folder):
     data = reopened("fields at lengths")
     assert data["pressure"].dims == ("load", "r")
     np.testing.assert_array_equal(data["r"].values, [0.0, 1e-4])
     assert data["r"].attrs["units"] == "m"
-    table = rows(tmp_path / archive.SURFACE)
+    table = rows(folder("fields at lengths") / archive.SURFACE)
     assert table[0] == ["load", "r [m]", "pressure [Pa]", "displacement [m]", "gap [m]"]
     assert len(table) == 1 + 2 * 2
     solved = outcomes["fields at lengths"].solved[0]
@@ -163,9 +177,8 @@ def test_fields_at_lengths(outcomes, reopened, tmp_path):
     ]
 
 
-def test_a_table_of_surface_fields_names_what_was_varied(outcomes, tmp_path):
-    archive.write_archive(outcomes["fields"], tmp_path)
-    table = rows(tmp_path / archive.SURFACE)
+def test_a_table_of_surface_fields_names_what_was_varied(outcomes, folder):
+    table = rows(folder("fields") / archive.SURFACE)
     assert table[0][:2] == ["problem.load.force [N]", "r [m]"]
     assert [row[0] for row in table[1::4]] == ["1.0", "10.0", "100.0", "1000.0"]
 
@@ -176,10 +189,9 @@ def test_no_fields_no_table_of_fields(outcomes, tmp_path):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_csv_has_units_and_all_digits(name, outcomes, tmp_path):
+def test_the_csv_has_units_and_all_digits(name, outcomes, folder):
     outcome = outcomes[name]
-    archive.write_archive(outcome, tmp_path)
-    table = rows(tmp_path / archive.CSV)
+    table = rows(folder(name) / archive.CSV)
     columns = outcome.table()
     assert table[0] == [archive.heading(column.name, column.word) for column in columns]
     assert "depth [m]" in table[0]

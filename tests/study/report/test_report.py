@@ -8,6 +8,8 @@ import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -69,21 +71,33 @@ BRIEF = ("together", "many loads, varied", "fields", "fields at lengths", "formu
 """Samples that vary as others do; the first figure of their answers is drawn."""
 
 
-@pytest.fixture(scope="module")
-def written(tmp_path_factory):
-    """Every sample, written once: name -> (outcome, folder)."""
-    found = {}
-    for name, study in SAMPLES.items():
-        folder = tmp_path_factory.mktemp("report")
-        outcome = run(study)
+AGAIN = {"many loads, varied", "fields", "fields at lengths", "formula", "sum", "area function"}
+"""Samples whose pages have the parts of others; they are looked at among the slow tests."""
+
+
+class Written(dict[str, tuple[Any, Path]]):
+    """Every sample, written once where it is asked for: name -> (outcome, folder)."""
+
+    def __init__(self, folders: pytest.TempPathFactory) -> None:
+        super().__init__()
+        self.folders = folders
+
+    def __missing__(self, name: str) -> tuple[Any, Path]:
+        folder = self.folders.mktemp("report")
+        outcome = run(SAMPLES[name])
         with pytest.MonkeyPatch.context() as patch:
             if name not in FULL:
                 patch.setattr(figures, "pictures_of", lambda contact: ("springs",))
             if name in BRIEF:
                 patch.setattr(figures, "answers_over", lambda outcome: itertools.islice(answers_over(outcome), 1))
             report.write_report(outcome, folder)
-        found[name] = outcome, folder
-    return found
+        self[name] = outcome, folder
+        return self[name]
+
+
+@pytest.fixture(scope="session")
+def written(tmp_path_factory):
+    return Written(tmp_path_factory)
 
 
 @pytest.fixture
@@ -91,7 +105,8 @@ def page(written):
     return lambda name: (written[name][1] / REPORT).read_text(encoding="utf-8")
 
 
-REPORTED = [name for name, study in SAMPLES.items() if study.output.report]
+SHOWN = [pytest.param(name, marks=pytest.mark.slow if name in AGAIN else ()) for name in SAMPLES]
+REPORTED = [shown for shown in SHOWN if SAMPLES[shown.values[0]].output.report]
 
 
 @pytest.mark.parametrize("name", REPORTED)
@@ -144,7 +159,7 @@ def test_validity_citations_and_provenance_are_stated(name, written, page):
     assert outcome.provenance.created in text
 
 
-@pytest.mark.parametrize("name", SAMPLES)
+@pytest.mark.parametrize("name", SHOWN)
 def test_figures_are_files_too(name, written):
     outcome, folder = written[name]
     formats = outcome.study.output.figures

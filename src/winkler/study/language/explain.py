@@ -178,14 +178,21 @@ def table_at(table: Any, place: str) -> Any:
     return table
 
 
-def _holders(name: str) -> list[tuple[str, str]]:
+def _holders(name: str) -> tuple[tuple[str, str], ...]:
     """Return the kinds of other slots that hold `name`, and the key."""
-    return [
-        (holder, field)
-        for holder, line in kinds().items()
-        for field, hint in hints(line.cls).items()
-        if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
-    ]
+    return _all_holders().get(name, ())
+
+
+@functools.cache
+def _all_holders() -> dict[str, tuple[tuple[str, str], ...]]:
+    """Return the same for each kind that is held; one pass through the catalogue finds all."""
+    found: dict[str, tuple[tuple[str, str], ...]] = {}
+    for holder, line in kinds().items():
+        for field, hint in hints(line.cls).items():
+            for name in allowed_kinds(hint) or allowed_in_list(hint):
+                if slot_of(holder) != slot_of(name):
+                    found[name] = (*found.get(name, ()), (holder, field))
+    return found
 
 
 @functools.cache
