@@ -73,7 +73,7 @@ def test_balls_on_walls_press_bounce_slide_and_roll_and_a_small_hopper_creates_n
     slid, bounced, flowed = map(np.array, run_script(tmp_path, SCRIPT, [
         {"commands": [*slide, "run 0"], "rounds": 140, "step": many, "walls": ["4"]},
         {"commands": [*bounce, "run 0"], "rounds": 2500, "step": one, "walls": ["4"]},
-        {"commands": small, "rounds": 80, "step": many, "walls": ["4", "5"]},
+        {"commands": small, "rounds": 200, "step": many, "walls": ["4", "5"]},
     ]))  # fmt: skip
 
     weight = MASS * heavy
@@ -101,8 +101,9 @@ def test_balls_on_walls_press_bounce_slide_and_roll_and_a_small_hopper_creates_n
     np.testing.assert_allclose(bounced[np.argmin(gap), 9:12], -force * normal, rtol=1e-4, atol=1e-12 * force)
 
     total = 300 * MASS
-    outside = -flowed[:, 9:12] - 2e-5 * flowed[:, 15:18] - [0.0, 0.0, total * GRAVITY]
+    halfway = flowed[:, 15:18] - 0.5 * 5e-6 * flowed[:, 12:15]  # where the drag of LAMMPS is taken
+    outside = -flowed[:, 9:12] - 2e-5 / MASS * halfway - [0.0, 0.0, total * GRAVITY]
     scale = np.max(np.abs(flowed[:, 12:15]))
     np.testing.assert_allclose(flowed[:, 12:15], outside, atol=1e-10 * scale)  # pairs push to and fro alike
-    assert scale > 2.0 * total * GRAVITY  # they have met the walls
+    assert np.max(np.abs(flowed[:, 9:12])) > 0.1 * total * GRAVITY  # they have met the walls
     assert np.max(flowed[:, 18]) <= flowed[0, 18]  # what is stored in contacts is left out
