@@ -23,7 +23,7 @@ WORDS = {
     "hertz": "Hertz, a table",
     "balls": "balls with friction",
     "turning": "balls with friction, twist and rolling",
-    "friction": "any shape with friction",
+    "friction": "a paraboloid by a table, with friction",
     "adhesion": "balls that attract",
     "yield": "particles that yield",
 }
