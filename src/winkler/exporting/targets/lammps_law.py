@@ -9,21 +9,23 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
+from winkler.exporting.targets.lammps_contact import CONTACT, MADE
 from winkler.exporting.targets.lammps_granular import granular_law
 from winkler.exporting.targets.lammps_pair import PAIR
+from winkler.exporting.targets.lammps_wall import WALL
 from winkler.translation.plain import plain
 
 __all__ = ["farthest_hold", "lammps_law"]
 
 MOTIONS = {
-    "depth": "overlap",
+    "depth": "depth",
     "duration": "step",
     "motion_x": "dot(slide, one)",
     "motion_y": "dot(slide, two)",
     "twist": "dot(turn, n)",
     "roll_x": "dot(turn, one)",
     "roll_y": "dot(turn, two)",
-    "curvature_radius": "radius[a] * radius[b] / (radius[a] + radius[b]) / SHARED",
+    "curvature_radius": "R",
 }
 """What a law takes -> what it is in the pair style."""
 MOMENTS = (("torque", "n"), ("rolling_x", "one"), ("rolling_y", "two"))
@@ -90,8 +92,7 @@ def _holds(law: StepLaw, load: float, apart: float, column: int) -> bool:
 
 def _filled(law: StepLaw, name: str, hold: float) -> str:
     """Return the pair style."""
-    share = "0.5 * " if law.against_plane else ""
-    takes = [f"motion.{one.name} = {share if one.name == 'depth' else ''}{MOTIONS[one.name]};" for one in law.motion]
+    takes = [f"motion.{one.name} = {MOTIONS[one.name]};" for one in law.motion]
     given = {one.name for one in law.answer}
     adds = []
     if "shear_x" in given:
@@ -102,8 +103,8 @@ def _filled(law: StepLaw, name: str, hold: float) -> str:
     words = {
         "title": law.title.replace("*/", "* /"),
         "name": name,
-        "takes": "\n                ".join(takes),
-        "adds": "\n                    ".join(adds),
+        "takes": "\n    ".join(takes),
+        "adds": "\n        ".join(adds),
         "slides": "false" if is_normal(law) else "true",
         "remembers": "true" if law.state else "false",
         "stored": "answer.energy" if not law.state else "0.0",
@@ -111,7 +112,7 @@ def _filled(law: StepLaw, name: str, hold: float) -> str:
         **radii_of(law),
         "shared": "0.5" if law.against_plane else "1.0",
     }
-    text = PAIR
+    text = CONTACT + PAIR + WALL + MADE
     for word, content in words.items():
         text = text.replace(f"@{word}@", content)
     return text

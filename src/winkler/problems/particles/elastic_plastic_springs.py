@@ -96,7 +96,7 @@ class ParticleSprings(NamedTuple):
 
     def edge(self, compression: float, work: float) -> float:
         """Return the angle of the stable edge; zero if there is none."""
-        return held_edge(self, compression, work)
+        return held_edge(self, compression, work, 0.0)
 
     def edge_force(self, angle: float, work: float) -> float:
         """Return the force while the edge is just held [N]."""

@@ -13,13 +13,17 @@ import math
 
 import numpy as np
 
-__all__ = ["FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held_edge", "potential", "spring_sums"]
+__all__ = [
+    "FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held_edge", "potential", "spring_sums",
+    "stable_edge", "with_surface",
+]  # fmt: skip
 
 Springs5 = tuple[float, float, float, float, float]
 NODES, WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(16))
 FEW_NODES, FEW_WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(6))
-SMALL_ANGLE = 0.3
-"""Below it six nodes are exact to rounding."""
+THREE_NODES, THREE_WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(3))
+SMALL_ANGLE, LEAST_ANGLE = 0.3, 1e-6
+"""Below the first six nodes are exact to rounding, below the second, where half an ellipse is a parabola, three."""
 FULL_CONTACT_ANGLE = 0.5 * math.pi
 """The angle at which all springs are in contact."""
 CRITICAL, BALANCED = 0, 1
@@ -30,6 +34,8 @@ ROOT_TOLERANCE = 4e-16
 
 def spring_sums(springs: Springs5, angle: float, compression: float) -> tuple[float, float]:
     """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
+    if angle < LEAST_ANGLE:
+        return _summed(THREE_NODES, THREE_WEIGHTS, springs, angle, compression)
     if angle < SMALL_ANGLE:
         return _summed(FEW_NODES, FEW_WEIGHTS, springs, angle, compression)
     return _summed(NODES, WEIGHTS, springs, angle, compression)
@@ -61,8 +67,13 @@ def balanced(springs: Springs5, angle: float, work: float) -> float:
 
 def potential(springs: Springs5, angle: float, compression: float, work: float) -> float:
     """Return elastic and surface energy, at a prescribed depth [J]."""
-    _, _, half_width, _, stretch = springs
     _, energy = spring_sums(springs, angle, compression)
+    return with_surface(springs, angle, energy, work)
+
+
+def with_surface(springs: Springs5, angle: float, energy: float, work: float) -> float:
+    """Return the energy of the springs together with that of the surface [J]."""
+    _, _, half_width, _, stretch = springs
     radius = half_width * math.sin(angle)
     return stretch * (energy - work * math.pi * radius * radius)
 
@@ -82,15 +93,9 @@ def _excess(springs: Springs5, what: int, angle: float, work: float, target: flo
 
 
 def _angle_of(springs: Springs5, what: int, work: float, target: float, least: float, guess: float) -> float:
-    """Return the angle from `least` on where an excess that grows vanishes: Newton's steps, kept between bounds."""
+    """Return the angle beyond `least` where an excess that grows from below zero vanishes: bounded Newton steps."""
     low = least
     high = FULL_CONTACT_ANGLE
-    below, _ = _excess(springs, what, low, work, target)
-    above, _ = _excess(springs, what, high, work, target)
-    if below >= 0.0:
-        return low
-    if above <= 0.0:
-        return high
     angle = guess if low < guess < high else 0.5 * (low + high)
     trials = 0
     while trials < MOST_TRIALS:
@@ -125,15 +130,23 @@ def critical_angle(springs: Springs5, work: float, factor: float) -> float:
     return _angle_of(springs, CRITICAL, work, number, 0.0, math.asin(min(number, 1.0) ** (2.0 / 3.0)))
 
 
-def held_edge(springs: Springs5, compression: float, work: float) -> float:
-    """Return the angle of the stable edge at a depth; zero if there is none."""
+def held_edge(springs: Springs5, compression: float, work: float, near: float) -> float:
+    """Return the angle of the stable edge at a depth; zero if there is none. It is looked for from `near` on."""
+    least = critical_angle(springs, work, 0.5)
+    if work > 0.0 and compression < balanced(springs, least, work):
+        return 0.0
+    return stable_edge(springs, compression, work, least, near)
+
+
+def stable_edge(springs: Springs5, compression: float, work: float, least: float, near: float) -> float:
+    """Return the same where it is known to be at `least` or beyond."""
     _, height, _, _, _ = springs
     if work == 0.0:
         return 2.0 * math.asin(math.sqrt(min(max(compression, 0.0) / height, 0.5)))
-    least = critical_angle(springs, work, 0.5)
-    if compression < balanced(springs, least, work):
-        return 0.0
+    if compression <= balanced(springs, least, work):
+        return least
     if compression >= balanced(springs, FULL_CONTACT_ANGLE, work):
         return FULL_CONTACT_ANGLE
     sine = math.sqrt(min(max(compression, 0.0) / height, 0.5))
-    return _angle_of(springs, BALANCED, work, compression, least, max(2.0 * math.asin(sine), 2.0 * least))
+    guess = near if near > least else max(2.0 * math.asin(sine), 2.0 * least)
+    return _angle_of(springs, BALANCED, work, compression, least, guess)

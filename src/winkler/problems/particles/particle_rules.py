@@ -17,6 +17,7 @@ from winkler.problems.particles.particle_edge import (
     held_edge,
     potential,
     spring_sums,
+    stable_edge,
 )
 
 __all__ = [
@@ -102,9 +103,9 @@ def _within(
         if goal < 0.0:
             return goal, angle, False, work
         start = 0.0
-        angle = held_edge(springs, 0.0, closing)
+        angle = held_edge(springs, 0.0, closing, 0.0)
     if goal > balanced(springs, angle, closing):
-        edge = held_edge(springs, goal, closing)
+        edge = held_edge(springs, goal, closing, angle)
         return goal, edge, True, work + _spent(springs, start, angle, goal, edge, closing)
     if goal >= balanced(springs, angle, opening):
         return goal, angle, True, work + _spent(springs, start, angle, goal, angle, opening)
@@ -113,7 +114,7 @@ def _within(
         end = min(angle, least)
         last = balanced(springs, end, opening)
         return goal, 0.0, False, work + _spent(springs, start, angle, last, end, opening)
-    edge = held_edge(springs, goal, opening)
+    edge = stable_edge(springs, goal, opening, least, angle)
     return goal, edge, True, work + _spent(springs, start, angle, goal, edge, opening)
 
 
@@ -128,10 +129,9 @@ def _spent(springs: Springs5, start: float, angle: float, goal: float, edge: flo
 
 
 def _rested(springs: Springs5, angle: float, start: float, stop: float) -> float:
-    """Return what is spent while the edge rests [J]."""
+    """Return what is spent while the edge rests [J]: the force is linear, so that of the middle counts."""
     if start == stop:
         return 0.0
+    force, _ = spring_sums(springs, angle, 0.5 * (start + stop))
     _, _, _, _, stretch = springs
-    _, after = spring_sums(springs, angle, stop)
-    _, before = spring_sums(springs, angle, start)
-    return stretch * (after - before)
+    return stretch * force * (stop - start)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.numerics.types import Array
-from winkler.problems.particles.particle_edge import potential, spring_sums
+from winkler.problems.particles.particle_edge import spring_sums, with_surface
 from winkler.problems.particles.particle_rules import particle_depth, particle_springs
 
 __all__ = ["step_particle"]
@@ -42,8 +42,8 @@ def step_particle(law: Array, memory: Array, motion: Array, answer: Array) -> No
     force = 0.0
     energy = 0.0
     if touching:
-        force, _ = spring_sums(springs, angle, compression)
-        energy = potential(springs, angle, compression, law[8])
+        force, energy = spring_sums(springs, angle, compression)
+        energy = with_surface(springs, angle, energy, law[8])
     answer[0] = force
     answer[1] = springs[2] * math.sin(angle)
     answer[2] = springs[3]
