@@ -122,15 +122,16 @@ def conduction_sheet(item: SurfaceConductionSolution) -> Sheet:
 
 def _single_panel(item: SurfaceConductionSolution) -> Panel:
     """Return the resistance of one load between its bounds."""
-    names = ("least_resistance", "resistance", "line_resistance", "greatest_resistance")
-    labels = ("lower bound", ELEMENTS_NAME, LINES_NAME, "upper bound")
-    colours = (style.MUTED, style.BLUE, style.RED, style.MUTED)
-    numbers = np.array([float(np.ravel(getattr(item, name))[0]) for name in names])
-    known = np.isfinite(numbers)
-    labels, colours = (
-        tuple(one for one, is_one in zip(each, known, strict=True) if is_one) for each in (labels, colours)
+    rows = (
+        ("least_resistance", "lower bound", style.MUTED),
+        ("resistance", ELEMENTS_NAME, style.BLUE),
+        ("line_resistance", LINES_NAME, style.RED),
+        ("greatest_resistance", "upper bound", style.MUTED),
     )
-    of = series("resistance", numbers[known], type(item))
+    numbers = {name: float(np.ravel(getattr(item, name))[0]) for name, _, _ in rows}
+    known = [row for row in rows if math.isfinite(numbers[row[0]])]
+    labels, colours = tuple(label for _, label, _ in known), tuple(colour for _, _, colour in known)
+    of = series("resistance", np.array([numbers[name] for name, _, _ in known]), type(item))
     places = np.arange(float(of.content.size))
     bars = Bars(places, of.content, colours)
     upright = PanelAxis(ticks=places, names=labels, falling=True)
