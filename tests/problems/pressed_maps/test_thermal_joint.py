@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.media.conduction.spot_resistances import plated_surface
 from winkler.numerics.films.joint_flux import joint_flux
 from winkler.problems.pressed_maps.thermal_joint import ThermalJoint
 
@@ -72,6 +73,66 @@ def test_a_wavy_gap(spreading):
     assert found.whole == pytest.approx(float(np.mean(expected)), rel=1e-10)
 
 
+COPPER, STEEL_HEAT, SOLDER = (wk.ThermalConductor(k, 1e-5) for k in (400.0, 15.0, 50.0))
+
+
+def opposing(layers, base, wave):
+    """Temperature over flux of a wave on layers (k, h) from below, by tanh of every one (Carslaw and Jaeger)."""
+    below = 1.0 / (base * wave)
+    for k, h in layers:
+        own, fall = 1.0 / (k * wave), np.tanh(wave * h)
+        below = own * (below + own * fall) / (own + below * fall)
+    return below
+
+
+@pytest.mark.parametrize("interface", [3e-5, 3e-3])
+def test_a_wavy_gap_between_platings(interface):
+    """A gap that varies along x: the dense matrix of its flux through both bodies, one of them plated twice."""
+    n, side = 48, 1e-3
+    resistance = interface * (1.0 + 0.8 * np.cos(2.0 * np.pi * np.arange(n) / n))
+    first = wk.Plated(COPPER, 0.05e-3, wk.Plated(SOLDER, 0.1e-3, STEEL_HEAT))
+    second = wk.Plated(STEEL_HEAT, 0.02e-3, COPPER)
+    waves = 2.0 * np.pi / side * n * np.abs(np.fft.fftfreq(n))
+    some = np.where(waves > 0.0, waves, 1.0)
+    spread = opposing([(50.0, 0.1e-3), (400.0, 0.05e-3)], 15.0, some) + opposing([(15.0, 0.02e-3)], 400.0, some)
+    spread = np.where(waves > 0.0, spread, 0.0)
+    matrix = np.diag(resistance) + np.real(np.fft.ifft(spread[:, None] * np.fft.fft(np.eye(n), axis=0), axis=0))
+    expected = np.linalg.solve(matrix, np.ones(n))
+    found = joint_flux(
+        np.repeat(resistance[:, None], n, 1), (side / n, side / n), 1.0 / 400.0 + 1.0 / 15.0, periodic=True,
+        tolerance=1e-9, layers=plated_surface(first, second),
+    )  # fmt: skip
+    np.testing.assert_allclose(found.flux, np.repeat(expected[:, None], n, 1), rtol=1e-6)
+    assert found.whole == pytest.approx(float(np.mean(expected)) * side**2, rel=1e-10)
+
+
+def test_a_round_spot_through_platings():
+    """Beside the integral equation of a disc through platings; elastic layers alone leave Holm's disc."""
+    pair = wk.HeatConductors(wk.Plated(COPPER, 3e-6, STEEL_HEAT), STEEL_HEAT)
+    expected = float(pair.resistances(np.array([10e-6])).whole[0])
+    x = (np.arange(65) - 31.9) / 65 * 40e-6
+    ball = wk.Topography(-(x[:, None] ** 2 + x**2) / 4e-3, [40e-6, 40e-6])
+    found = ThermalJoint(wk.SurfaceContact(ball, STEEL, wk.Depth(1e-10 / 2e-3)), pair).solve()
+    assert found.resistance == pytest.approx(expected, rel=2e-3)
+    assert expected < 0.7 * float(wk.HeatConductors(STEEL_HEAT, STEEL_HEAT).resistances(np.array([10e-6])).whole[0])
+    assert any("platings conduct as even layers" in note.statement for note in found.validity)
+    coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(110e9, 0.34), 3e-6)], on=wk.Elastic(210e9, 0.3))
+    uniform = ThermalJoint(wk.SurfaceContact(ball, coated, wk.Depth(5e-8)), PAIR).solve()
+    conducting = np.sqrt(uniform.area / np.pi)
+    assert uniform.conductance == pytest.approx(4.0 * conducting / 0.04, rel=0.02)
+    assert any("given apart from the elastic layers" in note.statement for note in uniform.validity)
+
+
+def test_a_closed_periodic_map_holds_nothing_back():
+    """Without an interface; with one it is that alone."""
+    closing = wk.SurfaceContact(ROUGH, STEEL, wk.Force(1e6))
+    found = ThermalJoint(closing, PAIR, gap_conductivity=0.026).solve()
+    assert np.isinf(found.conductance)
+    assert found.gap_conductance == 0.0
+    held = ThermalJoint(closing, wk.HeatConductors(METAL, METAL, wk.ThermalInterface(1e6))).solve()
+    assert held.conductance == pytest.approx(1e6 * 1e-6, rel=1e-9)
+
+
 def test_gap_and_spots_stand_side_by_side():
     contact = wk.SurfaceContact(ROUGH, STEEL, wk.Force(3.0))
     bare = ThermalJoint(contact, PAIR).solve()
@@ -95,12 +156,10 @@ def test_gap_and_spots_stand_side_by_side():
 
 def test_what_is_refused():
     contact = wk.SurfaceContact(ROUGH, STEEL, wk.Force(3.0))
-    plated = wk.Plated(METAL, 1e-6, wk.ThermalConductor(300.0, 1e-4))
-    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: heat is followed in thick bodies without platings"):
-        ThermalJoint(contact, wk.HeatConductors(plated, METAL))
-    coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1e-6)], on=wk.Elastic(210e9, 0.3))
-    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: the heat of a height map on a CoatedHalfSpace"):
-        ThermalJoint(wk.SurfaceContact(ROUGH, coated, wk.Force(3.0)), PAIR)
+    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: a rod constricts the heat of one round contact"):
+        ThermalJoint(contact, wk.HeatConductors(wk.Rod(METAL, 1e-3, 1e-2), METAL))
+    with pytest.raises(wk.OutsideValidity, match="ThermalJoint: a plating of 1e-20 m is less than"):
+        ThermalJoint(contact, wk.HeatConductors(wk.Plated(METAL, 1e-20, COPPER), METAL))
     with pytest.raises(wk.InvalidInput, match="gap_conductivity is -1"):
         ThermalJoint(contact, PAIR, gap_conductivity=-1.0)
     metal = wk.ElectricalConductor(16e-9)

@@ -209,9 +209,6 @@ def test_what_is_not_known_in_layers_is_refused():
         ):
             refused()
     assert any("not computed in layers" in note.statement for note in contact.validity)
-    copper = wk.ElectricalConductor(1.7e-8)
-    with pytest.raises(OutsideValidity, match="the resistance of a height map on a CoatedHalfSpace is not known"):
-        wk.SurfaceConduction(contact.problem, wk.ElectricalConductors(copper, copper))
 
 
 def test_films_that_the_pixels_do_not_follow_are_refused():

@@ -62,6 +62,53 @@ def test_a_film_on_the_spots_is_that_of_their_current():
     assert "bear the same film" in " ".join(note.statement for note in filmed.validity)
 
 
+GOLD, BRONZE = wk.ElectricalConductor(22e-9), wk.ElectricalConductor(130e-9)
+LAYER, BASE = wk.Elastic(80e9, 0.42), wk.Elastic(120e9, 0.34)
+
+
+def test_a_round_spot_through_elastic_layers_and_platings():
+    """Beside springs on layers, and the integral equation of a disc through platings."""
+    body = wk.Plated(GOLD, 3e-6, BRONZE)
+    pair, coated = wk.ElectricalConductors(body, BRONZE), wk.CoatedHalfSpace([wk.Layer(LAYER, 3e-6)], on=BASE)
+    disc = wk.Constriction(wk.Foundation(wk.Paraboloid(2e-3), coated), pair, wk.Radius(10e-6)).solve()
+    ball = map_of(lambda x, y: -((x + 0.1e-6) ** 2 + (y - 0.1e-6) ** 2) / 4e-3, 40e-6, 65)
+    contact = wk.SurfaceContact(ball, coated, wk.Force(disc.force))
+    found = wk.SurfaceConduction(contact, pair, realisations=2).solve()
+    assert found.resistance == pytest.approx(disc.resistance, rel=2e-3)
+    bare = wk.Constriction(disc.problem.bed, wk.ElectricalConductors(BRONZE, BRONZE), wk.Radius(10e-6)).solve()
+    assert disc.resistance < 0.75 * bare.resistance  # what the plating does is no trifle here
+    assert found.least_resistance < 0.8 * found.resistance
+    assert np.isinf(found.greatest_resistance)
+    assert np.isnan(found.line_resistance)
+    assert found.stiffness < found.greatest_stiffness
+    statements = " ".join(note.statement for note in found.validity)
+    assert "not in proportion to stiffness" in statements
+    assert "platings conduct as even layers" in statements
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("periodic", [True, False])
+def test_layers_of_the_same_solids_change_nothing(periodic):
+    """The current through the pixels beside the stiffness of the homogeneous bodies; a film adds the same."""
+    rough = wk.Topography(STAMP.heights, STAMP.lengths, periodic)
+    layered = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(210e9, 0.3), 50e-6)], on=wk.Elastic(210e9, 0.3))
+    body = wk.Plated(METAL, 30e-6, METAL)
+    film = wk.SurfaceFilm(1e-12)
+    plain, same = (
+        wk.SurfaceConduction(
+            wk.SurfaceContact(rough, medium, wk.Force([1.0, 10.0])), wk.ElectricalConductors(one, one, film),
+            realisations=2,
+        ).solve()
+        for medium, one in ((STEEL, METAL), (layered, body))
+    )  # fmt: skip
+    assert same.resistance == pytest.approx(plain.resistance, rel=2e-4)
+    assert same.film_excess == pytest.approx(plain.film_excess, rel=1e-3)
+    square = 0.0 if periodic else 32e-9 / (2.0 * 1.15229e-3)  # what the stamp constricts in full contact
+    film_alone = 1e-12 / 1e-6
+    assert np.all(np.asarray(same.least_resistance) >= (film_alone + square) * (1.0 - 1e-6))
+    assert np.all(np.asarray(same.least_resistance) <= film_alone + 1.09 * square + 1e-12)  # that spreads the current
+
+
 def test_a_periodic_map_has_no_upper_bound_of_the_stiffness():
     rough = wk.RandomTopography([1e-3, 1e-3], BLASTED, (32, 32))
     result = wk.SurfaceConduction(wk.SurfaceContact(rough, STEEL, wk.Force(3.0)), PAIR, realisations=5).solve()
@@ -89,9 +136,14 @@ def test_the_line_is_that_of_the_spectrum():
         (lambda c: wk.SurfaceConduction(c, PAIR, realisations=0), wk.InvalidInput, "realisations is 0; give a whole"),
         (lambda c: wk.SurfaceConduction(c, PAIR, seed=-1), wk.InvalidInput, "seed is -1; give a whole number"),
         (
-            lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(wk.Plated(METAL, 1e-6, METAL), METAL)),
+            lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(wk.Rod(METAL, 1e-3, 1e-2), METAL)),
             wk.OutsideValidity,
-            r"without film or plating.* A SurfaceConstriction follows platings",
+            "SurfaceConduction: a rod constricts the current of one round contact",
+        ),
+        (
+            lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(wk.Plated(METAL, 1e-20, METAL), METAL)),
+            wk.OutsideValidity,
+            "SurfaceConduction: a plating of 1e-20 m is less than",
         ),
         (
             lambda c: wk.SurfaceConduction(

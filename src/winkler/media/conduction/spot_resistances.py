@@ -22,7 +22,7 @@ from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
 
-__all__ = ["SpotResistances", "spot_resistances"]
+__all__ = ["SpotResistances", "plated_surface", "spot_resistances"]
 
 VOLTAGE_TOLERANCE = 1e-4
 """Error of the voltage of a pixel; that of the resistance is of its square, those of its parts of its order."""
@@ -83,7 +83,7 @@ def spot_resistances(
         return SpotResistances(0.0, 0.0, area_resistance / (patch * touching.size), 0.0)
     rho = [resistivity_of(surface_of(body)) for body in bodies]
     both, film = sum(rho), 2.0 * area_resistance / sum(rho)
-    layers = _layers(*bodies)
+    layers = plated_surface(*bodies)
 
     def flux(below: LayeredSurface | None, softness: float) -> Array:
         return np.asarray(
@@ -94,15 +94,20 @@ def spot_resistances(
     total = float(np.sum(flow))
     whole = both / (2.0 * patch * total)
     lost = area_resistance / (patch * float(np.count_nonzero(touching)))
-    falls = [part * _fall(flow, pixel, _layers(body, body), periodic) for part, body in zip(rho, bodies, strict=True)]
+    falls = [
+        part * _fall(flow, pixel, plated_surface(body, body), periodic) for part, body in zip(rho, bodies, strict=True)
+    ]
     parts = [(whole - lost) * fall / sum(falls) for fall in falls]
     bare = flow if layers is None and film == 0.0 else flux(None, 0.0)
     under = sum(resistivity_of(parts_of(body)[-1]) for body in bodies)
     return SpotResistances(parts[0], parts[1], lost, under / (2.0 * patch * float(np.sum(bare))))
 
 
-def _layers(first: ConductingBody, second: ConductingBody) -> LayeredSurface | None:
-    """Return how platings respond, with lengths in units of the thinner one; nothing without platings."""
+def plated_surface(first: ConductingBody, second: ConductingBody) -> LayeredSurface | None:
+    """Return how the platings of two bodies respond to a flux, together; nothing without platings.
+
+    Over the sum of the resistivities at both surfaces, and with lengths in units of the thinner plating.
+    """
     plated = [body for body in (first, second) if isinstance(body, Plated)]
     if all(len({resistivity_of(part) for part in parts_of(body)}) == 1 for body in plated):
         return None

@@ -1,10 +1,11 @@
-r"""Flux through an interface whose resistance differs from place to place, between two conducting half-spaces.
+r"""Flux through an interface whose resistance differs from place to place, between two conducting bodies.
 
 With the unit drop of potential far away, the flux q of every pixel obeys
 
 .. math:: r\,q + \frac{\rho_1+\rho_2}{2\pi}\int\frac{q}{|\mathbf r-\mathbf r'|}\,\mathrm dA' = 1 ,
 
-where r is the resistance times area of the interface there: conjugate gradients on a grid.
+where r is the resistance times area of the interface there: conjugate gradients on a grid.  Layers change the response
+to the flux as they change that to a pressure (`winkler.numerics.pixels.layered`).
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
 
@@ -42,7 +44,13 @@ class JointFlux(NamedTuple):
 
 
 def joint_flux(
-    resistance: Array, pixel: tuple[float, float], spreading: float, *, periodic: bool, tolerance: float = 1e-6
+    resistance: Array,
+    pixel: tuple[float, float],
+    spreading: float,
+    *,
+    periodic: bool,
+    tolerance: float = 1e-6,
+    layers: SurfaceBelow | None = None,
 ) -> JointFlux:
     """Return the flux through an interface, for a unit drop of potential far away from it.
 
@@ -56,16 +64,20 @@ def joint_flux(
     pixel
         Sides of a pixel [m].
     spreading
-        Sum of the resistivities of both bodies.
+        Sum of the resistivities of both bodies, at their surfaces.
     periodic
         Whether the interface is repeated, or nothing passes outside of the grid.
     tolerance
         Greatest drop out of balance, in parts of the whole.
+    layers
+        What lies below the surfaces, together; nothing else unless given.
 
     Raises
     ------
     NotConverged
         If the tolerance is not met.
+    OutsideValidity
+        If the pixels are too coarse for the layers.
     """
     there = np.isfinite(resistance)
     if not there.any():
@@ -73,7 +85,8 @@ def joint_flux(
     unit = 0.5 * spreading * pixel[0]
     local = np.where(there, resistance, 0.0) / unit
     shape = (resistance.shape[0], resistance.shape[1])
-    grid = SurfaceGrid.of(shape, (1.0, pixel[1] / pixel[0]), periodic=periodic)
+    below = layers.in_units_of(pixel[0]) if layers else None
+    grid = SurfaceGrid.of(shape, (1.0, pixel[1] / pixel[0]), periodic=periodic, layers=below)
     alone = np.zeros(shape)
     alone[0, 0] = 1.0
     weight = np.where(there, 1.0 / (local + float(grid.displaced(alone)[0, 0])), 0.0)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from winkler.numerics.types import ArrayLike
+from winkler.numerics.types import Array, ArrayLike
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.springs import at_first_touch, springs_panel
@@ -94,20 +95,25 @@ def conduction_sheet(item: SurfaceConductionSolution) -> Sheet:
     band = item.line.stiffness_band.reshape(2, -1)
     least, most = (np.ravel(np.asarray(part)) for part in (item.least_stiffness, item.greatest_stiffness))
     top = np.where(np.isfinite(most), most, 1e3 * np.max(np.asarray(item.stiffness)[np.isfinite(item.stiffness)]))
-    factor = conductance.content / row_of(item, "stiffness").content
-    line = series("conductance", factor * row_of(item, "line_stiffness").content, type(item))
 
-    def between(factor: Any) -> list[Bounds]:
-        return [
-            Bounds(factor * least, factor * top, "bounds", style.MUTED),
-            Bounds(factor * band[0], factor * band[1], "eight lines of ten", style.RED),
-        ]
+    def between(shown: Callable[[Array], Array]) -> list[Bounds]:
+        bounds = [Bounds(shown(least), shown(top), "bounds", style.MUTED)] if np.all(least > 0.0) else []
+        return [*bounds, Bounds(shown(band[0]), shown(band[1]), "eight lines of ten", style.RED)]
 
+    def conducting(stiffness: Array) -> Array:
+        return 1.0 / item.problem.of_stiffness(stiffness, np.ravel(np.asarray(item.film_excess)))
+
+    flowing: list[tuple[Series, str]] = [(conductance, ELEMENTS_NAME)]
+    if item.problem.in_proportion:
+        by_lines = 1.0 / np.ravel(np.asarray(item.line_resistance, dtype=float))
+        flowing.append((series("conductance", by_lines, type(item)), LINES_NAME))
+    elif np.all(full := np.ravel(np.asarray(item.least_resistance, dtype=float))):
+        flowing.append((series("conductance", 1.0 / full, type(item)), "full contact"))
     stiffness = [(row_of(item, "stiffness"), ELEMENTS_NAME), (row_of(item, "line_stiffness"), LINES_NAME)]
     touched, persson = (_share(part, item.contact) for part in (item.contact.area, item.line.area))
     panels = (
-        models_panel(force, stiffness, between(1.0)),
-        models_panel(force, [(conductance, ELEMENTS_NAME), (line, LINES_NAME)], between(factor)),
+        models_panel(force, stiffness, between(lambda stiffness: stiffness)),
+        models_panel(force, flowing, between(conducting) if item.problem.in_proportion else []),
         models_panel(force, [(touched, ELEMENTS_NAME), (persson, "Persson, same spectrum")], label=AREA_LABEL),
     )
     titles = ("stiffness over force", "conductance over force", "contact area over force")
@@ -116,11 +122,18 @@ def conduction_sheet(item: SurfaceConductionSolution) -> Sheet:
 
 def _single_panel(item: SurfaceConductionSolution) -> Panel:
     """Return the resistance of one load between its bounds."""
-    names = ("least_resistance", "resistance", "line_resistance", "greatest_resistance")
-    labels = ("lower bound", ELEMENTS_NAME, LINES_NAME, "upper bound")
-    of = series("resistance", np.array([float(np.ravel(getattr(item, name))[0]) for name in names]), type(item))
-    places = np.arange(4.0)
-    bars = Bars(places, of.content, (style.MUTED, style.BLUE, style.RED, style.MUTED))
+    rows = (
+        ("least_resistance", "lower bound", style.MUTED),
+        ("resistance", ELEMENTS_NAME, style.BLUE),
+        ("line_resistance", LINES_NAME, style.RED),
+        ("greatest_resistance", "upper bound", style.MUTED),
+    )
+    numbers = {name: float(np.ravel(getattr(item, name))[0]) for name, _, _ in rows}
+    known = [row for row in rows if math.isfinite(numbers[row[0]])]
+    labels, colours = tuple(label for _, label, _ in known), tuple(colour for _, _, colour in known)
+    of = series("resistance", np.array([numbers[name] for name, _, _ in known]), type(item))
+    places = np.arange(float(of.content.size))
+    bars = Bars(places, of.content, colours)
     upright = PanelAxis(ticks=places, names=labels, falling=True)
     title = f"resistance under {with_unit(float(np.ravel(np.asarray(item.force))[0]), 'N')}"
     return Panel((bars,), PanelAxis.of(of), upright, title, grid="x")

@@ -4,7 +4,9 @@ On a spot the interface holds back :math:`1/h_i`, in the gap u a layer of conduc
 :math:`u+M`, with M for the jumps of temperature at walls of a rarefied gas.  Heat then spreads in both bodies,
 
 .. math:: r\,q+\frac{1}{2\pi}\left(\frac1{\lambda_1}+\frac1{\lambda_2}\right)\int\frac{q}{|\mathbf r-\mathbf r'|}\,
-          \mathrm dA' = \Delta T .
+          \mathrm dA' = \Delta T ;
+
+platings change the response to the heat flux (`winkler.media.conduction.spot_resistances`).
 """
 
 from __future__ import annotations
@@ -15,15 +17,16 @@ import numpy as np
 
 from winkler.checks.number_checks import NonNegative
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.materials.conducting_body import Plated, Rod, resistivity_of, surface_of
+from winkler.materials.conducting_body import resistivity_of, surface_of
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.media.conduction.spot_resistances import plated_surface
 from winkler.numerics.films.joint_flux import JointFlux, joint_flux
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_states import gap_of
 from winkler.problems.pressed_maps.two_grids import measured
-from winkler.problems.rough.mapped_medium import homogeneous
+from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.validity import Assumption, Note, Standing
@@ -43,7 +46,7 @@ class ThermalJoint:
     contact : SurfaceContact
         How they are pressed together.
     conductors : HeatConductors
-        What the bodies conduct, thick ones without platings, and how well heat passes where they touch.
+        What the bodies conduct, thick ones, plated or not, and how well heat passes where they touch.
     gap_conductivity : float, optional
         Of what fills the gap [W/(m K)]: 0.026 of air, 0.6 of water; 0 (the default) of a vacuum.
     jump_distance : float, optional
@@ -54,7 +57,7 @@ class ThermalJoint:
     InvalidInput
         If an argument has the wrong type, or a number is negative.
     OutsideValidity
-        If a body is plated or a rod, or has layers, of which the conductors say nothing.
+        If a body is a rod, or a plating is far thinner than a pixel.
 
     References
     ----------
@@ -92,13 +95,7 @@ class ThermalJoint:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.CONDUCTION, Assumption.STEADY}
 
     def __post_init__(self) -> None:
-        homogeneous("ThermalJoint", "the heat", self.contact.medium)
-        bodies = (self.conductors.first, self.conductors.second)
-        if any(isinstance(body, Plated | Rod) for body in bodies):
-            raise OutsideValidity(
-                "ThermalJoint: heat is followed in thick bodies without platings; leave platings and rods out, or give "
-                "a ThermalConstriction."
-            )
+        refuse_bodies("ThermalJoint", self.conductors, float(np.max(self.contact.topography.lengths)))
 
     @property
     def _spreading(self) -> float:
@@ -111,6 +108,8 @@ class ThermalJoint:
         ------
         NotConverged
             If it is not found.
+        OutsideValidity
+            If the pixels are too coarse for the platings.
         """
         rough, between = self.contact.topography, self.conductors.interface.area_resistance
         gap = gap_of(state.pressure, state.separation)
@@ -119,7 +118,8 @@ class ThermalJoint:
         resistance = np.where(state.pressure > 0.0, between, open_gap)
         if rough.periodic and not np.any(resistance > 0.0):
             return JointFlux(np.full(gap.shape, np.inf), np.inf, 0.0)
-        return joint_flux(resistance, rough.pixel, self._spreading, periodic=rough.periodic)
+        layers = plated_surface(self.conductors.first, self.conductors.second)
+        return joint_flux(resistance, rough.pixel, self._spreading, periodic=rough.periodic, layers=layers)
 
     def solve(self) -> ThermalJointSolution:
         """Return the conductance under every load.
@@ -128,6 +128,8 @@ class ThermalJoint:
         ------
         NotConverged
             If a contact, or the heat through it, is not solved to its tolerance.
+        OutsideValidity
+            If the pixels are too coarse for the platings.
         """
 
         def parted(state: SurfaceState) -> tuple[float, float, float]:
@@ -135,9 +137,13 @@ class ThermalJoint:
                 found = self.passing(state)
             except NotConverged as error:
                 raise NotConverged(f"ThermalJoint: under the force {state.force:.6g} N, {error}") from None
+            except OutsideValidity as error:
+                raise OutsideValidity(f"ThermalJoint: of the platings, {error}") from None
             touching = state.pressure > 0.0
             parts = float(np.sum(found.flux[touching])), float(np.sum(found.flux[~touching]))
-            share = parts[1] / sum(parts) if np.isfinite(found.whole) else 0.0
+            if not np.isfinite(found.whole):  # a closed periodic map without an interface holds nothing back
+                return found.whole, found.whole, 0.0
+            share = parts[1] / sum(parts)
             return found.whole, (1.0 - share) * found.whole, share * found.whole
 
         contact, rows = measured(self.contact, parted)
@@ -162,7 +168,7 @@ class ThermalJointSolution:
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     conductance : float or ndarray
         Heat rate per drop of temperature [W/K].  Of a periodic map on one period, and without the drop that the bodies
-        have where nothing lies between them.
+        have where nothing lies between them: infinite where it touches all over without an interface.
     spot_conductance, gap_conductance : float or ndarray
         What passes through the spots that touch, and through the gap, per drop of temperature [W/K].
     """
@@ -212,6 +218,7 @@ class ThermalJointSolution:
         )
         return (
             *self.contact.validity,
+            *plating_notes(stated.conductors, stated.contact.medium, stated.contact.topography),
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE if blurred > 0.05 else Standing.ASYMPTOTIC,
@@ -221,8 +228,8 @@ class ThermalJointSolution:
             Note(
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
-                "Steady heat between half-spaces, whose properties do not change with the temperature; nothing is lost "
-                "aside.",
+                "Steady heat between thick bodies, whose properties do not change with the temperature; nothing is "
+                "lost aside.",
                 "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
             ),
         )

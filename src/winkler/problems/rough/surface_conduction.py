@@ -9,6 +9,9 @@ each pixel with its own film in series (`winkler.media.conduction.spot_resistanc
 the same flat raised by its height s from the lowest valley to the highest peak.  With the stiffness :math:`k_\infty` of
 the flat, which touches all over, the tangents to both force curves bound that of the rough surface by
 :math:`F/(F/k_\infty+s)\le k\le k_\infty`.
+
+Platings and elastic layers end the proportion; the boundary elements of the current then find all of the resistance.
+Nothing conducts better than full contact, which is the bound that is left.
 """
 
 from __future__ import annotations
@@ -20,22 +23,24 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Seed, Whole
-from winkler.errors import OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.film import SurfaceFilm
 from winkler.limits import MOST_SPRINGS
-from winkler.loading import Depth, Force
+from winkler.loading import Force
+from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors
-from winkler.media.conduction.spot_resistances import spot_resistances
+from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
-from winkler.problems.rough.mapped_medium import homogeneous
+from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
+from winkler.problems.rough.mapped_medium import layers_of
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.map_spectrum import spectrum_of
-from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -55,7 +60,7 @@ class SurfaceConduction:
     contact : SurfaceContact
         How they are pressed together.
     conductors : ElectricalConductors
-        What the bodies conduct, and the film between them; thick ones without platings.
+        What the bodies conduct, and the film between them; thick ones, plated or not.
     realisations : int, optional
         How many random lines with the spectrum of the map are pressed beside it.
     seed : int, optional
@@ -66,7 +71,7 @@ class SurfaceConduction:
     InvalidInput
         If an argument has the wrong type, or a number is out of range.
     OutsideValidity
-        If there is a plating or a rod, or the bodies have layers, of which stiffness tells no conductance.
+        If a body is a rod, or a plating is far thinner than a pixel.
 
     References
     ----------
@@ -88,20 +93,13 @@ class SurfaceConduction:
     }
 
     def __post_init__(self) -> None:
-        medium = self._medium  # refuses layers
-        try:
-            conductance_of_stiffness("SurfaceConduction", medium, self._clean)
-        except OutsideValidity as error:
-            raise OutsideValidity(f"{error} A SurfaceConstriction follows platings on maps.") from None
+        refuse_bodies("SurfaceConduction", self.conductors, float(np.max(self.contact.topography.lengths)))
 
     @property
-    def _clean(self) -> ElectricalConductors:
-        """The bodies without the film."""
-        return dataclasses.replace(self.conductors, film=SurfaceFilm())
-
-    @property
-    def _medium(self) -> HomogeneousMedium:
-        return homogeneous("SurfaceConduction", "the resistance", self.contact.medium)
+    def in_proportion(self) -> bool:
+        """Whether conductance is in proportion to stiffness: neither elastic layers nor platings."""
+        plated = any(isinstance(body, Plated) for body in (self.conductors.first, self.conductors.second))
+        return isinstance(self.contact.medium, HomogeneousMedium) and not plated
 
     def solve(self) -> SurfaceConductionSolution:
         """Return the resistance under every load.
@@ -111,9 +109,11 @@ class SurfaceConduction:
         InvalidInput
             If the map has no spectrum: it is flat, or too small.
         NotConverged
-            If a contact is not solved to its tolerance.
+            If a contact is not solved to its tolerance, or its current not found.
+        OutsideValidity
+            If the pixels are too coarse for the platings.
         """
-        rough, medium = self.contact.topography, self._medium
+        rough, medium = self.contact.topography, self.contact.medium
         spectrum = spectrum_of(rough)  # first, since it may refuse
         states = list(self.contact.steps())
         contact_solution = self.contact.gathered(states)
@@ -123,29 +123,65 @@ class SurfaceConduction:
         ).solve()
         flat = math.inf
         if not rough.periodic:
-            smooth = Topography(np.zeros_like(rough.heights), rough.lengths)
-            flat = float(SurfaceContact(smooth, medium, Depth(1.0)).solve().stiffness)
+            everywhere = np.ones(rough.heights.shape, dtype=bool)
+            pressures = punch(everywhere, rough.pixel, periodic=False, layers=layers_of(medium))
+            flat = medium.modulus * rough.pixel[0] * rough.pixel[1] * float(np.sum(pressures))
         force = np.asarray(contact_solution.force, dtype=float)
-        least = force / (force / flat + float(np.ptp(rough.heights)))
+        # in layers parts of a contact may open as it is pressed: the force curve need not bend upwards
+        bent = isinstance(medium, HomogeneousMedium)
+        least = force / (force / flat + float(np.ptp(rough.heights))) if bent else np.zeros(force.shape)
+        resistances = self._in_proportion if self.in_proportion else self._of_current
+        stiffnesses = (contact_solution.stiffness, np.asarray(line.stiffness), least, np.full_like(least, flat))
         return SurfaceConductionSolution(
-            self,
-            contact_solution,
-            line,
-            *(contact_solution.depth, contact_solution.force, contact_solution.stiffness),
-            *(np.asarray(line.stiffness), np.asarray(least), np.full_like(least, flat)),
-            shaped(np.array([self._film_excess(state) for state in states]).reshape(force.shape)),
-        )
-
-    def _film_excess(self, state: SurfaceState) -> float:
-        """Return what the film adds to the resistance of a contact [ohm]."""
-        pair, rough = self.conductors, self.contact.topography
-        if pair.film.area_resistance == 0.0:
-            return 0.0
-        found = spot_resistances(
-            state.pressure > 0.0, rough.pixel, (pair.first, pair.second), pair.film.area_resistance,
-            periodic=rough.periodic,
+            self, contact_solution, line, contact_solution.depth, contact_solution.force, *stiffnesses,
+            *(shaped(part) for part in resistances(states, stiffnesses)),
         )  # fmt: skip
-        return found.first + found.second + found.film - found.bare
+
+    def of_stiffness(self, stiffness: Quantity, film_excess: Quantity) -> Array:
+        """Return the resistance [ohm] that goes with a stiffness [N/m], film included; nan if not in proportion."""
+        if not self.in_proportion:
+            return np.full(np.shape(stiffness), math.nan)
+        assert isinstance(self.contact.medium, HomogeneousMedium)
+        clean = dataclasses.replace(self.conductors, film=SurfaceFilm())
+        share = conductance_of_stiffness("SurfaceConduction", self.contact.medium, clean)
+        return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)) + np.asarray(film_excess))
+
+    def _in_proportion(self, states: list[SurfaceState], stiffnesses: tuple[Quantity, ...]) -> list[Array]:
+        """Return what the film adds, and the resistance with its bounds [ohm], in the shape of the load."""
+        film, shape = self.conductors.film.area_resistance, np.shape(stiffnesses[0])
+        excess = np.zeros(shape)
+        if film:
+            found = [self._spots(state.pressure > 0.0, film) for state in states]
+            excess = np.array([_whole(parts) - parts.bare for parts in found]).reshape(shape)
+        by_elements, _, least, greatest = stiffnesses
+        return [excess, *(self.of_stiffness(each, excess) for each in (by_elements, greatest, least))]
+
+    def _of_current(self, states: list[SurfaceState], stiffnesses: tuple[Quantity, ...]) -> list[Array]:
+        """Return the same by the current of every pixel, without an upper bound."""
+        film, shape = self.conductors.film.area_resistance, np.shape(stiffnesses[0])
+        touching = [state.pressure > 0.0 for state in states]
+        whole = np.array([_whole(self._spots(each, film)) for each in touching]).reshape(shape)
+        clean = np.array([_whole(self._spots(each, 0.0)) for each in touching]).reshape(shape) if film else whole
+        full = _whole(self._spots(np.ones_like(touching[0]), film))
+        return [whole - clean, whole, *(np.full(shape, each) for each in (full, math.inf))]
+
+    def _spots(self, touching: Array, film: float) -> SpotResistances:
+        """Return the resistance of pixels in contact, under a film of this area resistance [ohm m^2]."""
+        rough, bodies = self.contact.topography, (self.conductors.first, self.conductors.second)
+        try:
+            return spot_resistances(touching, rough.pixel, bodies, film, periodic=rough.periodic)
+        except OutsideValidity as error:
+            raise OutsideValidity(f"SurfaceConduction: of the platings, {error}") from None
+        except NotConverged:
+            raise NotConverged(
+                "SurfaceConduction: the current through the spots was not found; give platings whose resistivities "
+                "differ by a factor of less than 1e8, or smooth the heights."
+            ) from None
+
+
+def _whole(parts: SpotResistances) -> float:
+    """Return all of a resistance, film included [ohm]."""
+    return parts.first + parts.second + parts.film
 
 
 @value
@@ -165,10 +201,15 @@ class SurfaceConductionSolution:
     line_stiffness : float or ndarray
         dF/dd of the lines [N/m], their median.
     least_stiffness, greatest_stiffness : float or ndarray
-        Bounds of dF/dd [N/m]; the second is infinite of a periodic map.
+        Bounds of dF/dd [N/m]; the first is zero between elastic layers, the second infinite of a periodic map.
     film_excess : float or ndarray
         What the film adds to the resistance [ohm]: its area resistance over the area of the pixels in contact, and what
         it spreads the current.
+    resistance : float or ndarray
+        R [ohm] by boundary elements.
+    least_resistance, greatest_resistance : float or ndarray
+        Bounds of R [ohm].  The lower one of a periodic map is what the film adds.  Through platings and between elastic
+        layers it is the resistance in full contact, and the upper one infinite.
     """
 
     __words__ = words(
@@ -186,52 +227,45 @@ class SurfaceConductionSolution:
     least_stiffness: Quantity
     greatest_stiffness: Quantity
     film_excess: Quantity
-
-    def _resistance(self, stiffness: Quantity) -> Array:
-        stated = self.problem
-        share = conductance_of_stiffness("SurfaceConduction", stated._medium, stated._clean)
-        return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)) + np.asarray(self.film_excess))
+    resistance: Quantity
+    least_resistance: Quantity
+    greatest_resistance: Quantity
 
     @property
     def conductance(self) -> Quantity:
-        """1 / R [S] by boundary elements."""
-        return shaped(1.0 / self._resistance(self.stiffness))
-
-    @property
-    def resistance(self) -> Quantity:
-        """R [ohm] by boundary elements."""
-        return shaped(self._resistance(self.stiffness))
+        """1 / R [S] by boundary elements; infinite where a periodic map touches all over without a film."""
+        with np.errstate(divide="ignore"):
+            return shaped(1.0 / np.asarray(self.resistance, dtype=float))
 
     @property
     def line_resistance(self) -> Quantity:
-        """R [ohm] by the lines."""
-        return shaped(self._resistance(self.line_stiffness))
-
-    @property
-    def least_resistance(self) -> Quantity:
-        """The lower bound of R [ohm]; of a periodic map what the film adds."""
-        return shaped(self._resistance(self.greatest_stiffness))
-
-    @property
-    def greatest_resistance(self) -> Quantity:
-        """The upper bound of R [ohm]."""
-        return shaped(self._resistance(self.least_stiffness))
+        """R [ohm] by the lines; nan through platings and between elastic layers, of which lines tell no resistance."""
+        return shaped(self.problem.of_stiffness(self.line_stiffness, self.film_excess))
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: the contact, the line, the bounds."""
+        stated = self.problem
         line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is given here
-        film = self.problem.conductors.film.area_resistance
-        spots = "All pixels in contact bear the same film" if film else "All spots are clean metal"
-        bounds = Note(
-            Assumption.CONDUCTION,
-            Standing.EXACT,
-            "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
-            f"same flat raised by its height; of a curved map they are wide. {spots}, wider than the free path of "
-            "electrons.",
-            BARBER,
+        spots = (
+            "All pixels in contact bear the same film"
+            if stated.conductors.film.area_resistance
+            else "All spots are clean metal"
         )
-        rough = self.problem.contact.topography
+        between = (
+            "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
+            "same flat raised by its height; of a curved map they are wide."
+            if stated.in_proportion
+            else "Through platings and between elastic layers conductance is not in proportion to stiffness: the "
+            "current is solved pixel by pixel, lines tell no resistance, and full contact is the only bound. A round "
+            "spot of n pixels across resists by about 0.5 / n more than the disc of its area."
+        )
+        bounds = Note(
+            Assumption.CONDUCTION, Standing.EXACT if stated.in_proportion else Standing.APPROXIMATE,
+            f"{between} {spots}, wider than the free path of electrons.",
+            BARBER,
+        )  # fmt: skip
+        rough = stated.contact.topography
         shape = 0.0 if rough.periodic else 1.0 - (rough.detrended(2).rms_height / rough.rms_height) ** 2
         curved = Note(
             Assumption.ROUGHNESS,
@@ -245,5 +279,6 @@ class SurfaceConductionSolution:
             *self.contact.validity,
             *(note for note in line if note not in self.contact.validity),
             *((curved,) if shape > LARGEST_CURVED_SHARE else ()),
+            *plating_notes(stated.conductors, stated.contact.medium, rough),
             bounds,
         )

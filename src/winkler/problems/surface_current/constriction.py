@@ -23,9 +23,9 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.heated_contact import ColdContact, hot_at_current, hot_at_voltage, temperatures
+from winkler.problems.rough.map_conductors import refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.problems.surface_current.input_checks import refuse_bodies
 from winkler.problems.surface_current.notes import current_notes
 from winkler.problems.surface_current.softening import coefficient_of, voltage_to_reach
 from winkler.validity import Assumption, Note
@@ -117,7 +117,7 @@ class SurfaceConstriction:
     }
 
     def __post_init__(self) -> None:
-        refuse_bodies(self.conductors, float(np.max(self.contact.topography.lengths)))
+        refuse_bodies("SurfaceConstriction", self.conductors, float(np.max(self.contact.topography.lengths)))
         for word, number in (("softening", self.softening_temperature), ("melting", self.melting_temperature)):
             if not number > self.temperature:
                 raise InvalidInput(

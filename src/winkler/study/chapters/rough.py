@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
@@ -63,6 +65,11 @@ DISC = Equation(
     "A disc as stiff as the contact has the radius a, and what stands above it is g",
     r"a = \frac{k}{2E^*}, \quad g(a) = d",
 )
+SPREAD = Equation(
+    "Platings and elastic layers end the proportion of conductance and stiffness: all pixels in contact have one "
+    "voltage, with the response G of the surfaces to the flux J",
+    r"V = \frac{\rho_1+\rho_2}{2}\,G\,J + \sigma_f\,J, \quad R = \frac{V}{\int J\,\mathrm{d}A}",
+)
 SPECTRUM = Equation("The line takes the spectrum of the surface to its own", r"C_1(q) = \pi\,q\,C(q)")
 LINE = Equation(
     "Its springs, sorted by their gaps, give the force at every depth",
@@ -77,6 +84,12 @@ SHEARED_WAVES = Equation(
     "Every wave of the roughness shears the elastomer at the frequency q v",
     r"\mu = h'\,\frac{\int q^3C\,\frac{G''(qv)}{|G(qv)|}\,\mathrm{d}q}{\int q^3C\,\mathrm{d}q}",
 )
+
+
+def conduction_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a `SurfaceConduction`."""
+    current = (SAME_AREA, PROPORTION, BOUNDS) if problem.in_proportion else (SAME_AREA, SPREAD)
+    return (ELEMENTS, *current, SPECTRUM, LINE, PERSSON)
 
 
 ROUGH = Chapter(
@@ -183,11 +196,12 @@ ROUGH = Chapter(
                 "conductance",
                 "Stiffness, conductance and contact area over the load",
                 "By boundary elements and by lines of springs with the same power spectrum; shaded grey between "
-                "Barber's bounds, which no surface of this height can leave.",
+                "Barber's bounds, which no surface of this height can leave. Through platings and between elastic "
+                "layers full contact is the only bound of the conductance.",
             ),
             curves=(("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
             pictured=PicturedContact.NONE,
-            formulas=(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
+            formulas=conduction_formulas,
         ),
         "reduction": answer(
             "winkler.problems.rough.reduce:Reduction",
