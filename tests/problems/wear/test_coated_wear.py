@@ -86,13 +86,14 @@ GRADED = wk.DepthGradedHalfSpace(wk.ExponentialGrading(1e9, 3e9, depth_scale=1e-
 @pytest.mark.few(1)
 @pytest.mark.parametrize("medium", [HARD, STACK, GRADED], ids=["hard", "stack", "graded"])
 def test_the_volume_is_rate_times_force_times_distance_on_layers(medium):
-    run = worn(wk.Paraboloid(1e-3), medium, 0.1, np.array([1e-3, 1e-2]), count=40)
+    run = worn(wk.Paraboloid(1e-3), medium, 0.1, np.array([1e-3, 5e-3]), count=30)
     np.testing.assert_allclose(run.worn_volume, RATE * 0.1 * run.distance, rtol=1e-10)
     # the body above wears, and the layers do not
     np.testing.assert_allclose(run.states[-1].second_volume, run.worn_volume[-1], rtol=1e-14)
     assert run.states[-1].first_volume == 0.0
 
 
+@pytest.mark.slow
 def test_a_film_much_thinner_than_the_contact():
     # springs that bear p = E* u / h each by itself: f' = kappa p at a steady depth decays as exp(-kappa E* s / h)
     film = wk.SlidingFilm([wk.Layer(POLYMER, 1e-7)], on=wk.Rigid())
@@ -147,6 +148,7 @@ def test_which_body_wears_does_not_change_the_contact():
     assert any("The body without layers wears" in note.statement for note in one.validity)
 
 
+@pytest.mark.slow
 def test_a_march_on_layers_goes_on_with_the_same_numbers():
     bed = wk.Foundation(wk.Paraboloid(1e-3), BONDED)
     problem = wk.SlidingWear(bed, wk.Archard(RATE), wk.Force(0.05), np.array([0.01, 0.1, 0.4]), count=20)
