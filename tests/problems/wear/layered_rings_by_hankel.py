@@ -13,7 +13,9 @@ def bonded_on_rigid(poisson):
     kappa = 3.0 - 4.0 * poisson
 
     def compliance(x):
-        return (2.0 * kappa * np.sinh(2.0 * x) - 4.0 * x) / (2.0 * kappa * np.cosh(2.0 * x) + 4.0 * x**2 + 1.0 + kappa**2)
+        return (2.0 * kappa * np.sinh(2.0 * x) - 4.0 * x) / (
+            2.0 * kappa * np.cosh(2.0 * x) + 4.0 * x**2 + 1.0 + kappa**2
+        )
 
     return compliance
 
@@ -73,9 +75,7 @@ def pressed(matrix, areas, height, force):
     touching = np.ones(areas.size, dtype=bool)
     while True:
         (some,) = np.nonzero(touching)
-        both = np.block(
-            [[matrix[np.ix_(some, some)], -np.ones((some.size, 1))], [areas[some][None], np.zeros((1, 1))]]
-        )
+        both = np.block([[matrix[np.ix_(some, some)], -np.ones((some.size, 1))], [areas[some][None], np.zeros((1, 1))]])
         found = np.linalg.solve(both, np.append(-height[some], force))
         pressure = np.zeros(areas.size)
         pressure[some] = found[:-1]

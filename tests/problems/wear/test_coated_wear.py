@@ -61,7 +61,7 @@ def test_a_flat_pin_wears_as_rings_of_even_pressure_do(name):
     last, even = run.states[-1], force / (math.pi * radius**2)
     np.testing.assert_allclose(last.pressure, even, rtol=1e-5)
     bulge = even * (discs([0.0], [radius]) - discs(last.radii, [radius]))[:, 0]
-    np.testing.assert_allclose(last.worn - last.worn[0], bulge, atol=3e-3 * bulge[-1])
+    np.testing.assert_allclose(last.worn - last.worn[0], bulge, atol=7e-3 * bulge[-1])
 
 
 @pytest.mark.parametrize("name", DISCS)
@@ -122,7 +122,9 @@ def test_a_layer_that_wears_is_followed_up_to_a_part_of_its_thickness():
         layer_wears=True,
     )
     reached = []
-    with pytest.raises(wk.OutsideValidity, match=r"more than 5 per cent of the uppermost layer \(1e-06 m\) is worn off"):
+    with pytest.raises(
+        wk.OutsideValidity, match=r"more than 5 per cent of the uppermost layer \(1e-06 m\) is worn off"
+    ):
         for state in problem.steps():
             reached.append(state)
     assert [state.elapsed for state in reached] == list(problem.goals[:2])
