@@ -122,11 +122,13 @@ def test_a_layer_that_wears_is_followed_up_to_a_part_of_its_thickness():
         layer_wears=True,
     )
     reached = []
-    with pytest.raises(
-        wk.OutsideValidity, match=r"more than 5 per cent of the uppermost layer \(1e-06 m\) is worn off"
-    ):
+
+    def advance():
         for state in problem.steps():
             reached.append(state)
+
+    with pytest.raises(wk.OutsideValidity, match=r"5 per cent of the uppermost layer \(1e-06 m\) is worn off"):
+        advance()
     assert [state.elapsed for state in reached] == list(problem.goals[:2])
     assert reached[-1].worn_depth > 0.03e-6
     assert reached[-1].second_volume == 0.0

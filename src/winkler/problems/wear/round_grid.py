@@ -22,8 +22,8 @@ from winkler.errors import NotConverged
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Normal
 from winkler.media.body_of import exponent_of
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.families import DepthVaryingMedium
+from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.transforms.ring_transforms import RingTransforms

@@ -71,8 +71,8 @@ class SlidingWear(OfDistance):
     Notes
     -----
     On layers and depth gradings pressures are those of the springs' flat punches superposed, as in `Indentation`.
-    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are gone,
-    and `validity` states how much stiffer or softer a layer would be that is thinner all over.
+    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are
+    gone, and `validity` states how much stiffer or softer a layer would be that is thinner all over.
 
     References
     ----------

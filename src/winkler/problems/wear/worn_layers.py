@@ -19,7 +19,7 @@ __all__ = ["MOST_WORN_SHARE", "layer_notes", "refuse_thin", "refuse_without_laye
 MOST_WORN_SHARE = 0.05
 """Part of the thickness of the uppermost layer that may be worn off while the body responds as before."""
 SMALL_CHANGE, LARGE_CHANGE = 0.01, 0.1
-"""Relative change of the stiffness by a layer that is thinner all over, up to which it is small, and beyond which not."""
+"""Relative change of the stiffness by a thinner layer up to which it is small, and beyond which it is not."""
 SMALL_PULL = 1e-3
 """Part of the load that rings may pull before it is stated."""
 
