@@ -165,9 +165,3 @@ def test_what_has_no_layer_is_refused():
     for medium in (wk.HalfSpace(STEEL, STEEL), GRADED):
         with pytest.raises(wk.InvalidInput, match="layer_wears is True, and a .* has no layers"):
             worn(wk.Paraboloid(1e-3), medium, 1.0, 1.0, layer_wears=True)
-
-
-def test_slip_on_layers_is_refused_with_what_to_use():
-    bed = wk.Foundation(wk.Paraboloid(1e-3), BONDED)
-    with pytest.raises(wk.OutsideValidity, match=r"does not answer to shear as it does to pressure.* use SlidingWear"):
-        wk.FrettingWear(bed, wk.Archard(RATE), wk.Coulomb(0.3), wk.Force(1.0), wk.Shift(1e-7), 10.0)
