@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["Archard", "OwnWear", "PairWear", "WearLaw", "worn_by"]
+__all__ = ["Archard", "OwnWear", "PairWear", "Unworn", "WearLaw", "worn_by"]
 
 
 @value
@@ -84,6 +84,15 @@ class PairWear:
 
     first: Archard | OwnWear
     second: Archard | OwnWear
+
+
+@value
+class Unworn:
+    """Nothing is worn off: the other body of a pair."""
+
+    def depth_per_slip(self, pressure: Array) -> Array:
+        """Zero under any pressure [-]."""
+        return np.zeros(pressure.shape)
 
 
 WearLaw = Archard | PairWear | OwnWear

@@ -235,7 +235,9 @@ def test_wrong_arguments_are_refused(changes, message):
 def test_layers_are_refused_with_the_reason():
     solid = wk.Elastic(young=1.0, poisson=0.3)
     coated = wk.CoatedHalfSpace([wk.Layer(solid, thickness=0.05)], on=solid)
-    with pytest.raises(wk.OutsideValidity, match="use LimitingProfile"):
+    with pytest.raises(
+        wk.OutsideValidity, match=r"does not answer to shear as it does to pressure.* use SlidingWear where"
+    ):
         fretting(bed=wk.Foundation(wk.Paraboloid(BALL), coated))
 
 

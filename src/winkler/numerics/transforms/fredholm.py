@@ -42,6 +42,7 @@ __all__ = [
     "edge_slope",
     "mean",
     "moment",
+    "moments",
     "on_pieces",
     "punches",
     "push",
@@ -119,6 +120,25 @@ def resolvent(response: WaveResponse, x: Array, a: Array) -> Pairs:
 def moment(response: WaveResponse, x: Array, a: Array) -> Array:
     """Return a rho(x; a) [-], for 0 <= x <= a of one shape: `resolvent` without derivatives."""
     return _value(response, x, a, "rho")
+
+
+def moments(response: WaveResponse, x: Array, a: Array) -> Array:
+    """Return a rho(x; a) [-] for all places x ``(n,)`` and radii a ``(m,)``, ``(m, n)``; zero where x > a.
+
+    Much faster than `moment` on all pairs: the series in a is summed once for each radius.
+    """
+    cheb = np.polynomial.chebyshev
+    result = np.zeros((a.size, x.size))
+    for chosen, table, s in _grouped(response, a):
+        rows = np.tensordot(cheb.chebvander(s, table.rho.shape[0] - 1), table.rho, 1)
+        for row, member in enumerate(chosen):
+            ratio = x[x <= a[member]] / (a[member] or 1.0)
+            borders = np.searchsorted(ratio, table.panels[1:-1])
+            parts = zip(np.split(ratio, borders), table.panels[:-1], table.panels[1:], rows[row], strict=True)
+            result[member, : ratio.size] = np.concatenate(
+                [cheb.chebval((2.0 * part - low - high) / (high - low), series) for part, low, high, series in parts]
+            )
+    return result
 
 
 def punches(response: WaveResponse, x: Array, a: Array) -> Array:

@@ -98,6 +98,19 @@ class GridTransforms:
         """Return what all springs bear that are displaced by values+, in units of which the grids state the force."""
         raise NotImplementedError
 
+    def springs_within(self, squares: Array) -> Array:
+        """Return what springs displaced by one metre bear up to places in y, as `integral` has it."""
+        raise NotImplementedError
+
+    def inside(self, cut: Cuts, upto: float) -> float:
+        """Return what springs displaced by one metre bear where a function is positive, if it is so at the axis."""
+        whole = float(self.springs_within(np.array([upto]))[0])
+        if not cut.cells.size:
+            return whole
+        ends = self.springs_within(cut.place)
+        total = float(np.sum(np.where(cut.falls, ends, -ends)))
+        return total if cut.falls[-1] else total + whole
+
     def surface_parts(self, upto: Array) -> tuple[Array, Array]:
         """Return what the surface shows at every node (rows) of springs displaced by 1 and by y, up to places in y."""
         raise NotImplementedError

@@ -96,22 +96,19 @@ class RingTransforms(GridTransforms):
         weights[:-1] += (high * zeroth - second) / self.widths
         return weights
 
+    def missed(self, cut: Cuts) -> Array:
+        """Return by how much the integrals of x^k values(x)+ over the cells of a cut exceed those by nodes alone."""
+        zeroth, second = self._moments(cut.first, cut.last)
+        whole = cut.slope * (second - cut.place * zeroth)
+        base = np.where(cut.falls, cut.stop, cut.start)
+        zeroth, second = self._moments(cut.start, cut.stop)
+        return np.asarray(whole - cut.cut_slope * (second - base * zeroth))
+
     def integral(self, values: Array, cut: Cuts) -> float:
         """Return the integral of x^k values(x)+ from 0 to the last node."""
-        total = float(self.force @ np.maximum(values, 0.0))
-        if cut.cells.size:
-            zeroth, second = self._moments(cut.first, cut.last)
-            total += float(np.sum(cut.slope * (second - cut.place * zeroth)))
-            base = np.where(cut.falls, cut.stop, cut.start)
-            zeroth, second = self._moments(cut.start, cut.stop)
-            total -= float(np.sum(cut.cut_slope * (second - base * zeroth)))
-        return total
+        return float(self.force @ np.maximum(values, 0.0)) + float(np.sum(self.missed(cut)))
 
-    def inside(self, cut: Cuts, upto: float) -> float:
-        """Return the integral of x^k over where a function is positive, if it is so at the axis."""
-        zeroth, _ = self._moments(np.zeros(1), np.array([upto]))
-        if not cut.cells.size:
-            return float(zeroth[0])
-        ends, _ = self._moments(np.zeros(cut.cells.size), cut.place)
-        total = float(np.sum(np.where(cut.falls, ends, -ends)))
-        return total if cut.falls[-1] else total + float(zeroth[0])
+    def springs_within(self, squares: Array) -> Array:
+        """Return the integral of x^k from 0 to places in y: what springs displaced by one metre bear there."""
+        zeroth, _ = self._moments(np.zeros(np.shape(squares)), squares)
+        return zeroth

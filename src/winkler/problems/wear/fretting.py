@@ -28,7 +28,7 @@ from winkler.problems.friction.damping import FrictionDamping
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
-from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
+from winkler.problems.wear.input_checks import Cells, WearTolerance, refuse_unless_alike
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.round_grid import RoundGrid, RubbedContact
 from winkler.problems.wear.states import FrettingState
@@ -117,7 +117,7 @@ class FrettingWear(AtGoals):
     needs_round: ClassVar[str] = "wear, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:
-        wearable("FrettingWear", self.bed)
+        refuse_unless_alike("FrettingWear", self.bed)
         super().__post_init__()
 
     def _rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:

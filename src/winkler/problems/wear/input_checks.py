@@ -7,19 +7,31 @@ from typing import Annotated, TypeAlias
 from winkler.checks.number_checks import Whole, between
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
+from winkler.media.families import DepthVaryingMedium
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 
-__all__ = ["Cells", "WearTolerance", "wearable"]
+__all__ = ["Cells", "WearTolerance", "refuse_unless_alike", "refuse_unless_pressed"]
 
 
-def wearable(owner: str, bed: Foundation) -> None:
-    """Refuse a bed whose pressure and slip do not follow from its springs in closed form."""
+def refuse_unless_alike(owner: str, bed: Foundation) -> None:
+    """Refuse a bed whose slip does not follow from its springs."""
     if not isinstance(bed.medium, HomogeneousMedium | GradedHalfSpace):
         raise OutsideValidity(
-            f"{owner}: in a {type(bed.medium).__name__} pressure and slip do not follow from the springs alone, and "
-            "layers wear away themselves; give HalfSpace(first, second) or GradedHalfSpace(first, second), or use "
-            "LimitingProfile, which takes elastic layers and gradings, too."
+            f"{owner}: a {type(bed.medium).__name__} does not answer to shear as it does to pressure, so that slip "
+            "does not follow from its springs; give HalfSpace(first, second) or GradedHalfSpace(first, second), or use "
+            "SlidingWear where all slides, LimitingProfile for the shape in the end, CoatedTangential for what slips "
+            "before wear."
+        )
+
+
+def refuse_unless_pressed(owner: str, bed: Foundation) -> None:
+    """Refuse a bed whose pressure is not known for worn profiles."""
+    if not isinstance(bed.medium, HomogeneousMedium | GradedHalfSpace | DepthVaryingMedium):
+        raise OutsideValidity(
+            f"{owner}: the pressure of a worn profile on a {type(bed.medium).__name__} is not known; give elastic "
+            "bodies: HalfSpace, GradedHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace or "
+            "DepthGradedHalfSpace."
         )
 
 

@@ -81,8 +81,8 @@ class WearProblem(Protocol):
         ...
 
     @property
-    def wear(self) -> WearLaw:
-        """The law of wear."""
+    def laws(self) -> WearLaw:
+        """How the bodies wear."""
         ...
 
     @property
@@ -154,14 +154,14 @@ class _WearRates:
 
     @functools.cached_property
     def system(self) -> SlidingSystem:
-        return SlidingSystem(self.grid, self.problem.normal, self.problem.wear)
+        return SlidingSystem(self.grid, self.problem.normal, self.problem.laws)
 
     def contact(self, worn: Array) -> WornContact:
         return self.grid.press(worn.sum(axis=0), self.problem.normal)
 
     def rates(self, worn: Array) -> Array:
         there = self.contact(worn)
-        return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.grid, there)
+        return np.stack(worn_by(self.problem.laws, there.pressure)) * self.problem.slipped(self.grid, there)
 
     def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _JumpTrial:
         end = step(self.rates, worn, first, length, stages)
@@ -171,7 +171,10 @@ class _WearRates:
 
     def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _JumpTrial:
         end, last, error = implicit_step(self.system, worn.sum(axis=0), first.sum(axis=0), length)
-        parts = np.stack([end - worn[1], worn[1]]), np.stack([last, np.zeros(last.size)])
+        # the other body has lost nothing, and goes on so
+        wears = 1 if first[1].any() else 0
+        parts = np.zeros(worn.shape), np.zeros(worn.shape)
+        parts[0][wears], parts[1][wears] = end, last
         return _JumpTrial(*parts, float(np.max(np.abs(error))) / scale)
 
 
@@ -244,7 +247,7 @@ def scale_of(problem: WearProblem, grid: WornGrid, contact: WornContact) -> floa
 
 def _damping(problem: WearProblem, grid: WornGrid, contact: WornContact) -> float:
     """Return a bound of how fast the shortest waves of the pressure decay."""
-    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(grid, contact) * grid.response))
+    return float(np.max(law_slope(problem.laws, contact.pressure) * problem.slipped(grid, contact) * grid.response))
 
 
 def _refuse_outgrown(bed: Any, contact: WornContact, nodes: Array) -> None:

@@ -22,9 +22,10 @@ from winkler.errors import NotConverged
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Normal
 from winkler.media.body_of import exponent_of
+from winkler.media.families import DepthVaryingMedium
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.transforms.grid_transforms import Cuts
+from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
@@ -59,13 +60,22 @@ class RubbedContact(NamedTuple):
     slip: Array
 
 
+def _rings(medium: object, nodes: Array, exponent: float) -> GridTransforms:
+    if isinstance(medium, DepthVaryingMedium):
+        # numerics of layers are loaded with layers
+        from winkler.numerics.transforms.layered_rings import LayeredRings
+
+        return LayeredRings(nodes, medium.response)  # type: ignore[attr-defined]
+    return RingTransforms(nodes, exponent)
+
+
 class RoundGrid(WornGrid):
     """A bed of a round contact on a grid of radii.
 
     Parameters
     ----------
     bed : Foundation
-        Before wear, on a homogeneous or a power-law medium.
+        Before wear, on a homogeneous, a power-law or a layered medium.
     nodes : ndarray, (n,)
         Radii [m], rising from zero; the last is the rim where the profile has one.
     """
@@ -74,11 +84,10 @@ class RoundGrid(WornGrid):
 
     def __init__(self, bed: Foundation, nodes: Array) -> None:
         medium = bed.medium
-        assert isinstance(medium, HomogeneousMedium | GradedHalfSpace)
         self.k = exponent_of(medium)
-        self.rings = RingTransforms(nodes, self.k)
+        self.rings = _rings(medium, nodes, self.k)
         scale = float(medium.depth_scale**self.k) if isinstance(medium, GradedHalfSpace) else 1.0
-        super().__init__(bed, self.rings, bed.gap(nodes), float(medium.modulus / scale))  # [Pa m^-k]
+        super().__init__(bed, self.rings, bed.gap(nodes), float(medium.modulus / scale))  # type: ignore[attr-defined]
 
     @functools.cached_property
     def lifted(self) -> Array:
@@ -127,7 +136,7 @@ class RoundGrid(WornGrid):
         # the force at the depths of the nodes, as if g never fell, gives the start
         climbing = np.maximum.accumulate(gap)
         squares = self.rings.squares
-        areas = 2.0 * self.modulus * squares**self.rings.q / (1.0 + self.k)
+        areas = 2.0 * self.modulus * self.rings.springs_within(squares)
         means = np.cumsum(np.append(0.0, np.diff(areas) * 0.5 * (climbing[1:] + climbing[:-1])))
         depth = float(np.interp(force, climbing * areas - means, climbing))
         if depth == climbing[-1]:

@@ -16,15 +16,17 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, FiniteQuantity
 from winkler.foundation.foundation import Foundation
-from winkler.laws.wear import Archard, OwnWear
+from winkler.laws.wear import Archard, OwnWear, PairWear, Unworn, WearLaw
+from winkler.media.families import DepthVaryingMedium
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
+from winkler.problems.wear.input_checks import Cells, WearTolerance, refuse_unless_pressed
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import WearState
 from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_layers import layer_notes, refuse_thin, refuse_without_layer
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, round_nodes, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -42,7 +44,7 @@ class SlidingWear(OfDistance):
     Parameters
     ----------
     bed : Foundation
-        Foundation(profile, medium) before wear; the medium homogeneous, or graded by a power law.
+        Foundation(profile, medium) before wear; the medium of elastic bodies, with layers or without.
     wear : Archard or OwnWear
         How the body that stays in contact wears.
     normal : Depth or Force
@@ -55,13 +57,22 @@ class SlidingWear(OfDistance):
     tolerance : float, optional
         Error of the worn depth in one jump, over the depth of the springs; once the pressure has settled, over how far
         the bodies have come together, wear included.
+    layer_wears : bool, optional
+        Of a medium with layers: whether its uppermost layer wears, as on a coated ball that slides on a flat. Left out,
+        the other body wears, as a pin does on a coated disc.
 
     Raises
     ------
     InvalidInput
-        If a law, a load or a number is not of these kinds.
+        If a law, a load or a number is not of these kinds, or `layer_wears` is True on a medium without layers.
     OutsideValidity
-        If the medium is layered: its pressure is not that of its springs.
+        If the medium relaxes, or no pressure is known for it.
+
+    Notes
+    -----
+    On layers and depth gradings pressures are those of the springs' flat punches superposed, as in `Indentation`.
+    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are
+    gone, and `validity` states how much stiffer or softer a layer would be that is thinner all over.
 
     References
     ----------
@@ -89,6 +100,7 @@ class SlidingWear(OfDistance):
         distance=("s", "m", "distance slid"),
         count=("n", "", "cells of the grid of radii"),
         tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the depth"),
+        layer_wears=("", None, "whether the uppermost layer wears, and not the other body"),
     )
 
     bed: Foundation
@@ -97,17 +109,28 @@ class SlidingWear(OfDistance):
     distance: FiniteQuantity
     count: Cells = 400
     tolerance: WearTolerance = 1e-3
+    layer_wears: bool = False
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "archard_1953")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
     needs_round: ClassVar[str] = "wear, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
-        wearable("SlidingWear", self.bed)
+        refuse_unless_pressed("SlidingWear", self.bed)
+        if self.layer_wears:
+            refuse_without_layer("SlidingWear", self.bed.medium)
         super().__post_init__()
 
+    @property
+    def laws(self) -> WearLaw:
+        """How the bodies wear: the second one on layers that stay as they are, else the first."""
+        second = isinstance(self.bed.medium, DepthVaryingMedium) and not self.layer_wears
+        return PairWear(Unworn(), self.wear) if second else self.wear
+
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse nothing: sliding goes on."""
+        """Refuse to wear more than a small part of a layer; else sliding goes on."""
+        if self.layer_wears:
+            refuse_thin("SlidingWear", self.bed.medium, contact.worn_depth, elapsed)
 
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
         """Yield the contact at every requested distance.
@@ -121,7 +144,8 @@ class SlidingWear(OfDistance):
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or the contact outgrows the profile, at that step.
+            If the bodies do not touch, or the contact outgrows the profile, or more than 5 per cent of a layer is worn
+            off, at that step.
         NotConverged
             If jumps become too short.
         """
@@ -192,4 +216,6 @@ class SlidingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return sliding_notes(self.problem.bed, self.problem.tolerance, self.states)
+        problem = self.problem
+        layers = layer_notes(problem.bed.medium, self.states, layer_wears=problem.layer_wears)
+        return (*sliding_notes(problem.bed, problem.tolerance, self.states), *layers)

@@ -29,6 +29,8 @@ class WornContact(NamedTuple):
         d - g(x), or P/E* - w(x) [m] at the nodes, also where it is negative.
     pressure : ndarray, (n,)
         p [Pa] at the nodes.
+    worn_depth : float
+        Greatest worn depth, of both bodies together [m].
     """
 
     depth: float
@@ -36,6 +38,7 @@ class WornContact(NamedTuple):
     radius: float
     stretch: Array
     pressure: Array
+    worn_depth: float
 
 
 class WornGrid:
@@ -125,7 +128,8 @@ class WornGrid:
         pressure = self.modulus * self.transforms.borne(stretch, cut)
         radius = float(self.nodes[-1]) if stretch[-1] > 0.0 else math.sqrt(cut.edge)
         # nothing pulls: what is left of tension between two nodes that touch is no pressure
-        return WornContact(depth, self.force_of(stretch, cut), radius, stretch, np.maximum(pressure, 0.0))
+        force, worn_depth = self.force_of(stretch, cut), float(np.max(worn))
+        return WornContact(depth, force, radius, stretch, np.maximum(pressure, 0.0), worn_depth)
 
     def touching(self, contact: WornContact, worn: Array, slack: float) -> float:
         """Return up to which distance from the middle the surfaces touch [m].

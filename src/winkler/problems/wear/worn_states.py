@@ -9,6 +9,7 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 import numpy as np
 
 from winkler.errors import OutsideValidity
+from winkler.laws.wear import WearLaw
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -36,13 +37,23 @@ Solution = TypeVar("Solution")
 class AtGoals:
     """The part of a problem of wear that says after how many cycles or distances its contact is returned."""
 
-    __words__ = words(goals=("n", None, "after how many cycles, or which distances, the contact is returned"))
+    __words__ = words(
+        goals=("n", None, "after how many cycles, or which distances, the contact is returned"),
+        laws=("", None, "how the bodies wear"),
+    )
+
+    wear: WearLaw
 
     _along: ClassVar[str] = "cycles"
     _unit: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         _ = self.goals  # refused if they do not rise
+
+    @property
+    def laws(self) -> WearLaw:
+        """How the bodies wear; one law alone is that of the first body."""
+        return self.wear
 
     @property
     def goals(self) -> Array:
