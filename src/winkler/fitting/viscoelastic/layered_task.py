@@ -1,0 +1,196 @@
+"""Fits of forces or positions of a contact on layers, of which one solid relaxes by a law of its own.
+
+The response is that of cells whose waves remember (`winkler.fitting.viscoelastic.layered_response`), along any history:
+in, held, out, and in again.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.fitting.curves.checks import CurveOutline
+from winkler.fitting.task import FitTask, Prediction, moved
+from winkler.fitting.viscoelastic.corners import with_corners
+from winkler.fitting.viscoelastic.creep import UnderForce
+from winkler.fitting.viscoelastic.layered_response import (
+    LayeredHistory,
+    TooWide,
+    along_path,
+    relaxing_solid,
+    stack_waves,
+)
+from winkler.fitting.viscoelastic.motion import UnderMotion
+from winkler.fitting.viscoelastic.response import ContactHistory
+from winkler.fitting.viscoelastic.start import is_modulus, trials
+from winkler.foundation.bed import Bed
+from winkler.foundation.on_medium import OnMedium
+from winkler.media.halfspace import HalfSpace
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.numerics.types import Array
+from winkler.problems.normal.solve_contact import at_depth
+
+__all__ = ["LayeredForce", "LayeredMotion", "refuse_stack_numbers"]
+
+CELLS = 64
+WIDENED = 1.25
+"""Cells reach up to powers of it, so that one grid serves many curves."""
+MOST_WIDENINGS = 60
+SOLID_STEP = 1e-3
+"""Step of the logarithms of moduli and times."""
+PLACE_STEP = 0.1
+"""Central step of a contact point: forces of cells are smooth up to their width only."""
+RATE_STEP = 0.01
+"""Central step of a drift."""
+SIZINGS, SIZED, LARGEST_SIZING = 4, 0.1, 1e3
+GLASSY_POINTS = 60
+
+
+def refuse_stack_numbers(bed: Bed, names: tuple[str, ...]) -> None:
+    """Refuse free numbers of a bed that are not those of the one solid that relaxes."""
+    solid, medium = relaxing_solid(bed), bed.medium
+    assert isinstance(medium, ViscoelasticCoatedHalfSpace)
+    places = [f"layers[{index}].solid" for index, layer in enumerate(medium.layers) if layer.solid is solid]
+    places += [name for name in ("on", "second") if getattr(medium, name) is solid]
+    own = f"bed.medium.{places[0]}."
+    for name in names:
+        if name.startswith("bed.") and not (name.startswith(own) and not name.endswith(".poisson")):
+            raise InvalidInput(
+                f"fit: '{name}' is free, but on layers that relax the moduli, times and exponents of '{own[:-1]}' can "
+                "be fitted; give it a fixed value."
+            )
+
+
+class _Reach:
+    """Up to which power of `WIDENED` the cells of a task reach; it only grows."""
+
+    power = -(10**9)
+
+
+class _OnLayers(FitTask):
+    """What fits of forces and of positions on layers have in common."""
+
+    @functools.cached_property
+    def reached(self) -> _Reach:
+        """How far the cells reach so far."""
+        return _Reach()
+
+    def respond(
+        self, numbers: dict[str, float], time: Array, driven: Array, given: tuple[float, float]
+    ) -> LayeredHistory:
+        """Return the response of the contact along a path, a d + b F over time [s]."""
+        bed = self.with_numbers(numbers).bed
+        solid = relaxing_solid(bed)
+        if self.reached.power < -(10**8):
+            deepest = float(np.max(driven)) if given[0] else float(np.ptp(self.curve.depth(0.0)))
+            self.reached.power = _first_power(bed, deepest)
+        for _ in range(MOST_WIDENINGS):
+            reach = WIDENED**self.reached.power
+            try:
+                return along_path(stack_waves(bed, reach, CELLS), solid, time, driven, given)
+            except TooWide:
+                if reach >= bed.rim:
+                    break
+                self.reached.power += 1
+            except NotConverged as failed:
+                raise OutsideValidity(str(failed)) from failed
+        raise OutsideValidity(
+            "fit: the contact reaches the rim of the body or grows without end, where layers that relax are not "
+            "fitted; give bounds or starts nearer to the answer, or a profile that extends farther."
+        )
+
+    def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
+        """Return the derivative with respect to a coordinate."""
+        name, power = self.parameters[index].name, self.reached.power
+        if name.startswith("bed.medium."):
+            step = self.step(coordinates, index, SOLID_STEP)
+            ahead = self.prediction(moved(coordinates, index, step)).fitted
+            if self.reached.power != power:  # other cells
+                prediction = self.prediction(coordinates)
+            return np.asarray((ahead - prediction.fitted) / step)
+        step = abs(self.step(coordinates, index, PLACE_STEP if name == "contact_point" else RATE_STEP))
+        ends = [self.prediction(moved(coordinates, index, sign * step)).fitted for sign in (-1.0, 1.0)]
+        if self.reached.power != power:
+            ends[0] = self.prediction(moved(coordinates, index, -step)).fitted
+        return np.asarray((ends[1] - ends[0]) / (2.0 * step))
+
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
+        """Yield coordinates for some contact points, times and exponents, with moduli sized by the forces."""
+        for numbers in trials(self, rough_outline):
+            yield _sized(self.coarse, numbers)
+
+    def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
+        """Return fields of the contact: depths and radii [m]."""
+        contact = prediction.contact
+        return {"depth": contact.depth, "radius": np.where(prediction.touched, contact.edge, 0.0)}
+
+
+class LayeredMotion(_OnLayers, UnderMotion):
+    """Forces fitted along the measured motion, on layers."""
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return the forces [N] with baseline, drag and inertia."""
+        numbers = self.numbers(coordinates)
+        place = self.place(numbers)
+        time, driven, measured = with_corners(self._corners, self.curve.time, self.curve.position, place)
+        if not float(driven.max()) > 0.0:
+            nothing = np.zeros(place.size)
+            return Prediction(self.line(numbers), nothing > 0.0, ContactHistory(nothing, place, nothing))
+        found = self.respond(numbers, time, driven, (1.0, self.curve.compliance))
+        contact = ContactHistory(*(part[measured] for part in found))
+        return Prediction(contact.force + self.line(numbers), contact.force > 0.0, contact)
+
+
+class LayeredForce(_OnLayers, UnderForce):
+    """Positions fitted under measured forces, on layers."""
+
+    def moved(self, numbers: dict[str, float], time: Array, place: Array) -> ContactHistory:
+        """Return the response to a motion [m] that only goes in."""
+        return ContactHistory(*self.respond(numbers, time, place, (1.0, self.curve.compliance)))
+
+    def loaded(self, numbers: dict[str, float], time: Array, driven: Array) -> tuple[Array, Array]:
+        """Return depths [m] under forces [N], and contact radii [m]."""
+        found = self.respond(numbers, time, np.maximum(driven, 0.0), (0.0, 1.0))
+        return found.depth, found.radius
+
+    def contact_compliance(self, numbers: dict[str, float], depth: Array) -> Array:
+        """Return the immediate compliance of contacts [m/N]; infinite without contact."""
+        deepest = float(np.max(depth))
+        if not deepest > 0.0:
+            return np.full(depth.shape, np.inf)
+        sudden = deepest * np.linspace(0.0, 1.0, GLASSY_POINTS + 1) ** 2
+        force = self.respond(numbers, np.zeros(sudden.size), sudden, (1.0, 0.0)).force
+        with np.errstate(divide="ignore"):
+            return np.asarray(1.0 / np.interp(depth, sudden, np.maximum(np.gradient(force, sudden), 0.0), left=0.0))
+
+
+def _first_power(bed: Bed, deepest: float) -> int:
+    """Return the power of the reach for contacts on a half-space of the uppermost solid."""
+    assert isinstance(bed, OnMedium)
+    assert isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
+    relaxed = bed.medium.relaxed
+    alike = bed.with_medium(HalfSpace(relaxed.layers[0].solid, relaxed.second))
+    _, radius = at_depth(alike, np.array([max(deepest, 1e-30)]))
+    return math.ceil(math.log(min(float(radius[0]), bed.rim)) / math.log(WIDENED))
+
+
+def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
+    """Return the coordinates of parameters with moduli of the right magnitude, in the proportions of the model."""
+    assert isinstance(task, _OnLayers)
+    moduli = [p for p in task.parameters if not p.has_start and is_modulus(task, p)]
+    own = task.curve.force - task.line(numbers)
+    depth = task.place(numbers) - task.curve.compliance * own
+    for _ in range(SIZINGS if moduli else 0):
+        borne = task.respond(numbers, task.curve.time, depth, (1.0, 0.0)).force
+        square = float(borne @ borne)
+        factor = float(own @ borne) / square if square > 0.0 else 1.0
+        factor = min(max(factor, 1.0 / LARGEST_SIZING), LARGEST_SIZING)
+        numbers = numbers | {p.name: p.inside(factor * numbers[p.name]) for p in moduli}
+        if abs(math.log(factor)) < SIZED:
+            break
+    return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
