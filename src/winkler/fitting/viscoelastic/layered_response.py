@@ -30,6 +30,10 @@ DECADE = 0.5
 """Ranges of moduli end at powers of ten by this step, so that one serves many numbers."""
 
 
+DIGITS = 9
+"""Of the lengths of steps; those that agree in them share what is computed for one."""
+
+
 class TooWide(Exception):
     """The contact has reached the last cell."""
 
@@ -49,18 +53,16 @@ class StackWaves(NamedTuple):
     ----------
     poles : ndarray, (1 + M,)
         [Pa].
-    kernels : ndarray, (2 + M, 2 n)
-        Of the constant, and of the poles.
-    shape : ndarray, (n,)
-        Of the body [m].
-    width : float
-        Of the cells [m].
+    cells : CoupledCells
+        Under the body, with kernels of the constant and of the poles; their times are not used.
+    near, mirrored : ndarray of int, (n, n)
+        Distances between cells, and between cells and mirror images.
     """
 
     poles: Array
-    kernels: Array
-    shape: Array
-    width: float
+    cells: CoupledCells
+    near: Array
+    mirrored: Array
 
 
 def relaxing_solid(bed: Bed) -> ViscoelasticSolid:
@@ -118,7 +120,9 @@ def _on_cells(
     width = reach / count
     found = _waves(medium, moduli)
     shape = np.asarray(bed.profile.gap(width * (np.arange(count) + 0.5)), dtype=float)
-    return StackWaves(found.poles, found.waves.kernels(count, width), shape, width)
+    cells = CoupledCells(found.waves.kernels(count, width), found.poles, width, shape)
+    place = np.arange(count)
+    return StackWaves(found.poles, cells, np.abs(place[:, None] - place), place[:, None] + place + 1)
 
 
 def along_path(
@@ -144,36 +148,41 @@ def along_path(
     NotConverged
         If the compliance of the cells is lost in rounding.
     """
-    from scipy.linalg import cholesky, solve_triangular
+    from scipy.linalg.lapack import dtrtrs
 
+    cells, count = waves.cells, waves.cells.count
     glassy, compliances, times = creep_of_poles(solid.series, waves.poles)
-    count = waves.shape.size
-    first = waves.kernels[0] + glassy @ waves.kernels[1:]
-    rest = (compliances[:, :, None] * waves.kernels[1:, None, :]).reshape(-1, 2 * count)
-    cells = CoupledCells(np.vstack([first, rest]), times.ravel(), waves.width, waves.shape)
-    spans = np.concatenate([[0.0], np.diff(time)])
-    rounded = np.array([float(f"{span:.9e}") for span in spans.tolist()])
-    lengths, which = np.unique(rounded, return_inverse=True)
-    turns = lengths[:, None] / cells.times
+    lengths, which = _lengths(time)
+    turns = lengths[:, None, None] / times
     fades = np.exp(-turns)
     with np.errstate(invalid="ignore"):
         shares = np.where(turns > 0.0, -np.expm1(-turns) / turns, 1.0)
-    lowers, units = np.empty((lengths.size, count, count)), np.empty((lengths.size, count))
-    for i, share in enumerate(shares):
-        try:
-            lowers[i] = cholesky(cells.matrix(first + (1.0 - share) @ rest), lower=True, check_finite=False)
-        except np.linalg.LinAlgError as failed:
-            raise NotConverged(
-                "fit: the compliance of the layers is lost in rounding: the contact is too wide against them, or their "
-                "contrast too large; give bounds nearer to the answer."
-            ) from failed
-        units[i] = solve_triangular(lowers[i], np.full(count, waves.width), lower=True, check_finite=False)
+    parts = glassy + np.einsum("smn,mn->sm", 1.0 - shares, compliances)
+    kernels = cells.kernels[0] + parts @ cells.kernels[1:]
+    try:
+        lowers = np.linalg.cholesky(kernels[:, waves.near] + kernels[:, waves.mirrored])
+    except np.linalg.LinAlgError as failed:
+        raise NotConverged(
+            "fit: the compliance of the layers is lost in rounding: the contact is too wide against them, or their "
+            "contrast too large; give bounds nearer to the answer."
+        ) from failed
+    units = np.stack([dtrtrs(lower, np.full(count, cells.width), lower=1)[0] for lower in lowers])
+    remembered = (compliances[:, :, None] * cells.waves[1:, None, :]).reshape(-1, 2 * count)
     depth, force, radius = (np.zeros(time.size) for _ in range(3))
     done = march(
-        np.ascontiguousarray(driven, dtype=float), float(given[0]), float(given[1]), which.astype(np.int64), lowers,
-        units, fades, shares, np.ascontiguousarray(cells.waves[1:]), cosine_basis(count), waves.shape, waves.width,
-        depth, force, radius,
+        np.ascontiguousarray(driven, dtype=float), float(given[0]), float(given[1]), which, lowers, units,
+        fades.reshape(lengths.size, -1), shares.reshape(lengths.size, -1), remembered, cosine_basis(count),
+        cells.shape, cells.width, depth, force, radius,
     )  # fmt: skip
     if done < time.size:
         raise TooWide
     return LayeredHistory(force, depth, radius)
+
+
+def _lengths(time: Array) -> tuple[Array, Array]:
+    """Return the different lengths of steps [s], and which of them leads to each point; the first is sudden."""
+    spans = np.concatenate([[0.0], np.diff(time)])
+    with np.errstate(divide="ignore"):
+        digit = 10.0 ** (np.floor(np.log10(np.where(spans > 0.0, spans, 1.0))) - DIGITS)
+    lengths, which = np.unique(np.rint(spans / digit) * digit, return_inverse=True)
+    return lengths, which.astype(np.int64)

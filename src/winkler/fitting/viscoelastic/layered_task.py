@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -37,10 +37,13 @@ from winkler.problems.normal.solve_contact import at_depth
 
 __all__ = ["LayeredForce", "LayeredMotion", "refuse_stack_numbers"]
 
-CELLS = 64
+CELLS, COARSE_CELLS = 64, 32
+"""Of a fit, and for the choice of its start."""
 WIDENED = 1.25
 """Cells reach up to powers of it, so that one grid serves many curves."""
-MOST_WIDENINGS = 60
+MOST_WIDENINGS, UNKNOWN = 60, -(10**9)
+EXPLAINED = 1.5
+"""Standard deviations of the noise within which a start needs no other."""
 SOLID_STEP = 1e-3
 """Step of the logarithms of moduli and times."""
 PLACE_STEP = 0.1
@@ -66,19 +69,38 @@ def refuse_stack_numbers(bed: Bed, names: tuple[str, ...]) -> None:
             )
 
 
-class _Reach:
-    """Up to which power of `WIDENED` the cells of a task reach; it only grows."""
+class _Grid:
+    """How many cells a task has, and up to which power of `WIDENED` they reach; it only grows."""
 
-    power = -(10**9)
+    def __init__(self, cells: int) -> None:
+        self.cells, self.power = cells, UNKNOWN
 
 
 class _OnLayers(FitTask):
     """What fits of forces and of positions on layers have in common."""
 
+    settled = 1e-7
+    coarse_count = 120
+
     @functools.cached_property
-    def reached(self) -> _Reach:
-        """How far the cells reach so far."""
-        return _Reach()
+    def grid(self) -> _Grid:
+        """The cells."""
+        return _Grid(CELLS)
+
+    @functools.cached_property
+    def coarse(self) -> Self:
+        """The task on a part of the points, with fewer cells."""
+        turns = np.flatnonzero(np.diff(self.curve.direction)) + 1
+        stretches = np.split(np.arange(self.curve.count), turns)
+        some = self.chosen(np.unique(np.concatenate([self.sample_of(stretch) for stretch in stretches])))
+        some.__dict__["grid"], some.__dict__["coarse"] = _Grid(COARSE_CELLS), some
+        return some
+
+    def explained_by(self, squares: float, coarse: Self, rough_outline: CurveOutline | None) -> bool:
+        """Return whether the noise of the forces out of contact explains what is left."""
+        if rough_outline is None or not np.array_equal(coarse.measured, coarse.curve.force):
+            return False
+        return squares <= np.count_nonzero(coarse.weights) * (EXPLAINED * rough_outline.noise) ** 2
 
     def respond(
         self, numbers: dict[str, float], time: Array, driven: Array, given: tuple[float, float]
@@ -86,17 +108,17 @@ class _OnLayers(FitTask):
         """Return the response of the contact along a path, a d + b F over time [s]."""
         bed = self.with_numbers(numbers).bed
         solid = relaxing_solid(bed)
-        if self.reached.power < -(10**8):
+        if self.grid.power == UNKNOWN:
             deepest = float(np.max(driven)) if given[0] else float(np.ptp(self.curve.depth(0.0)))
-            self.reached.power = _first_power(bed, deepest)
+            self.grid.power = _first_power(bed, deepest)
         for _ in range(MOST_WIDENINGS):
-            reach = WIDENED**self.reached.power
+            reach = WIDENED**self.grid.power
             try:
-                return along_path(stack_waves(bed, reach, CELLS), solid, time, driven, given)
+                return along_path(stack_waves(bed, reach, self.grid.cells), solid, time, driven, given)
             except TooWide:
                 if reach >= bed.rim:
                     break
-                self.reached.power += 1
+                self.grid.power += 1
             except NotConverged as failed:
                 raise OutsideValidity(str(failed)) from failed
         raise OutsideValidity(
@@ -106,23 +128,25 @@ class _OnLayers(FitTask):
 
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
         """Return the derivative with respect to a coordinate."""
-        name, power = self.parameters[index].name, self.reached.power
+        name, power = self.parameters[index].name, self.grid.power
         if name.startswith("bed.medium."):
             step = self.step(coordinates, index, SOLID_STEP)
             ahead = self.prediction(moved(coordinates, index, step)).fitted
-            if self.reached.power != power:  # other cells
+            if self.grid.power != power:  # other cells
                 prediction = self.prediction(coordinates)
             return np.asarray((ahead - prediction.fitted) / step)
         step = abs(self.step(coordinates, index, PLACE_STEP if name == "contact_point" else RATE_STEP))
         ends = [self.prediction(moved(coordinates, index, sign * step)).fitted for sign in (-1.0, 1.0)]
-        if self.reached.power != power:
+        if self.grid.power != power:
             ends[0] = self.prediction(moved(coordinates, index, -step)).fitted
         return np.asarray((ends[1] - ends[0]) / (2.0 * step))
 
     def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Yield coordinates for some contact points, times and exponents, with moduli sized by the forces."""
+        factor = 1.0
         for numbers in trials(self, rough_outline):
-            yield _sized(self.coarse, numbers)
+            coordinates, factor = _sized(self.coarse, numbers, factor)
+            yield coordinates
 
     def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
         """Return fields of the contact: depths and radii [m]."""
@@ -179,18 +203,23 @@ def _first_power(bed: Bed, deepest: float) -> int:
     return math.ceil(math.log(min(float(radius[0]), bed.rim)) / math.log(WIDENED))
 
 
-def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
-    """Return the coordinates of parameters with moduli of the right magnitude, in the proportions of the model."""
+def _sized(task: FitTask, numbers: dict[str, float], factor: float) -> tuple[Array, float]:
+    """Return the coordinates of parameters with moduli of the right magnitude, in the proportions of the model.
+
+    With them comes the factor of the moduli, at which the next trial begins.
+    """
     assert isinstance(task, _OnLayers)
     moduli = [p for p in task.parameters if not p.has_start and is_modulus(task, p)]
     own = task.curve.force - task.line(numbers)
     depth = task.place(numbers) - task.curve.compliance * own
+    first = {p.name: numbers[p.name] for p in moduli}
     for _ in range(SIZINGS if moduli else 0):
+        numbers = numbers | {p.name: p.inside(factor * first[p.name]) for p in moduli}
         borne = task.respond(numbers, task.curve.time, depth, (1.0, 0.0)).force
         square = float(borne @ borne)
-        factor = float(own @ borne) / square if square > 0.0 else 1.0
-        factor = min(max(factor, 1.0 / LARGEST_SIZING), LARGEST_SIZING)
-        numbers = numbers | {p.name: p.inside(factor * numbers[p.name]) for p in moduli}
-        if abs(math.log(factor)) < SIZED:
+        change = float(own @ borne) / square if square > 0.0 else 1.0
+        factor *= min(max(change, 1.0 / LARGEST_SIZING), LARGEST_SIZING)
+        if abs(math.log(max(change, 1.0 / LARGEST_SIZING))) < SIZED:
             break
-    return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
+    numbers = numbers | {p.name: p.inside(factor * first[p.name]) for p in moduli}
+    return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters]), factor

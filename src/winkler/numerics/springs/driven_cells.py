@@ -6,6 +6,8 @@ a depth (1, 0), the position of a machine of compliance C (1, C), or a force (0,
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 
 from winkler.numerics.jit import compiled
@@ -17,6 +19,7 @@ __all__ = ["cosine_basis", "march"]
 SHIFT = EDGE_SHIFT
 
 
+@functools.lru_cache(maxsize=8)
 def cosine_basis(count: int) -> Array:
     """Return the orthonormal waves of cells and their mirror images, ``(2 n, n)``."""
     wave, cell = np.arange(2 * count)[:, None], np.arange(count)[None, :] + 0.5
