@@ -52,8 +52,8 @@ def layered_fit_notes(bed: Bed, names: tuple[str, ...], time: Array, depth: Arra
         )
     except (WinklerError, TooWide) as failed:
         cause = str(failed) or "the contact reaches the last of them"
-        notes.append(Note(Assumption.RESOLUTION, Standing.APPROXIMATE, f"Cells: their error is not known: {cause}", HALF))
-        return tuple(notes)
+        statement = f"Cells: their error is not known: {cause}"
+        return (*notes, Note(Assumption.RESOLUTION, Standing.APPROXIMATE, statement, HALF))
     most = float(np.max(fine))
     change = float(np.max(np.abs(fine - coarse))) / most if most > 0.0 else math.inf
     standing = Standing.ASYMPTOTIC if change <= SMALL_CHANGE else Standing.APPROXIMATE

@@ -203,7 +203,9 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
         result[:, finite] = -0.5 * below[:, 1, 1].reshape(count, -1)
         top = self.layers[0].solid
         result[:, ~finite] = _own(top, shear(top))[:, None]
-        return np.asarray(result if isinstance(self.second, Rigid) else result + _own(self.second, shear(self.second))[:, None])
+        if isinstance(self.second, Rigid):
+            return result
+        return np.asarray(result + _own(self.second, shear(self.second))[:, None])
 
     notes = (
         Note(
