@@ -1,9 +1,9 @@
 """Make sliding_film.csv and gel_film_hold.csv: a bead on gel films on glass, with scatter.
 
 The curves are not real ones.  What they should give is known.  The first: a rigid bead of 5 um radius is pressed into
-an incompressible film of E = 4 kPa, 2 um thick, without friction on the glass below.  The contact is solved here, not by
-winkler: pressures P_2n(y) / y, y = (1 - r^2/a^2)^(1/2), whose Hankel transforms are spherical Bessel functions, and the
-compliance (cosh 2x - 1) / (sinh 2x + 2x) of the film.  It scatters by 10 pN (normally distributed, seeded).
+an incompressible film of E = 4 kPa, 2 um thick, without friction on the glass below.  The contact is solved here, not
+by winkler: pressures P_2n(y) / y, y = (1 - r^2/a^2)^(1/2), whose Hankel transforms are spherical Bessel functions, and
+the compliance (cosh 2x - 1) / (sinh 2x + 2x) of the film.  It scatters by 10 pN (normally distributed, seeded).
 
 The second: the film is bonded to the glass, (sinh 2x - 2x) / (cosh 2x + 1 + 2x^2), and relaxes, G = 300 Pa +
 700 Pa exp(-t / 0.8 s).  The bead goes in for a second and is held.  On a rigid base all of the film relaxes as one, so
