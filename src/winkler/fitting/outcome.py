@@ -6,8 +6,8 @@ import numpy as np
 
 from winkler.fitting.curves.outline import FEWEST, outline
 from winkler.fitting.estimate import FitEstimate
+from winkler.fitting.layered.notes import layered_fit_notes
 from winkler.fitting.validity import Model, fit_notes, free_notes
-from winkler.fitting.viscoelastic.layered_notes import layered_fit_notes
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes

@@ -9,7 +9,7 @@ import pytest
 from scipy.stats import binom
 
 import winkler as wk
-from winkler.fitting.viscoelastic.layered_response import along_path, stack_waves
+from winkler.fitting.layered.response import along_path, stack_waves
 
 BALL, THICK = 10e-6, 5e-6
 FILM = "bed.medium.layers[0].solid."

@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.layered.response import relaxing_solid
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.parameters import changed
 from winkler.fitting.varied import CURVE_PARAMETERS
-from winkler.fitting.viscoelastic.layered_response import relaxing_solid
 from winkler.foundation.bed import Bed
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries

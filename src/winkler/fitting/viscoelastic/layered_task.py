@@ -1,6 +1,6 @@
 """Fits of forces or positions of a contact on layers, of which one solid relaxes by a law of its own.
 
-The response is that of cells whose waves remember (`winkler.fitting.viscoelastic.layered_response`), along any history:
+The response is that of cells whose waves remember (`winkler.fitting.layered.response`), along any history:
 in, held, out, and in again.
 """
 
@@ -15,16 +15,16 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
-from winkler.fitting.task import FitTask, Prediction, moved
-from winkler.fitting.viscoelastic.corners import with_corners
-from winkler.fitting.viscoelastic.creep import UnderForce
-from winkler.fitting.viscoelastic.layered_response import (
+from winkler.fitting.layered.response import (
     LayeredHistory,
     TooWide,
     along_path,
     relaxing_solid,
     stack_waves,
 )
+from winkler.fitting.task import FitTask, Prediction, moved
+from winkler.fitting.viscoelastic.corners import with_corners
+from winkler.fitting.viscoelastic.creep import UnderForce
 from winkler.fitting.viscoelastic.motion import UnderMotion
 from winkler.fitting.viscoelastic.response import ContactHistory
 from winkler.fitting.viscoelastic.start import is_modulus, trials
@@ -69,23 +69,23 @@ def refuse_stack_numbers(bed: Bed, names: tuple[str, ...]) -> None:
             )
 
 
-class _Grid:
+class _CellReach:
     """How many cells a task has, and up to which power of `WIDENED` they reach; it only grows."""
 
     def __init__(self, cells: int) -> None:
         self.cells, self.power = cells, UNKNOWN
 
 
-class _OnLayers(FitTask):
+class _LayeredFit(FitTask):
     """What fits of forces and of positions on layers have in common."""
 
     settled = 1e-7
     coarse_count = 120
 
     @functools.cached_property
-    def grid(self) -> _Grid:
+    def grid(self) -> _CellReach:
         """The cells."""
-        return _Grid(CELLS)
+        return _CellReach(CELLS)
 
     @functools.cached_property
     def coarse(self) -> Self:
@@ -93,14 +93,14 @@ class _OnLayers(FitTask):
         turns = np.flatnonzero(np.diff(self.curve.direction)) + 1
         stretches = np.split(np.arange(self.curve.count), turns)
         some = self.chosen(np.unique(np.concatenate([self.sample_of(stretch) for stretch in stretches])))
-        some.__dict__["grid"], some.__dict__["coarse"] = _Grid(COARSE_CELLS), some
+        some.__dict__["grid"], some.__dict__["coarse"] = _CellReach(COARSE_CELLS), some
         return some
 
     def explained_by(self, squares: float, coarse: Self, rough_outline: CurveOutline | None) -> bool:
         """Return whether the noise of the forces out of contact explains what is left."""
         if rough_outline is None or not np.array_equal(coarse.measured, coarse.curve.force):
             return False
-        return squares <= np.count_nonzero(coarse.weights) * (EXPLAINED * rough_outline.noise) ** 2
+        return squares <= int(np.count_nonzero(coarse.weights)) * (EXPLAINED * rough_outline.noise) ** 2
 
     def respond(
         self, numbers: dict[str, float], time: Array, driven: Array, given: tuple[float, float]
@@ -154,7 +154,7 @@ class _OnLayers(FitTask):
         return {"depth": contact.depth, "radius": np.where(prediction.touched, contact.edge, 0.0)}
 
 
-class LayeredMotion(_OnLayers, UnderMotion):
+class LayeredMotion(_LayeredFit, UnderMotion):  # type: ignore[misc]
     """Forces fitted along the measured motion, on layers."""
 
     def prediction(self, coordinates: Array) -> Prediction:
@@ -170,7 +170,7 @@ class LayeredMotion(_OnLayers, UnderMotion):
         return Prediction(contact.force + self.line(numbers), contact.force > 0.0, contact)
 
 
-class LayeredForce(_OnLayers, UnderForce):
+class LayeredForce(_LayeredFit, UnderForce):  # type: ignore[misc]
     """Positions fitted under measured forces, on layers."""
 
     def moved(self, numbers: dict[str, float], time: Array, place: Array) -> ContactHistory:
@@ -208,7 +208,7 @@ def _sized(task: FitTask, numbers: dict[str, float], factor: float) -> tuple[Arr
 
     With them comes the factor of the moduli, at which the next trial begins.
     """
-    assert isinstance(task, _OnLayers)
+    assert isinstance(task, _LayeredFit)
     moduli = [p for p in task.parameters if not p.has_start and is_modulus(task, p)]
     own = task.curve.force - task.line(numbers)
     depth = task.place(numbers) - task.curve.compliance * own

@@ -101,8 +101,10 @@ def _terms(item: ViscoelasticFit | CreepFit) -> list[Line]:
     pairs = [(f"{lead}shears[{i}]", f"{lead}relaxation_times[{i}]") for i in range(len(item.names))]
     pairs = [pair for pair in [*pairs, (f"{lead}shear", f"{lead}relaxation_time")] if set(pair) <= set(item.names)]
     medium = item.model.bed.medium
-    layered = isinstance(medium, ViscoelasticCoatedHalfSpace)
-    poisson = getattr(medium.relaxing_solids[0] if layered else getattr(medium, "first", None), "poisson", 0.5)
+    solid = getattr(medium, "first", None)
+    if isinstance(medium, ViscoelasticCoatedHalfSpace):
+        solid = medium.relaxing_solids[0]
+    poisson = getattr(solid, "poisson", 0.5)
     contact = 2.0 / (1.0 - poisson)
     lines = []
     for number, (shear, time) in enumerate(pairs):

@@ -16,6 +16,7 @@ from winkler.errors import InvalidInput, NotConverged
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import Rigid
+from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.viscoelastic import Prony, ViscoelasticSolid
 from winkler.media.layered.layers import NormalResponse
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
@@ -96,7 +97,8 @@ def stack_waves(bed: Bed, reach: float, count: int) -> StackWaves:
     high = math.ceil(math.log10(solid.series.glassy) / DECADE) * DECADE
     unit = Prony(1.0, np.ones(1), np.ones(1), poisson=solid.poisson)
     layers = tuple(
-        type(layer)(unit if layer.solid == solid else layer.solid, layer.thickness) for layer in medium.layers
+        ViscoelasticLayer(unit, layer.thickness) if isinstance(layer, ViscoelasticLayer) else layer
+        for layer in medium.layers
     )
     bodies = (unit if body == solid else body for body in (medium.on, medium.second))
     still = ViscoelasticCoatedHalfSpace(layers, *bodies)

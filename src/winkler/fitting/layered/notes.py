@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from winkler.errors import WinklerError
+from winkler.fitting.layered.response import TooWide, along_path, relaxing_solid, stack_waves
 from winkler.fitting.validity import coating_notes
-from winkler.fitting.viscoelastic.layered_response import TooWide, along_path, relaxing_solid, stack_waves
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
