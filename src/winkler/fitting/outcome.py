@@ -6,7 +6,9 @@ import numpy as np
 
 from winkler.fitting.curves.outline import FEWEST, outline
 from winkler.fitting.estimate import FitEstimate
+from winkler.fitting.layered.notes import layered_fit_notes
 from winkler.fitting.validity import Model, fit_notes, free_notes
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -109,6 +111,9 @@ class _RelaxingFit(FitEstimate):
     @property
     def _contact_notes(self) -> tuple[Note, ...]:
         bed = self.model.bed
+        if isinstance(bed.medium, ViscoelasticCoatedHalfSpace):
+            own = layered_fit_notes(bed, self.names, self.curve.time, self.depth, self.radius)
+            return (*bed.notes, *own)
         return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius))
 
 

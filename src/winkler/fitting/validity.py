@@ -29,7 +29,7 @@ from winkler.profiles.sphere import Sphere
 from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["Model", "fit_notes", "free_notes"]
+__all__ = ["Model", "coating_notes", "fit_notes", "free_notes"]
 
 Model = Indentation | AdhesiveIndentation
 """Models of fits without relaxation: a problem, whose load is a placeholder."""
@@ -66,13 +66,13 @@ def fit_notes(
     error : float
         Standard deviation of the forces over their range [-].
     """
-    notes = [*_coating_notes(model.bed, names, widest), *_tip_notes(model, names, widest)]
+    notes = [*coating_notes(model.bed, names, widest), *_tip_notes(model, names, widest)]
     if isinstance(model, AdhesiveIndentation):
         notes += _range_notes(model)
     return (*notes, *free_notes(curve, contact, error))
 
 
-def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
+def coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
     """Return the note on coating and substrate, by the stiffness of the widest contact."""
     medium = bed.medium
     if not isinstance(medium, CoatedHalfSpace | SlidingStack):

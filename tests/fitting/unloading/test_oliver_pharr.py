@@ -337,7 +337,7 @@ def test_what_is_known_of_the_area():
     for tip, standing, words in [
         (wk.Cone(half_angle=1.2), Standing.APPROXIMATE, "ideal Cone"),
         (wk.AreaFunction(polynomial), Standing.APPROXIMATE, "depths of its calibration are not stated"),
-        (CalibratedArea(polynomial, 1e-8, 1e-6), Standing.ASYMPTOTIC, "was calibrated from 1e-08 to 1e-06 m"),
+        (CalibratedArea(polynomial, 1e-8, 1e-6), Standing.ASYMPTOTIC, "was calibrated from 10 nm to 1 µm"),
         (CalibratedArea(polynomial, 1e-8, 1e-7), Standing.OUTSIDE, "is extrapolated"),
         (CalibratedArea(polynomial, 2e-7, 1e-6), Standing.OUTSIDE, "is extrapolated"),
     ]:

@@ -8,6 +8,7 @@ from typing import Any
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.unloading_notes import PILE_UP, PILE_UP_LIMIT, READING, REVIEW, USUAL_EXPONENTS
 from winkler.numerics.types import Array
+from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["calibration_note", "nanoindentation_notes"]
@@ -57,7 +58,7 @@ def _notes(solution: Any) -> Iterator[Note]:
 def _zero(solution: Any) -> Note:
     zero, depth = solution.zero_point, float(solution.depth[solution.deepest])
     share = zero.error / depth
-    statement = f"Zero point: it is uncertain by {zero.error:.2g} m, {share:.2%} of the greatest depth"
+    statement = f"Zero point: it is uncertain by {with_unit(zero.error, 'm', 2)}, {share:.2%} of the greatest depth"
     if zero.extrapolated:
         return Note(
             Assumption.CURVE, Standing.APPROXIMATE, f"{statement}, and extrapolated: no point lies before contact.", ISO
@@ -88,9 +89,10 @@ def calibration_note(indenter: CalibratedIndenter, contact_depth: Array) -> Note
         )
         return Note(Assumption.SHAPE, Standing.APPROXIMATE, statement, READING)
     if low < area.shallowest or high > area.deepest:
+        ends = [with_unit(end, "m", 3) for end in (low, high, area.shallowest, area.deepest)]
         statement = (
-            f"Calibration: contact depths of {low:.3g} to {high:.3g} m leave those of the calibration, "
-            f"{area.shallowest:.3g} to {area.deepest:.3g} m: the area function is extrapolated."
+            f"Calibration: contact depths of {ends[0]} to {ends[1]} leave those of the calibration, {ends[2]} to "
+            f"{ends[3]}: the area function is extrapolated."
         )
         return Note(Assumption.SHAPE, Standing.OUTSIDE, statement, READING)
     statement = "Calibration: all contact depths are within those of the calibration."

@@ -23,6 +23,7 @@ from winkler.fitting.unloading.unloading_peak import FEWEST
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
+from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["unloading_notes"]
@@ -159,23 +160,25 @@ def _area(solution: Any) -> Iterator[NoteParts]:
     areas = np.array([polynomial(tip.coefficients, float(height)) for height in heights])
     falling = heights[1:][np.diff(areas) <= 0.0]
     if falling.size and falling[-1] >= depth:
-        statement = f"Area: the area function shrinks at the contact depth {depth:.3g} m, which no tip does."
+        place = with_unit(depth, "m", 3)
+        statement = f"Area: the area function shrinks at the contact depth {place}, which no tip does."
         yield Assumption.SHAPE, Standing.OUTSIDE, statement, READING
     elif falling.size:
+        first, last = (with_unit(float(end), "m", 2) for end in falling[[0, -1]])
         statement = (
-            f"Area: the area function shrinks at depths of {falling[0]:.2g} to {falling[-1]:.2g} m and is no tip "
-            "there; only the contact depth counts."
+            f"Area: the area function shrinks at depths of {first} to {last} and is no tip there; only the contact "
+            "depth counts."
         )
         yield Assumption.SHAPE, Standing.ASYMPTOTIC, statement, READING
     low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
-    calibrated = f"the area function was calibrated from {low:.3g} to {high:.3g} m"
+    calibrated = f"the area function was calibrated from {with_unit(low, 'm', 3)} to {with_unit(high, 'm', 3)}"
     if low == 0.0 and high == math.inf:
         standing, calibrated = Standing.APPROXIMATE, "the depths of its calibration are not stated"
     elif low <= depth <= high:
         standing = Standing.ASYMPTOTIC
     else:
         standing, calibrated = Standing.OUTSIDE, f"{calibrated} only, and is extrapolated"
-    yield Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {calibrated}.", READING
+    yield Assumption.SHAPE, standing, f"Area: at the contact depth, {with_unit(depth, 'm', 3)}: {calibrated}.", READING
 
 
 def _shape(solution: Any) -> Iterator[NoteParts]:

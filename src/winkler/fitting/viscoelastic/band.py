@@ -6,9 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.layered.response import relaxing_solid
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.parameters import changed
 from winkler.fitting.varied import CURVE_PARAMETERS
+from winkler.foundation.bed import Bed
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.march import relaxation_of
 
@@ -36,6 +40,8 @@ def observed_times(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
 def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confidence: float = 0.95) -> RelaxationBand:
     """Return E*(t) of the fitted contact, phi(t) of a medium that relaxes in proportion, with its interval.
 
+    Of layers it is that of the solid that was fitted, as of a half-space of it.
+
     The errors of the parameters are propagated to first order, in the logarithm of the modulus.
 
     Parameters
@@ -51,7 +57,7 @@ def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confiden
     RelaxationBand
     """
     t = np.asarray(time, dtype=float)
-    relaxation = relaxation_of("relaxation_band", found.model.bed).at(t)
+    relaxation = _relaxation(found.model.bed).at(t)
     own = [index for index, name in enumerate(found.names) if name not in CURVE_PARAMETERS]
     slopes = np.zeros((t.size, len(found.names)))
     for index in own:
@@ -60,7 +66,14 @@ def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confiden
             abs(number) or 1.0, float(found.standard_errors[index]) / RELATIVE_STEP or RELATIVE_STEP
         )
         moved = changed(found.model, {found.names[index]: number - step})
-        slopes[:, index] = (np.log(relaxation) - np.log(relaxation_of("relaxation_band", moved.bed).at(t))) / step
+        slopes[:, index] = (np.log(relaxation) - np.log(_relaxation(moved.bed).at(t))) / step
     variance = np.einsum("ti,ij,tj->t", slopes, found.covariance, slopes)
     width = found.quantile(confidence) * np.sqrt(np.maximum(variance, 0.0))
     return RelaxationBand(relaxation, relaxation * np.exp(-width), relaxation * np.exp(width))
+
+
+def _relaxation(bed: Bed) -> RelaxationSeries:
+    if isinstance(bed.medium, ViscoelasticCoatedHalfSpace):
+        solid = relaxing_solid(bed)
+        return solid.series.scaled(2.0 / (1.0 - solid.poisson))
+    return relaxation_of("relaxation_band", bed)

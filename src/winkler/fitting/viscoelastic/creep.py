@@ -105,17 +105,15 @@ class UnderForce(RelaxingTask):
         """
         numbers = self.numbers(coordinates)
         borne, place = self.curve.force - self.line(numbers), self.place(numbers)
-        table, creep = self._table(numbers), self._creep(numbers)
         contact, early = ContactHistory(borne, borne, borne), self.by_force
         if early.any():  # driven by the motion up to here
             last = int(np.flatnonzero(early)[-1]) + 1
-            series = relaxation_of("fit", self.with_numbers(numbers).bed)
-            contact = forces(table, series, self.curve.time[:last], place[:last], last, self.curve.compliance)
+            contact = self.moved(numbers, self.curve.time[:last], place[:last])
             contact = ContactHistory(*(np.concatenate([part, borne[last:]]) for part in contact))
         most = float(np.max(borne, where=early, initial=0.0))  # at most the measured force
         driving = np.where(early, np.minimum(contact.force, most), borne)
         time, driven, measured = with_corners(self._corners, self.curve.time, self.curve.force, driving)
-        depth = positions(table, creep, time, driven)[measured]
+        depth, edge = (part[measured] for part in self.loaded(numbers, time, driven))
         if not np.all(np.isfinite(depth)):
             raise OutsideValidity(
                 "fit: the solid sinks in farther than twice the travel of the machine; give bounds or starts nearer to "
@@ -127,8 +125,22 @@ class UnderForce(RelaxingTask):
             self.curve.position - self.per_force * (borne - contact.force),
             beyond + depth + self.curve.compliance * borne,
         )
-        contact = ContactHistory(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, depth))
+        contact = ContactHistory(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, edge))
         return Prediction(fitted, driving > 0.0, contact)
+
+    def moved(self, numbers: dict[str, float], time: Array, place: Array) -> ContactHistory:
+        """Return the response to a motion [m] that only goes in."""
+        series = relaxation_of("fit", self.with_numbers(numbers).bed)
+        return forces(self._table(numbers), series, time, place, time.size, self.curve.compliance)
+
+    def loaded(self, numbers: dict[str, float], time: Array, driven: Array) -> tuple[Array, Array]:
+        """Return depths [m] under forces [N], and the depths at which an elastic contact is as wide."""
+        depth = positions(self._table(numbers), self._creep(numbers), time, driven)
+        return depth, depth
+
+    def contact_compliance(self, numbers: dict[str, float], depth: Array) -> Array:
+        """Return the immediate compliance of contacts [m/N]; infinite without contact."""
+        return np.asarray(self._creep(numbers).glassy * _contact_compliance(self._table(numbers), depth))
 
     def reweighed(self, coordinates: Array, rough_outline: CurveOutline | None, noise: Array) -> UnderForce | None:
         """Return the task with weights by the noise of positions and forces, at nearly converged coordinates.
@@ -150,9 +162,7 @@ class UnderForce(RelaxingTask):
         prediction = self.prediction(coordinates)
         # weights must not follow the noise, which would bias the fit
         depth = _smooth(np.maximum(prediction.contact.depth, 0.0))
-        compliance = self.curve.compliance + self._creep(numbers).glassy * _contact_compliance(
-            self._table(numbers), depth
-        )
+        compliance = self.curve.compliance + self.contact_compliance(numbers, depth)
         position_noise = np.asarray(noise, dtype=float)
         if not position_noise.any():
             counted = ~early & (self.weights > 0.0)

@@ -16,9 +16,11 @@ from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.fitting.viscoelastic.creep import FORCE_FIT_SHARE, LEAST_NOISE, UnderForce
 from winkler.fitting.viscoelastic.cycles import UnderCycles, goes_in_again
+from winkler.fitting.viscoelastic.layered_task import LayeredForce, LayeredMotion, refuse_stack_numbers
 from winkler.fitting.viscoelastic.motion import UnderMotion
 from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
@@ -136,7 +138,10 @@ def driven_task(
     }
     parameters = parameters_of(model, free_paths, scales, NATURAL_BOUNDS | exponents)
     zeros = np.zeros(curve.count)
-    if isinstance(model.path.normal, Depth) and goes_in_again(curve):
+    layered = isinstance(model.bed.medium, ViscoelasticCoatedHalfSpace)
+    if layered:
+        refuse_stack_numbers(model.bed, tuple(parameter.name for parameter in parameters))
+    if isinstance(model.path.normal, Depth) and goes_in_again(curve) and not layered:
         bent = curve.compliance * strength
         if bent > SOFT_SHARE * span:
             raise InvalidInput(
@@ -146,7 +151,8 @@ def driven_task(
             )
         return UnderCycles(curve, model, parameters, weights, velocity, zeros, acceleration=acceleration)
     if isinstance(model.path.normal, Depth):
-        return UnderMotion(curve, model, parameters, weights, velocity, zeros, acceleration=acceleration)
+        along = LayeredMotion if layered else UnderMotion
+        return along(curve, model, parameters, weights, velocity, zeros, acceleration=acceleration)
     if acceleration is not None:
         raise InvalidInput(
             "fit: 'inertia' acts on the force, and here positions are fitted; leave it out, or fit forces."
@@ -155,7 +161,8 @@ def driven_task(
         raise InvalidInput(
             "fit: positions follow from forces only while a contact grows; leave out the retraction, or fit forces."
         )
-    task = UnderForce(curve, model, parameters, weights, velocity, zeros)
+    under = LayeredForce if layered else UnderForce
+    task = under(curve, model, parameters, weights, velocity, zeros)
     return task if rough_outline is None else _with_approach(task, rough_outline, noise)
 
 

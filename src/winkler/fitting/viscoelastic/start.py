@@ -20,7 +20,7 @@ from winkler.fitting.viscoelastic.response import elastic_table, forces
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["TIMES", "field_name", "starts", "window"]
+__all__ = ["TIMES", "field_name", "is_modulus", "starts", "trials", "window"]
 
 EXPONENT_TRIALS = (0.1, 0.3, 0.6)
 SINGLE_TIME_SHARES = (0.003, 0.03, 0.3)
@@ -61,11 +61,11 @@ def starts(task: FitTask, rough_outline: CurveOutline | None) -> Iterator[Array]
     rough_outline : CurveOutline or None
         Rough outline of the approach; None without an approach.
     """
-    for numbers in _trials(task, rough_outline):
+    for numbers in trials(task, rough_outline):
         yield _sized(task.coarse, numbers)
 
 
-def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str, float]]:
+def trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str, float]]:
     """Return the parameters of all trials, with the moduli of the model."""
     begin = {p.name: p.start for p in task.parameters}
     choices: list[list[dict[str, float]]] = []
@@ -110,7 +110,7 @@ def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
     """Return the coordinates of parameters with moduli of the right magnitude."""
     from scipy.optimize import nnls
 
-    moduli = [p for p in task.parameters if not p.has_start and _is_modulus(task, p)]
+    moduli = [p for p in task.parameters if not p.has_start and is_modulus(task, p)]
     if moduli:
         own = {p.name: numbers[p.name] for p in moduli}
         depth = task.place(numbers) - task.curve.compliance * (task.curve.force - task.line(numbers))
@@ -136,7 +136,7 @@ def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
     return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
 
 
-def _is_modulus(task: FitTask, parameter: Parameter) -> bool:
+def is_modulus(task: FitTask, parameter: Parameter) -> bool:
     """Return whether the force at a given depth is proportional to it, or nearly so with an elastic second body."""
     own = parameter.name.startswith("bed.medium.") and field_name(parameter.name) not in ("young", "tolerance")
     return own and unit_of(task.model, parameter.name) in ("Pa", "Pa s")

@@ -15,6 +15,7 @@ and the body asks for :math:`u(x,t) = d(t)-h(x)` where they touch, h the equival
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any, ClassVar
 
 import numpy as np
@@ -120,14 +121,16 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
     @property
     def glassy(self) -> CoatedHalfSpace:
         """The elastic stack that responds to a sudden step."""
-        return self._elastic_with(lambda solid: solid.series.glassy)
+        return self.elastic_with(lambda solid: solid.series.glassy)
 
     @property
     def relaxed(self) -> CoatedHalfSpace:
         """The elastic stack that is left after all time."""
-        return self._elastic_with(lambda solid: solid.series.relaxed)
+        return self.elastic_with(lambda solid: solid.series.relaxed)
 
-    def _elastic_with(self, shear: Any) -> CoatedHalfSpace:
+    def elastic_with(self, shear: Callable[[ViscoelasticSolid], float]) -> CoatedHalfSpace:
+        """Return the elastic stack in which the solids that relax have shear moduli [Pa]."""
+
         def elastic(solid: Any) -> Any:
             if not isinstance(solid, ViscoelasticSolid):
                 return solid
@@ -169,25 +172,40 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
 
     def compliance(self, s: ComplexArray, xi: Array) -> ComplexArray:
         """Return c(s, xi) [1/Pa] of the pair at complex rates (S,) [1/s] and wave numbers (m,) [1/m], ``(S, m)``."""
+        return self.compliance_of(lambda solid: _shear(solid, s), s.size, xi)
+
+    def compliance_at_modulus(self, shear: ComplexArray, xi: Array) -> ComplexArray:
+        """Return c [1/Pa] of waves [1/m] ``(m,)`` if all solids that relax had a shear modulus [Pa] ``(S,)``."""
+
+        def own(solid: ViscoelasticSolid | Elastic) -> ComplexArray:
+            return np.full(shear.shape, solid.shear, dtype=complex) if isinstance(solid, Elastic) else shear
+
+        return self.compliance_of(own, shear.size, xi)
+
+    def compliance_of(self, shear: Callable[[Any], ComplexArray], count: int, xi: Array) -> ComplexArray:
+        """Return c [1/Pa] of waves [1/m] ``(m,)`` for `count` shear moduli of every solid, ``(count, m)``."""
         finite = np.isfinite(xi)
-        x = np.tile(xi[finite], s.size).astype(complex)
+        x = np.tile(xi[finite], count).astype(complex)
         below: ComplexArray = np.zeros((x.size, 2, 2), dtype=complex)
         if not isinstance(self.on, Rigid):
-            twice = 2.0 * np.repeat(_shear(self.on, s), finite.sum())
+            twice = 2.0 * np.repeat(shear(self.on), finite.sum())
             below = below + half_space(self.on.poisson) / twice[:, None, None]
         bottom = sum(layer.thickness for layer in self.layers)
         for layer in reversed(self.layers):
-            twice = 2.0 * np.repeat(_shear(layer.solid, s), finite.sum())[:, None, None]
+            twice = 2.0 * np.repeat(shear(layer.solid), finite.sum())[:, None, None]
             bottom -= layer.thickness
             reached = np.real(x) * bottom < VANISHED_DEPTH
             upper = np.broadcast_to(half_space(layer.solid.poisson), below.shape).astype(complex)
             through = twice[reached] * below[reached], x[reached] * layer.thickness, layer.solid.poisson
             upper[reached] = through_layer(*through).compliance
             below = upper / twice
-        result = np.empty((s.size, xi.size), dtype=complex)
-        result[:, finite] = -0.5 * below[:, 1, 1].reshape(s.size, -1)
-        result[:, ~finite] = _own(self.layers[0].solid, s)[:, None]
-        return np.asarray(result if isinstance(self.second, Rigid) else result + _own(self.second, s)[:, None])
+        result = np.empty((count, xi.size), dtype=complex)
+        result[:, finite] = -0.5 * below[:, 1, 1].reshape(count, -1)
+        top = self.layers[0].solid
+        result[:, ~finite] = _own(top, shear(top))[:, None]
+        if isinstance(self.second, Rigid):
+            return result
+        return np.asarray(result + _own(self.second, shear(self.second))[:, None])
 
     notes = (
         Note(
@@ -210,9 +228,9 @@ def _shear(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:
     return np.asarray(np.where(last, series.glassy, series.dynamic(np.where(last, 0.0, s.imag))))
 
 
-def _own(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:
-    """Return 1 / E* of a half-space of a solid at complex rates [1/Pa]."""
-    return np.asarray(0.5 * (1.0 - solid.poisson) / _shear(solid, s))
+def _own(solid: ViscoelasticSolid | Elastic, shear: ComplexArray) -> ComplexArray:
+    """Return 1 / E* of a half-space of a solid with shear moduli [Pa] [1/Pa]."""
+    return np.asarray(0.5 * (1.0 - solid.poisson) / shear)
 
 
 @cached_by_value(32)

@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.fitting.outcome import AnyFit, CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -76,10 +77,12 @@ def _relaxation(item: ViscoelasticFit | CreepFit) -> Panel:
     shortest, longest = observed_times(item)
     t = np.geomspace(shortest / TIME_FACTOR_BEYOND, longest * TIME_FACTOR_BEYOND, 160)
     band = relaxation_band(item, t)
-    half_space = isinstance(item.model.bed.medium, ViscoelasticHalfSpace)
-    symbol, unit = ("E^*(t)", "Pa") if half_space else (r"\varphi(t)", "")
+    layered = isinstance(item.model.bed.medium, ViscoelasticCoatedHalfSpace)
+    of_moduli = layered or isinstance(item.model.bed.medium, ViscoelasticHalfSpace)
+    symbol, unit = ("E^*(t)", "Pa") if of_moduli else (r"\varphi(t)", "")
     time = Series("time", Word("t", "s", "time"), t)
-    modulus = Series("relaxation", Word(symbol, unit, "relaxation of the contact"), band.modulus)
+    whose = "fitted solid" if layered else "contact"
+    modulus = Series("relaxation", Word(symbol, unit, f"relaxation of the {whose}"), band.modulus)
     narrow = band.high < WIDEST_INTERVAL_RATIO * band.low
     marks = (
         Area(t[narrow], band.low[narrow], band.high[narrow], alpha=0.25),
@@ -93,10 +96,15 @@ def _relaxation(item: ViscoelasticFit | CreepFit) -> Panel:
 
 def _terms(item: ViscoelasticFit | CreepFit) -> list[Line]:
     """Return the fitted terms: modulus over relaxation time, with both intervals."""
-    lead = "bed.medium.first."
+    own = [name.rpartition(".")[0] for name in item.names if name.startswith("bed.medium.")]
+    lead = f"{own[0]}." if own else ""
     pairs = [(f"{lead}shears[{i}]", f"{lead}relaxation_times[{i}]") for i in range(len(item.names))]
     pairs = [pair for pair in [*pairs, (f"{lead}shear", f"{lead}relaxation_time")] if set(pair) <= set(item.names)]
-    poisson = getattr(getattr(item.model.bed.medium, "first", None), "poisson", 0.5)
+    medium = item.model.bed.medium
+    solid = getattr(medium, "first", None)
+    if isinstance(medium, ViscoelasticCoatedHalfSpace):
+        solid = medium.relaxing_solids[0]
+    poisson = getattr(solid, "poisson", 0.5)
     contact = 2.0 / (1.0 - poisson)
     lines = []
     for number, (shear, time) in enumerate(pairs):

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from winkler.fitting.outcome import Fit
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
 from winkler.plot.series import Series, name_in_words
@@ -218,13 +219,20 @@ RELAXING_FORMULAS = {
         "The measured forces F, less the baseline, drive a contact that grows, and the positions D are fitted; Φ(d) is "
         "the force of an elastic contact with E* = 1 Pa, and C(t) the creep.",
     ),
+    "layers": (
+        r"u_\xi(t) = \int_0^t c(\xi,t-s)\,\mathrm{d}q_\xi(s), \quad u(x,t) = d(t) - h(x), \quad "
+        r"F = 2\int_0^a q\,\mathrm{d}x, \quad d = D - D_0 - \frac{F}{k_m}",
+        "Every wave of the line load q moves its own wave of the displacement u, by the creep c(ξ, t) of the stack; h "
+        "is the shape of the body. The measured motion or the measured forces drive, and the other one is fitted.",
+    ),
 }
 """The fitted quantity of a body that relaxes, as a formula and in words."""
 
 
 def _formulas(study: FitStudy) -> str:
     if isinstance(study.problem, ViscoelasticIndentation):
-        latex, words = RELAXING_FORMULAS[study.fitted]
+        layered = isinstance(study.problem.bed.medium, ViscoelasticCoatedHalfSpace)
+        latex, words = RELAXING_FORMULAS["layers" if layered else study.fitted]
         tail = (
             "Generalised least squares make the residuals e small; the uncertainty is that under white and slow noise."
         )
