@@ -95,7 +95,8 @@ class SlidingResistance:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
             raise InvalidInput(
                 f"SlidingResistance: the bed stands on a {type(self.bed.medium).__name__}; give Foundation(profile, "
-                "ViscoelasticHalfSpace(solid)): what a line of springs loses in sliding is known for half-spaces only."
+                "ViscoelasticHalfSpace(solid)): how far what a line of springs loses in sliding is off the body's loss is "
+                "known for half-spaces only."
             )
         relaxation_of("SlidingResistance", self.bed)
 
