@@ -50,7 +50,8 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     else:
         raise OutsideValidity(
             "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "
-            "known to winkler (the response to a push in one point is not built in); give a DepthGradedHalfSpace, or a Foundation(profile, medium)."
+            "known to winkler (the response to a push in one point is not built in); give a DepthGradedHalfSpace, "
+            "or a Foundation(profile, medium)."
         )
     surface = HalfSpace(top, medium.second)
     even, unit = in_own_lengths(medium.tangential_response)
