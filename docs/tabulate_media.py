@@ -1,21 +1,23 @@
 """Write the table of media and problems in docs/choosing.md from what the package answers.
 
-Run ``python docs/tabulate_media.py`` (some minutes) after a problem, a medium or a note on validity was added; tests
+Run ``python docs/tabulate_media.py`` (a minute) after a problem, a medium or a note on validity was added; tests
 compare the page with what this would write.  The problem of each cell is the example of its kind in the catalogue, with
-the medium in place of its own.
+the medium in place of its own and what docs/media_examples.toml changes.
 """
 
 from __future__ import annotations
 
 import functools
 import re
+import tomllib
+from fnmatch import fnmatch
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import winkler as wk
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.explain import example_study
+from winkler.study.language.explain import example_study, table_at
 from winkler.validity import Assumption, Note, Standing
 
 PAGE = Path(__file__).resolve().parent / "choosing.md"
@@ -32,74 +34,67 @@ OF_METHOD = {
     Assumption.ROUGHNESS,
 }
 """What belongs to a method on a medium; the other assumptions depend on the numbers of a case."""
-NO_PLACE = "–"
+SHORT = tomllib.loads((PAGE.parent / "media_examples.toml").read_text(encoding="utf-8"))
+"""How examples differ from those of the catalogue, to be short; why kinds of problems have no place for media."""
 TAKEN = "taken"
-LONG = {
-    "adhesive_impact",
-    "joint_stiffness",
-    "line_viscoelastic_indentation",
-    "profile_pair_rolling",
-    "reduced_friction",
-    "reduction",
-    "rolling_start",
-    "seal",
-    "simplified_rolling",
-    "sliding_resistance",
-    "sliding_wear",
-    "surface_adhesion",
-    "surface_conduction",
-    "surface_rolling",
-    "surface_rolling_heating",
-    "surface_rolling_start",
-    "surface_tangential",
-    "surface_wear",
-    "thermal_joint",
-    "transient_heating",
-    "viscoelastic_adhesion",
-    "viscoelastic_impact",
-    "viscoelastic_indentation",
-    "viscoelastic_tangential",
-}
-"""Kinds whose examples take seconds: it is stated which media they take, not how exactly."""
+NO_PLACE = "no place"
 
 
 class Cell(NamedTuple):
-    """One of "exact", "approximate", "refused", `NO_PLACE` and, where it is not solved, `TAKEN`; and why."""
+    """One of "exact", "approximate" and "refused", with the reasons; before it is solved, `TAKEN` or `NO_PLACE`."""
 
     word: str
-    why: str = ""
+    whys: tuple[str, ...] = ()
+
+
+def example(kind: str, medium: str) -> dict[str, Any]:
+    """Return the study of a cell: the example of the kind on that medium, with what `SHORT` changes."""
+    table: dict[str, Any] = example_study(kind, medium=medium)["problem"]
+    changes = SHORT["changed"].get(kind, {}) | SHORT["changed_on"].get(medium, {}).get(kind, {})
+    for key, content in changes.items():
+        place, _, last = key.rpartition(".")
+        (table_at(table, place) if place else table)[last] = content
+    return table
 
 
 @functools.cache
 def made(kind: str, medium: str) -> tuple[Cell, object]:
     """Return what can be said before the problem is solved, and the problem."""
     try:
-        table = example_study(kind, medium=medium)["problem"]
+        table = example(kind, medium)
     except wk.WinklerError:
         return Cell(NO_PLACE), None
     try:
-        if kind == "yield_onset" and medium == "coated_half_space":  # its example has no strength
-            table["bed"]["medium"]["layers"][0]["solid"]["strength"] = "2 GPa"
         return Cell(TAKEN), build(table)
     except wk.WinklerError as error:
-        return Cell("refused", reason(str(error), medium)), None
+        return Cell("refused", (reason(str(error), medium),)), None
 
 
 def cell(kind: str, medium: str) -> Cell:
     """Return a cell of the table."""
     before, problem = made(kind, medium)
-    if problem is None or kind in LONG:
+    if before.word == NO_PLACE:
+        return Cell("refused", (reason_of_no_place(kind, medium),))
+    if problem is None:
         return before
     try:
-        notes = problem.solve().validity
+        notes = [note for note in problem.solve().validity if of_method(note)]  # type: ignore[attr-defined]
+    except wk.NotConverged:  # of this example: no word about the medium
+        raise
     except wk.WinklerError as error:
-        return Cell("refused", reason(str(error), medium))
-    order = list(Standing)
-    worst = [note for note in notes if of_method(note) and note.standing in order[2:]]
-    if not worst:
-        return Cell("exact")
-    note = max(worst, key=lambda each: order.index(each.standing))
-    return Cell("approximate", reason(note.statement, medium))
+        return Cell("refused", (reason(str(error), medium),))
+    if kind not in SHORT["partly_outside"] and any(note.standing is Standing.OUTSIDE for note in notes):
+        raise ValueError(f"{kind} on {medium}: its example is outside the validity of the method, take another.")
+    whys = [reason(note.statement, medium) for note in notes if note.standing in list(Standing)[2:]]
+    return Cell("approximate" if whys else "exact", tuple(dict.fromkeys(whys)))
+
+
+def reason_of_no_place(kind: str, medium: str) -> str:
+    """Return why a kind of problem has no place for a medium, as stated in `SHORT`."""
+    for row in SHORT["no_place"]:
+        if any(fnmatch(kind, pattern) for pattern in row["problems"]) and medium in row["media"]:
+            return str(row["why"])
+    raise ValueError(f"docs/media_examples.toml does not say why {kind} has no place for {medium}.")
 
 
 def of_method(note: Note) -> bool:
@@ -146,10 +141,10 @@ def section() -> str:
             words = []
             for medium in media:
                 found = cell(kind, medium)
-                if found.why and topic(found.why) not in map(topic, whys):
-                    whys.append(found.why)
-                number = [topic(why) for why in whys].index(topic(found.why)) + 1 if found.why else 0
-                words.append(f"{found.word} ({number})" if number else found.word)
+                whys += [why for why in found.whys if topic(why) not in map(topic, whys)]
+                topics = [topic(why) for why in whys]
+                numbers = ", ".join(str(topics.index(topic(why)) + 1) for why in found.whys)
+                words.append(f"{found.word} ({numbers})" if numbers else found.word)
             print(kind, *words)
             lines.append(f"| `{kind}` | " + " | ".join(words) + " |")
     notes = [f"{number}. {why}" for number, why in enumerate(whys, 1)]
@@ -169,8 +164,8 @@ def stated() -> dict[tuple[str, str], Cell]:
             media = others
         elif first in CATALOGUE["problem"]:
             for medium, content in zip(media, others, strict=True):
-                word, _, number = content.partition(" (")
-                cells[first, medium] = Cell(word, whys[number.rstrip(")")] if number else "")
+                word, _, numbers = content.partition(" (")
+                cells[first, medium] = Cell(word, tuple(whys[number] for number in re.findall(r"\d+", numbers)))
     return cells
 
 

@@ -186,7 +186,7 @@ def test_what_is_refused():
     with pytest.raises(wk.InvalidInput, match="along one line"):
         wk.CoatedTangential(bed, wk.Coulomb(MU), plane)
     line = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.ShearForce([0.0, 1.0]))
-    with pytest.raises(wk.OutsideValidity, match="use Tangential for other media"):
+    with pytest.raises(wk.OutsideValidity, match="use Tangential, on springs, for other media"):
         wk.CoatedTangential(wk.Foundation(BALL, wk.HalfSpace.between(SOLID)), wk.Coulomb(MU), line)
     with pytest.raises(wk.OutsideValidity, match="the shear force of 1 N exceeds what friction bears"):
         wk.CoatedTangential(bed, wk.Coulomb(MU), line).solve()

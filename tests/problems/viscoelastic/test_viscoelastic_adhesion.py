@@ -234,3 +234,33 @@ def test_beyond_the_profile_is_refused():
     known = wk.Foundation(wk.Measured(r, r**2 / (2.0 * R)), RUBBER)
     with pytest.raises(OutsideValidity, match="reach"):
         ViscoelasticAdhesion(known, LAW, Path([0.0, 1.0], Depth([1e-6, 5e-5]))).solve()
+
+
+SOFTENING = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("alike", [False, True])
+def test_layers_that_relax_count_as_relaxed(alike):
+    film = wk.CoatedHalfSpace(
+        [wk.Layer(wk.Elastic(2e6 * (1 + SOFTENING.poisson), SOFTENING.poisson), 1e-4)], on=wk.Rigid()
+    )
+    layers = [wk.ViscoelasticLayer(SOFTENING, 1e-4)]
+    medium = (
+        wk.RelaxingInProportion(film, SOFTENING, 1e6)
+        if alike
+        else wk.ViscoelasticCoatedHalfSpace(layers, on=wk.Rigid())
+    )
+    ball, path = wk.Paraboloid(1e-3), wk.Path([0.0, 1.0], wk.Depth([2e-6, 1.9e-6]))
+    law = wk.RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
+    first = next(iter(wk.ViscoelasticAdhesion(wk.Foundation(ball, medium), law, path).steps()))
+    stuck = wk.AdhesiveIndentation(wk.Foundation(ball, film), wk.ShortRange(0.05), wk.Depth(2e-6)).solve()
+    assert first.force == pytest.approx(float(stuck.force), rel=1e-6)
+
+
+def test_moduli_that_are_not_the_relaxed_ones_are_refused():
+    medium = wk.RelaxingInProportion(wk.HalfSpace(wk.Elastic(9e6, 0.5)), SOFTENING, 3e6)
+    law = wk.RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
+    path = wk.Path([0.0, 1.0], wk.Depth([2e-6, 1.9e-6]))
+    with pytest.raises(wk.InvalidInput, match=r"with the relaxed moduli in the medium .* 1e\+06 Pa"):
+        wk.ViscoelasticAdhesion(wk.Foundation(wk.Paraboloid(1e-3), medium), law, path)

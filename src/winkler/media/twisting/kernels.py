@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import CoatedBody, PowerLawMedium, TwistedMedium
+from winkler.media.families import CoatedBody, PowerLawMedium, StackedBody, TwistedMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.panels.kink_panels import Stretches
@@ -58,8 +58,13 @@ def twisted_medium(medium: Medium) -> TwistedMedium:
 
 def no_kernel(medium: object) -> OutsideValidity:
     """Return the refusal of torsion on a medium."""
+    why = (
+        "a layer that slides bears no twist, and how rings slide on transversely isotropic layers is not built in"
+        if isinstance(medium, StackedBody)
+        else "how rings slide around the axis on it is not built in"
+    )
     return OutsideValidity(
-        f"Torsion: the medium of the bed is a {type(medium).__name__}; what twisted springs bear is known on "
+        f"Torsion: the medium of the bed is a {type(medium).__name__}; {why}: what twisted springs bear is known on "
         "HalfSpace, TransverselyIsotropicHalfSpace, GradedHalfSpace and CoatedHalfSpace: give one of these, for a "
         "body graded in depth a stack of layers."
     )

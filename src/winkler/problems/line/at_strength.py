@@ -30,7 +30,7 @@ def refuse_without_strength(bed: LineFoundation, name: str) -> None:
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"{name}: the medium is a {type(bed.medium).__name__}; stresses are compared with a strength in "
-            "homogeneous, isotropic bodies only: give a HalfSpace."
+            "homogeneous, isotropic bodies only, others have no single strength: give a HalfSpace."
         )
     if min(bed.medium.strengths) == math.inf:
         raise InvalidInput(f"{name}: no body has a strength; give Elastic(young, poisson, strength=...).")

@@ -26,5 +26,6 @@ def refuse_unless_isotropic(owner: str, bed: LineFoundation) -> None:
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"{owner}: the medium is a {type(bed.medium).__name__}; slip of line contacts is known on homogeneous, "
-            "isotropic bodies only: give a HalfSpace."
+            "isotropic bodies only, which are as stiff along the surface as across it; another ratio of the two is not "
+            "built in: give a HalfSpace."
         )

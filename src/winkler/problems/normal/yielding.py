@@ -60,7 +60,9 @@ class YieldOnset:
         if not isinstance(self.bed.medium, HalfSpace | CoatedHalfSpace):
             raise InvalidInput(
                 f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "isotropic bodies and bonded layers only: give a HalfSpace or a CoatedHalfSpace."
+                "isotropic bodies and bonded layers only (a transversely isotropic body has no single strength, a "
+                "graded one another at each depth, layers that slide are not searched): give a HalfSpace or a "
+                "CoatedHalfSpace."
             )
         if not strong_parts(self.bed.medium):
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")

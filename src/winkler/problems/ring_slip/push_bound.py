@@ -37,7 +37,8 @@ def pushed_body(bed: Bed) -> CoatedBody:
     if not isinstance(bed.medium, CoatedBody) or bed.footprint != DISC:
         raise OutsideValidity(
             f"CoatedTangential: the medium of the bed is a {type(bed.medium).__name__}; it must be a CoatedHalfSpace "
-            "under a body of revolution: use Tangential for other media and shapes."
+            "under a body of revolution, as rings with the kernels of layers are built in for these: use Tangential, "
+            "on springs, for other media and shapes."
         )
     return bed.medium
 

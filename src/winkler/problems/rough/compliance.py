@@ -43,13 +43,15 @@ def compliance_of(medium: MappedMedium) -> Compliance:
         top, turning = solid_at(medium.grading), TurningDepthResponse(medium.grading, medium.second, medium.tolerance)
     elif isinstance(medium, SlidingStack):
         raise OutsideValidity(
-            f"The tractions of a height map on a {type(medium).__name__} are not known to winkler, pressures are; give "
-            "a CoatedHalfSpace of bonded, isotropic layers."
+            f"The tractions of a height map on a {type(medium).__name__} are not known to winkler, pressures are (a "
+            "layer that slides bears none, for others the response to a push in one point is not built in); give a "
+            "CoatedHalfSpace of bonded, isotropic layers."
         )
     else:
         raise OutsideValidity(
             "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "
-            "known to winkler; give a DepthGradedHalfSpace, or a Foundation(profile, medium)."
+            "known to winkler (the response to a push in one point is not built in); give a DepthGradedHalfSpace, "
+            "or a Foundation(profile, medium)."
         )
     surface = HalfSpace(top, medium.second)
     even, unit = in_own_lengths(medium.tangential_response)

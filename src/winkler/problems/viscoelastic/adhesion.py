@@ -25,6 +25,9 @@ from winkler.laws.crack import CrackLaw
 from winkler.loading import Depth, Shift
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.proportional import RelaxingInProportion
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
@@ -96,7 +99,8 @@ class ViscoelasticAdhesion:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, medium); a ViscoelasticHalfSpace counts as relaxed.
+        Foundation(profile, medium); a medium that relaxes counts as relaxed, and RelaxingInProportion must state the
+        moduli of that state.
     law : RateDependentWork or SaturatingWork
         What opening takes at which speed.
     path : Path
@@ -107,8 +111,8 @@ class ViscoelasticAdhesion:
     Raises
     ------
     InvalidInput
-        If the bed flows for ever, the law has no speed, the path prescribes forces or moves along the surface, or the
-        stiffness is not positive.
+        If the bed flows for ever, its moduli are not the relaxed ones, the law has no speed, the path prescribes
+        forces or moves along the surface, or the stiffness is not positive.
 
     References
     ----------
@@ -154,6 +158,12 @@ class ViscoelasticAdhesion:
                 "ViscoelasticAdhesion: the body flows for ever and has no relaxed state to be pulled off from; give a "
                 "solid with a relaxed modulus."
             )
+        if isinstance(medium, RelaxingInProportion) and not math.isclose(medium.relaxation.relaxed, 1.0):
+            raise InvalidInput(
+                f"ViscoelasticAdhesion: the moduli of the medium belong to the shear modulus {medium.shear:g} Pa, and "
+                "the body is taken as relaxed; give RelaxingInProportion(medium, solid, shear) with the relaxed moduli "
+                f"in the medium and the relaxed shear modulus {medium.solid.series.relaxed:g} Pa."
+            )
         if not isinstance(self.path.normal, Depth):
             raise InvalidInput(
                 f"ViscoelasticAdhesion: a {type(self.path.normal).__name__} is prescribed; give Path(time, "
@@ -166,9 +176,13 @@ class ViscoelasticAdhesion:
     def _relaxed(self) -> Bed:
         """The bed when all has relaxed."""
         medium = self.bed.medium
-        if not isinstance(medium, ViscoelasticHalfSpace):
+        if not isinstance(medium, RelaxingMedium | ViscoelasticCoatedHalfSpace):
             return self.bed
         assert isinstance(self.bed, OnMedium)
+        if isinstance(medium, ViscoelasticCoatedHalfSpace):
+            return self.bed.with_medium(medium.relaxed)
+        if isinstance(medium, RelaxingInProportion):
+            return self.bed.with_medium(medium.elastic)
         return self.bed.with_medium(HalfSpace(Elastic(medium.relaxation.relaxed, 0.0)))
 
     @property

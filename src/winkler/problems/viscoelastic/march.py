@@ -53,9 +53,10 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     medium = bed.medium
     if isinstance(medium, ViscoelasticCoatedHalfSpace):
         raise InvalidInput(
-            f"{owner}: the layers of the bed relax each by a law of its own, which ViscoelasticIndentation, CreepTest, "
-            "RelaxationTest and HarmonicIndentation know; use one of these, or RelaxingInProportion(medium, solid, "
-            "shear) of layers that relax alike."
+            f"{owner}: the layers of the bed relax each by a law of its own, so that a wide contact relaxes otherwise "
+            "than a small one and no single function of time stands for all springs, as it must here; "
+            "ViscoelasticIndentation, CreepTest, RelaxationTest and HarmonicIndentation know such layers: use one of "
+            "these, or RelaxingInProportion(medium, solid, shear) of layers that relax alike."
         )
     if not isinstance(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(

@@ -94,8 +94,9 @@ class SlidingResistance:
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
             raise InvalidInput(
-                f"SlidingResistance: the bed stands on a {type(self.bed.medium).__name__}; give Foundation(profile, "
-                "ViscoelasticHalfSpace(solid)): what a line of springs loses in sliding is known for half-spaces only."
+                f"SlidingResistance: the bed stands on a {type(self.bed.medium).__name__}; how far a line of springs "
+                "is off what the body loses in sliding is known on half-spaces only: give Foundation(profile, "
+                "ViscoelasticHalfSpace(solid))."
             )
         relaxation_of("SlidingResistance", self.bed)
 

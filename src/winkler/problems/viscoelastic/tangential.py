@@ -116,8 +116,9 @@ class ViscoelasticTangential:
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
             raise InvalidInput(
-                f"ViscoelasticTangential: the bed stands on a {type(self.bed.medium).__name__}; give "
-                "Foundation(profile, ViscoelasticHalfSpace(solid))."
+                f"ViscoelasticTangential: the bed stands on a {type(self.bed.medium).__name__}, and slip "
+                "is followed by one ratio of tangential to normal stiffness and one relaxation, which homogeneous "
+                "bodies have; give Foundation(profile, ViscoelasticHalfSpace(solid))."
             )
         if not isinstance(self.path.lateral, Shift | ShearForce) or self.path.in_plane:
             raise InvalidInput(
