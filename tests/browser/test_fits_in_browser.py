@@ -172,6 +172,7 @@ def test_a_body_that_relaxes_in_a_narrow_window(fresh):
     uploaded(app_page, EXAMPLES / "data" / "cell_loop.csv")
     app_page.settled()
     app_page.page.locator('[data-picture="loop"] .main-svg').first.wait_for()
+    app_page.page.locator(".sheets figure svg").nth(2).wait_for()
     assert app_page.page.locator(".sheets figure svg").count() == 3
     assert app_page.card("shear modulus").startswith("499.9 Pa")
     assert app_page.page.evaluate("document.documentElement.scrollWidth") <= 390
