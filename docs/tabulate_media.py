@@ -2,7 +2,7 @@
 
 Run ``python docs/tabulate_media.py`` (a minute) after a problem, a medium or a note on validity was added; tests
 compare the page with what this would write.  The problem of each cell is the example of its kind in the catalogue, with
-the medium in place of its own and what docs/media_examples.toml changes.
+the medium in place of its own and what docs/media/examples.toml changes.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ OF_METHOD = {
     Assumption.ROUGHNESS,
 }
 """What belongs to a method on a medium; the other assumptions depend on the numbers of a case."""
-SHORT = tomllib.loads((PAGE.parent / "media_examples.toml").read_text(encoding="utf-8"))
+SHORT = tomllib.loads((PAGE.parent / "media" / "examples.toml").read_text(encoding="utf-8"))
 """How examples differ from those of the catalogue, to be short; why kinds of problems have no place for media."""
 TAKEN = "taken"
 NO_PLACE = "no place"
@@ -94,7 +94,7 @@ def reason_of_no_place(kind: str, medium: str) -> str:
     for row in SHORT["no_place"]:
         if any(fnmatch(kind, pattern) for pattern in row["problems"]) and medium in row["media"]:
             return str(row["why"])
-    raise ValueError(f"docs/media_examples.toml does not say why {kind} has no place for {medium}.")
+    raise ValueError(f"docs/media/examples.toml does not say why {kind} has no place for {medium}.")
 
 
 def of_method(note: Note) -> bool:

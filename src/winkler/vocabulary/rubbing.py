@@ -42,6 +42,7 @@ RUBBING: dict[str, Word] = {
     "shift_per_cycle": Word(r"\Delta u_x", "m", "what the last cycle has added to the shift"),
     # wear
     "wear": Word("", None, "how the surfaces wear"),
+    "laws": Word("", None, "how the bodies wear"),
     "rate": Word(r"\kappa", "1/Pa", "worn volume per force and slip"),
     "elapsed": Word("", None, "how far wear has come: cycles, or distance slid [m]"),
     "jump": Word("", None, "how far the next jump of a march goes"),

@@ -78,7 +78,10 @@ class SurfaceConduction:
     J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
     """
 
-    __words__ = words(contact=("", None, "how the surface is pressed"))
+    __words__ = words(
+        contact=("", None, "how the surface is pressed"),
+        in_proportion=("", "", "whether conductance is in proportion to stiffness"),
+    )
 
     contact: SurfaceContact
     conductors: ElectricalConductors

@@ -61,8 +61,7 @@ class SurfaceAdhesion:
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one.  A map that stands alone ends at its border, a
-        periodic one goes on for ever.
+        Heights of both bodies together, up towards the other one; a periodic map goes on for ever.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.  Of a body whose surface has another modulus than what lies below, the zone of attraction is that
         on the surface.
@@ -295,8 +294,7 @@ class SurfaceAdhesionSolution:
         return (
             *surface_adhesion_notes(
                 stated.topography, stated.medium, stated.law, stated.on_grid(), stated.tabor,
-                float(np.max(self.residual)),
-                float(self.energy_misfit[-1]), len(self.jumps),
+                float(np.max(self.residual)), float(self.energy_misfit[-1]), len(self.jumps),
             ),
             *unknown_yield(stated.medium, "the stresses below attracted surfaces are not searched"),
         )  # fmt: skip

@@ -39,7 +39,6 @@ class AtGoals:
 
     __words__ = words(
         goals=("n", None, "after how many cycles, or which distances, the contact is returned"),
-        laws=("", None, "how the bodies wear"),
     )
 
     wear: WearLaw
