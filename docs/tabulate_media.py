@@ -78,14 +78,17 @@ def cell(kind: str, medium: str) -> Cell:
     if problem is None:
         return before
     try:
-        notes = [note for note in problem.solve().validity if of_method(note)]  # type: ignore[attr-defined]
+        stated = problem.solve().validity  # type: ignore[attr-defined]
     except wk.NotConverged:  # of this example: no word about the medium
         raise
     except wk.WinklerError as error:
         return Cell("refused", (reason(str(error), medium),))
+    counted = kind in SHORT["known_by_their_grid"]
+    notes = [note for note in stated if of_method(note) or (counted and note.assumption is Assumption.RESOLUTION)]
     if kind not in SHORT["partly_outside"] and any(note.standing is Standing.OUTSIDE for note in notes):
         raise ValueError(f"{kind} on {medium}: its example is outside the validity of the method, take another.")
-    whys = [reason(note.statement, medium) for note in notes if note.standing in list(Standing)[2:]]
+    worse = list(Standing)[1 if counted else 2 :]
+    whys = [reason(note.statement, medium) for note in notes if note.standing in worse]
     return Cell("approximate" if whys else "exact", tuple(dict.fromkeys(whys)))
 
 
