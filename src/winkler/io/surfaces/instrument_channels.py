@@ -7,6 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+import numpy as np
+from numpy.lib.format import MAGIC_PREFIX
+
 from winkler.errors import InvalidInput, suggest
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
@@ -65,6 +68,7 @@ def channel_contents(
             refuse(math.prod(int(n) for n in surface.nb_grid_pts), path)
             return contents(surface)
         refuse_other_files(path)
+        _refuse_cut_array(path)
         opened = open_topography(str(path)).channels
         along = [signal for signal in opened if signal.dim == directions]
         # other signals than heights have a pair of units, or none
@@ -103,3 +107,11 @@ def _others(channels: list[Any], directions: int) -> str:
     if same < len(channels):
         return "other signals; give another file"
     return f"{others}; read them with {'read_scan' if directions == 2 else 'read_topography'}, or give another file"
+
+
+def _refuse_cut_array(path: Path) -> None:
+    """Refuse a file of NumPy whose header or numbers end early: SurfaceTopography would read on for ever."""
+    with path.open("rb") as file:
+        if file.read(len(MAGIC_PREFIX)) != MAGIC_PREFIX:
+            return
+    np.load(path, mmap_mode="r", allow_pickle=False)
