@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
 import winkler as wk
+from winkler.media.conduction.disc_resistance import PlatedResponse
 from winkler.media.conduction.spot_resistances import spot_resistances
 
 STEEL = wk.Elastic(young=210e9, poisson=0.3)
@@ -164,6 +165,20 @@ def test_a_plating_conducts_as_the_best_flux_allows(plating, on, below):
     energy = 2.0 * np.pi * plating * (bare + extra)
     expected = 2.0 / (whole @ np.linalg.solve(energy, whole))
     assert result == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize(("plating", "on"), [(1.0, 4e2), (1.0, 1e5), (1e5, 1.0)])
+def test_what_comes_back_from_below_a_plating_keeps_its_digits_at_high_contrast(plating, on):
+    """By hyperbolic functions in 40 digits; maps of spots through such platings were refused for lost digits."""
+    body = wk.Plated(wk.ElectricalConductor(plating), 1.0, on=wk.ElectricalConductor(on))
+    response = PlatedResponse(body, body)
+    xi = np.geomspace(1e-8, 3.0, 23)
+    with mp.workdps(40):
+        through = [mp.tanh(mp.mpf(float(x))) for x in xi]
+        whole = [float((on + plating * t) / (plating + on * t)) for t in through]
+        excess = [float((on - plating) * (1 - t) / (plating + on * t)) for t in through]
+    np.testing.assert_allclose(response.whole(xi), whole, rtol=1e-14)
+    np.testing.assert_allclose(response.excess(xi), excess, rtol=1e-14)
 
 
 def test_platings_of_one_metal_are_one():

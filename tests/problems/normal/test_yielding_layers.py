@@ -67,3 +67,23 @@ def test_media_and_parts_without_an_onset_are_refused():
         wk.YieldOnset(coated(E, H, layer=math.inf, base=math.inf))
     with pytest.raises(wk.InvalidInput, match="give a HalfSpace or a CoatedHalfSpace"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
+
+
+def test_a_sharp_body_does_not_yield_what_lies_below_a_layer():
+    base = wk.Elastic(E, 0.3, strength=1e8)
+    medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(3e9, 0.4), H)], on=base)
+    for sharp in (wk.FlatPunch(2e-5), wk.CappedCylinder(2e-5, wk.Paraboloid(1e-3))):
+        with pytest.raises(wk.OutsideValidity, match=r"body under the layers stays elastic until .* rim \(2e-05 m\)"):
+            wk.YieldOnset(wk.Foundation(sharp, medium)).solve()
+
+
+@pytest.mark.slow
+def test_a_cone_on_a_thick_layer_presses_on_the_base_like_a_point_force():
+    base = wk.Elastic(E, 0.3, strength=1e8)
+    medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, 0.3), H)], on=base)
+    found = wk.YieldOnset(wk.Foundation(wk.Cone(math.radians(5.0)), medium)).solve()
+    assert (found.r, found.z) == (0.0, pytest.approx(H, rel=1e-6))
+    # Boussinesq on the axis: sigma_z = -3F / (2 pi z^2), sigma_r = (1 - 2 nu) F / (4 pi z^2)
+    boussinesq = found.force / (2.0 * math.pi * H**2) * (3.0 + 0.5 * (1.0 - 0.6))
+    assert found.radius < 0.01 * H
+    assert boussinesq == pytest.approx(1e8, rel=1e-3)

@@ -119,8 +119,8 @@ class PlatedResponse:
         both = sum(rho for rho, _ in parts)
         whole_sum = np.zeros(np.shape(xi))
         for rho, body in parts:
-            echo = _echo(body, xi)
-            whole_sum = whole_sum + rho / both * (1.0 + echo) / (1.0 - echo)
+            _, less, more = _echo(body, xi)
+            whole_sum = whole_sum + rho / both * more / less
         return np.asarray(whole_sum)
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
@@ -130,21 +130,30 @@ class PlatedResponse:
         excess_sum = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
         for rho, body in parts:
             if isinstance(body, Plated):
-                echo = _echo(body, xi)
-                excess_sum = excess_sum + rho / whole * 2.0 * echo / (1.0 - echo)
+                echo, less, _ = _echo(body, xi)
+                excess_sum = excess_sum + rho / whole * 2.0 * echo / less
         return np.asarray(excess_sum)
 
 
-def _echo(body: ConductingBody, xi: ComplexArray) -> Any:
-    """Return what comes back from below the outermost plating, at wave numbers xi [1/m]; zero of a bare body."""
+def _echo(body: ConductingBody, xi: ComplexArray) -> tuple[Any, Any, Any]:
+    """Return what comes back from below the outermost plating, at wave numbers xi [1/m], and one less and plus it.
+
+    Nothing comes back from below a bare body.  Long waves come back from a much worse conductor almost whole, and
+    turned round from a much better one: both sums are built of parts that do not cancel.
+    """
     layers, base = layers_of(body)
     under: Any = resistivity_of(base)
     echo: Any = np.zeros(np.shape(xi))
+    less: Any = np.ones(np.shape(xi))
+    more: Any = less
     for conductor, thickness in reversed(layers):
         rho = resistivity_of(conductor)
-        echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * thickness)
-        under = rho * (1.0 + echo) / (1.0 - echo)
-    return echo
+        contrast, faded = (under - rho) / (under + rho), np.expm1(-2.0 * xi * thickness)
+        echo = contrast * np.exp(-2.0 * xi * thickness)
+        less = 2.0 * rho / (under + rho) - contrast * faded
+        more = 2.0 * under / (under + rho) + contrast * faded
+        under = rho * more / less
+    return echo, less, more
 
 
 def _surface_resistivity(first: ConductingBody, second: ConductingBody, radius: Array) -> Array:

@@ -23,10 +23,9 @@ from winkler.values import value
 
 __all__ = ["YieldOnset", "YieldOnsetSolution"]
 
-MOST_STEPS = 40
+MOST_STEPS, OCTAVES = 40, 500
 ROUGH_MISS = 0.02
 """Logarithm of stress over strength below which stresses in layers are sought finely."""
-OCTAVES = 500
 REACH_SHARE = 0.999
 """Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
 
@@ -145,8 +144,8 @@ class YieldOnsetSolution:
 
 def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     """Return the contact radius at which one body yields, and where; or why it does not."""
-    strength, flat = part.solid.strength, flat_radius(bed)
-    sharp = [b for b, jump in bed.kinks if jump != 0.0]
+    strength, flat, buried = part.solid.strength, flat_radius(bed), part.top > 0.0
+    sharp = [b for b, jump in bed.kinks if jump != 0.0 and not buried]  # below a layer the stress stays finite
     widest = math.inf
     if isinstance(bed.medium, CoatedHalfSpace):
         widest = WIDEST_ON_LAYER * bed.medium.layers[0].thickness
@@ -154,7 +153,10 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
             return _too_wide(part, widest)
     end = min([bed.reach, bed.rim, widest, *(b for b in sharp if b > flat)])
     a = _start(bed, flat, end, strength)
-    _refuse_first_touch(bed, part, a, flat, sharp)
+    if not buried:
+        _refuse_first_touch(bed, part, a, flat, sharp)
+    elif bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
+        return _pinned(bed, part)
 
     def stress(radius: float, fine: bool = True) -> GreatestStress:
         return _stress(bed, part, radius, fine)
@@ -170,6 +172,8 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     elif end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
         place = stress(end)
         if place.value < strength:
+            if buried and bed.rim <= bed.reach:
+                return _pinned(bed, part)
             if end in sharp or bed.rim <= bed.reach:  # reached first, and there the stress is infinite
                 return end, GreatestStress(math.inf, end, 0.0, "")
             return (
@@ -275,6 +279,13 @@ def _refuse_first_touch(bed: Bed, part: StrongPart, a: float, flat: float, sharp
     pressed = PressedSprings(bed, float(bed.gap(np.array([a]))[0]), a)
     if any(place == 0.0 for place, _ in sharp_places(pressed, part.solid.poisson, 0.0)):
         raise OutsideValidity(f"YieldOnset: the apex is pointed, so the stress is infinite there and {advice}")
+
+
+def _pinned(bed: Bed, part: StrongPart) -> str:
+    return (
+        f"YieldOnset: the {part.name} stays elastic until the contact is pinned at its rim ({bed.rim:.6g} m), beyond "
+        "which the onset below layers is not sought; give a wider profile, or read the validity of an Indentation."
+    )
 
 
 def _the_same(stress: float, strength: float) -> str:
