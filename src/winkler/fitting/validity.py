@@ -94,7 +94,7 @@ def coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]
         conclusion = "the fitted parameters depend on the fixed ones of coating and substrate"
     statement = (
         f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {with_unit(thickness, 'm', 3)}, and "
-        f"what lies below the top layer changes its stiffness by {below:+.2%}: {conclusion}."
+        f"what lies below the top layer changes its stiffness by {float(f'{100.0 * below:.3g}'):+g} %: {conclusion}."
     )
     return [Note(Assumption.CURVE, standing, statement, PUNCHES)]
 

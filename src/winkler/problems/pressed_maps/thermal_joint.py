@@ -57,7 +57,7 @@ class ThermalJoint:
     InvalidInput
         If an argument has the wrong type, or a number is negative.
     OutsideValidity
-        If a body is a rod, or a plating is far thinner than a pixel.
+        If a body is a rod, or a plating is thinner than 1e-7 of the map.
 
     References
     ----------
