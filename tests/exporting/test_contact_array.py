@@ -264,6 +264,7 @@ def test_what_is_refused():
         (lambda: array.step(1e61), "contact 0"),
         (lambda: ContactArray(gel, 2, count=4).step(0.0), "needs the duration"),
         (lambda: ContactArray(gel, 2, count=4).step(0.0, duration=[1.0, -1.0]), "duration is -1 at contact 1"),
+        (lambda: ContactArray(gel, 2, count=4).step(0.0, duration=[1.0, 5e-324]), "duration is 4.9.*at contact 1"),
         (lambda: array.remove([3]), "which holds 3; give whole numbers from 0 to 2"),
         (lambda: array.remove([True, False]), r"which has the shape \(2,\) for 3 contacts"),
         (lambda: array.remove([0.5]), "whole numbers"),
@@ -307,9 +308,10 @@ def test_no_law_answers_with_what_is_no_number(name):
     deepest = np.max(law.trial[:, 0])
     depths = [0.0, deepest, 5e-324, -5e-324, 1e-300, 0.0, -1e59, 1e-60, 1e-9 * deepest, -1e-30, deepest, deepest, -1e59]
     sizes = np.array([0.0, 5e-324, 1e-60, 1e-9, 1.0, 1e59])
+    durations = np.where(sizes > 0.0, np.maximum(sizes, 1e-60), 0.0)
     array = ContactArray(PROBLEMS[name], sizes.size, count=8)
     for depth in depths:
-        for word, size in (("motion", np.outer(sizes, [1.0, -1.0])), ("twist", sizes), ("duration", sizes)):
+        for word, size in (("motion", np.outer(sizes, [1.0, -1.0])), ("twist", sizes), ("duration", durations)):
             names = {WORDS.get(number.name, number.name): None for number in law.motion[1:]}
             taken = {key: size if key == word else 0.0 for key in names if not key.endswith("_y")}
             array.step(depth, **taken)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.physical_size import LARGEST_NUMBER
+from winkler.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.exporting.many.loops import first_beyond
 from winkler.numerics.types import Array
@@ -23,7 +23,8 @@ def checked_entry(word: str, given: Any, size: int) -> Array:
     Raises
     ------
     InvalidInput
-        If its shape does not agree, or a number is not finite, beyond all physics, or a negative duration.
+        If its shape does not agree, or a number is not finite, beyond all physics, or a negative duration, or one that
+        is tiny but not zero: its rate would have no number.
     """
     width = WIDTHS[word]
     try:
@@ -44,6 +45,13 @@ def checked_entry(word: str, given: Any, size: int) -> Array:
             f"ContactArray: {word} is {numbers.ravel()[place]:g} at contact {place // max(int(np.prod(width)), 1)}; "
             f"give finite numbers in SI units {least} to {LARGEST_NUMBER:g}."
         )
+    if word == "duration":
+        tiny = np.flatnonzero((numbers > 0.0) & (numbers < SMALLEST_NUMBER))
+        if tiny.size:
+            raise InvalidInput(
+                f"ContactArray: duration is {numbers[tiny[0]]:g} s at contact {tiny[0]}; give {SMALLEST_NUMBER:g} s or "
+                "more, or zero."
+            )
     return numbers
 
 

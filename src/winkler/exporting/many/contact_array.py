@@ -104,7 +104,8 @@ class ContactArray(ContactStore):
         roll : ndarray, (n, 2) or (2,), optional
             By which they roll over each other [rad]; of `Contacts`.
         duration : float or ndarray, (n,), optional
-            Of the step [s]; needed by bodies that relax, zero for a sudden step.
+            Of the step [s], zero or at least 1e-60; needed by bodies that relax.  Zero is a sudden step; solids of
+            springs and dashpots side by side, which no force moves suddenly, answer it with the force at rest.
 
         Raises
         ------

@@ -216,7 +216,7 @@ class FrictionHeatingSolution:
 
     @property
     def tian_kennedy_temperature(self) -> Quantity:
-        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]."""
+        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are left out."""
         return self._estimate(tian_kennedy)
 
     def _estimate(self, per_watt: Callable[[HeatSource, HeatBody, Array], Array]) -> Quantity:
