@@ -99,8 +99,8 @@ class LayeredSurface(NamedTuple):
             kernel = radial_kernel(self.response, max(0, math.ceil(math.log2(farthest / self.response.length))))
         except NotConverged:
             raise NotConverged(
-                "the displacements of the layers are not resolved, since their moduli, or resistivities, differ by more "
-                "than winkler can carry; give layers that differ by a factor of less than 1e8."
+                "the displacements of the layers are not resolved, since their moduli, or resistivities, differ by "
+                "more than winkler can carry; give layers that differ by a factor of less than 1e8."
             ) from None
         return self.unit * over_pixels(kernel, shape, (dx, dy))
 

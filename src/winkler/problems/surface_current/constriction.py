@@ -64,7 +64,8 @@ class SurfaceConstriction:
     InvalidInput
         If a number is out of range, or a temperature is not above that of the bodies.
     OutsideValidity
-        If a body is a rod, since a map spreads the current into thick bodies, or a plating is thinner than 1e-7 of the map.
+        If a body is a rod, since a map spreads the current into thick bodies, or a plating is thinner than
+        1e-7 of the map.
 
     References
     ----------
