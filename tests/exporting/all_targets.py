@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import io
+import platform
 import shutil
 import subprocess
 import xml.etree.ElementTree as ET
@@ -35,6 +36,17 @@ FOLLOW = """#include "{name}.h"
         memcpy(answers + (size_t)k * {gives}, &answer, sizeof(answer));
     }}
 }}
+"""
+FILED = """    {{
+        double *motions = malloc(8 * {takes}), *answers = malloc(8 * {gives});
+        FILE *file = fopen("{name}.motions", "rb");
+        if (fread(motions, 8, {takes}, file) != {takes}) return 1;
+        fclose(file);
+        {name}_follow(motions, answers, {histories}, {steps});
+        file = fopen("{name}.filed", "wb");
+        fwrite(answers, 8, {gives}, file);
+        fclose(file);
+    }}
 """
 FOLLOW_FORTRAN = """
 subroutine {name}_follow(motions, answers, histories, steps) bind(c)
@@ -143,6 +155,25 @@ def by_webassembly(folder, laws, motions):
     (folder / "page.mjs").write_text(PAGE.format(laws=str(sizes).replace("'", '"')))
     _run(folder, "node", "page.mjs")
     read = {name: np.frombuffer((folder / f"{name}.answers").read_bytes()) for name in laws}
+    return {name: read[name].reshape(*motions[name].shape[:2], -1) for name in laws}
+
+
+def by_c_with_the_library_of_webassembly(folder, laws, motions):
+    """Return what a program answers whose library of C is musl, which WebAssembly has, too; after `by_webassembly`."""
+    sources = {f"{name}.h": c_law(law, name) for name, law in laws.items()}
+    steps = []
+    for name, law in laws.items():
+        histories, length = motions[name].shape[:2]
+        takes, gives = (histories * length * len(numbers) for numbers in (law.motion, law.answer))
+        steps.append(FILED.format(name=name, takes=takes, gives=gives, histories=histories, steps=length))
+    parts = [_follow(name, law) for name, law in laws.items()]
+    main = ["#include <stdio.h>\n#include <stdlib.h>\n", *parts, "int main(void) {\n", *steps, "    return 0;\n}\n"]
+    sources["laws.c"] = "".join(main)
+    target = f"{platform.machine()}-linux-musl"
+    (folder / "laws").write_bytes(compilers.compiled_by_zig(sources, target, ("-static",), "laws"))
+    (folder / "laws").chmod(0o755)
+    _run(folder, "./laws")
+    read = {name: np.frombuffer((folder / f"{name}.filed").read_bytes()) for name in laws}
     return {name: read[name].reshape(*motions[name].shape[:2], -1) for name in laws}
 
 
