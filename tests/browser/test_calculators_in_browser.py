@@ -148,10 +148,10 @@ def test_a_curve_is_read_off_and_narrow_pages_fit(opened):
     chart = page.locator("svg.chart")
     chart.focus()
     page.keyboard.press("Home")
-    assert page.locator(".told").text_content().startswith("FN 0.001 N")
+    assert page.locator(".spoken").text_content().startswith("FN 0.001 N")
     page.keyboard.press("End")
     page.keyboard.press("ArrowLeft")
-    read = page.locator(".told").text_content()
+    read = page.locator(".spoken").text_content()
     force, depth = (float(number) for number in re.findall(r"(\d[\d.]*) ", read))
     at.go(calculator("normal"), {"force": force})
     page.wait_for_function("force => document.querySelector('[data-field=force]').value === String(force)", arg=force)
@@ -177,12 +177,12 @@ def test_the_curves_of_a_report_are_read_off(browser, tmp_path):
     figure.locator("svg").focus()
     page.keyboard.press("End")
     panel = json.loads(page.locator("#curves").text_content())["pressure"][0]
-    read = figure.locator(".told").text_content()
+    read = figure.locator(".spoken").text_content()
     assert read.startswith("distance from the axis r ")
     assert float(re.search(r"r (\S+) µm", read)[1]) == pytest.approx(panel["curves"][0]["x"][-1], rel=1e-4)
     box = figure.locator("svg").bounding_box()
     page.mouse.move(box["x"] + box["width"] * 0.5, box["y"] + box["height"] * 0.5)
-    assert figure.locator(".told").text_content() != read
+    assert figure.locator(".spoken").text_content() != read
     assert figure.locator(".reading .said").count() == 1
     assert heard == []
     context.close()

@@ -79,7 +79,7 @@ class Calculator(NamedTuple):
     valid : str
         One sentence on how far it holds.
     page : str
-        Of the manual, where more is told.
+        Of the manual, which describes the problem.
     study : str
         The body of a study file: ``{name}`` stands for a slider with its unit, ``{=name}`` for a number in SI units.
     kernel : callable

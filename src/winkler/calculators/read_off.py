@@ -29,18 +29,18 @@ figure svg:focus-visible { outline: 3px solid #00639c; outline-offset: 2px; }
 .reading .at { fill: #b34700; }
 .reading .back { fill: #fff; stroke: #57626e; stroke-width: .6; }
 .reading text { fill: #22272e; font-family: system-ui, sans-serif; }
-.told { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); }
+.spoken { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); }
 @media print { .reading { display: none; } }
 """
 BEGIN = """
 for (const [name, panels] of Object.entries(JSON.parse(document.getElementById("curves").textContent))) {
   const picture = document.querySelector(`[id^="${name}-"]`)?.closest("svg");
   if (!picture) continue;
-  const told = document.createElement("p");
-  told.className = "told";
-  told.setAttribute("aria-live", "polite");
-  picture.after(told);
-  readOff(picture, () => panels, told);
+  const spoken = document.createElement("p");
+  spoken.className = "spoken";
+  spoken.setAttribute("aria-live", "polite");
+  picture.after(spoken);
+  readOff(picture, () => panels, spoken);
   picture.setAttribute("aria-label", `${picture.getAttribute("aria-label")} Arrow keys read the curves off.`);
 }
 """

@@ -17,7 +17,7 @@ __all__ = ["APP", "HERE", "calculator_page", "described", "joined_script", "modu
 
 HERE = Path(__file__).parent / "page"
 APP = "http://127.0.0.1:8765"
-"""Where `winkler app` is, unless told otherwise."""
+"""Where `winkler app` is, unless another address is given."""
 IMPORTS = re.compile(r"^import .*;\n", re.MULTILINE)
 EXPORTS = re.compile(r"^export (?=async|class|const|function)", re.MULTILINE)
 

@@ -17,13 +17,13 @@ RENDER = """
 export default {
   async render({ model, el }) {
     const run = await kernelsOf(fromBase64(model.get("module")));
-    const room = document.createElement("div");
-    room.className = "room";
+    const holder = document.createElement("div");
+    holder.className = "holder";
     el.classList.add("calculators");
-    el.append(room);
+    el.append(holder);
     const one = model.get("calculator");
     let own = false;
-    const panel = new Panel(room, one, run, (values) => {
+    const panel = new Panel(holder, one, run, (values) => {
       own = true;
       model.set("values", Object.fromEntries(one.sliders.map(({ name }, k) => [name, values[k]])));
       model.save_changes();

@@ -82,9 +82,9 @@ function symbolOf(symbol) {
 
 const plainOf = (symbol) => symbol.replaceAll("_", "");
 
-// One calculator in a room.  `changed(values, answer, study)` hears of every change.
+// One calculator in an element of the page, its holder.  `changed(values, answer, study)` hears of every change.
 export class Panel {
-  constructor(room, one, run, changed, start = {}) {
+  constructor(holder, one, run, changed, start = {}) {
     [this.one, this.run, this.changed] = [one, run, changed];
     this.values = one.sliders.map((slider) => this.within(slider, start[slider.name]) ?? slider.start);
     this.across = Math.max(0, one.sliders.findIndex(({ name }) => name === (start.across ?? one.across)));
@@ -102,7 +102,7 @@ export class Panel {
     const sliders = made("form", { class: "sliders", "aria-label": "What is given" }, ...this.fields.map(({ row }) => row));
     sliders.addEventListener("submit", (event) => event.preventDefault());
     const found = made("div", { class: "found" }, this.head, picks, picture, this.table, made("p", { class: "valid" }, one.valid));
-    room.replaceChildren(sliders, found);
+    holder.replaceChildren(sliders, found);
     this.chart = new Chart(picture);
     this.update();
   }

@@ -28,26 +28,26 @@ function decades(low, high, most = 6) {
 }
 
 export class Chart {
-  constructor(room) {
+  constructor(holder) {
     this.svg = element("svg", { role: "img", class: "chart" });
-    this.told = document.createElement("p");
-    this.told.className = "told";
-    this.told.setAttribute("aria-live", "polite");
+    this.spoken = document.createElement("p");
+    this.spoken.className = "spoken";
+    this.spoken.setAttribute("aria-live", "polite");
     this.under = element("g", { class: "axes" });
     this.line = element("path", { class: "curve" });
     this.dot = element("circle", { class: "now", r: 6 });
     this.svg.append(this.under, this.line, this.dot);
-    room.append(this.svg, this.told);
+    holder.append(this.svg, this.spoken);
     this.panel = { size: SIZE, curves: [] };
-    this.room = room;
+    this.holder = holder;
     this.resize();
-    this.reading = readOff(this.svg, () => [this.panel], this.told);
+    this.reading = readOff(this.svg, () => [this.panel], this.spoken);
     this.sized = new ResizeObserver(() => this.resize() && this.last && this.draw(...this.last));
-    this.sized.observe(room);
+    this.sized.observe(holder);
   }
 
   resize() {
-    const width = Math.round(Math.max(NARROWEST, Math.min(this.room.clientWidth || WIDEST, WIDEST)));
+    const width = Math.round(Math.max(NARROWEST, Math.min(this.holder.clientWidth || WIDEST, WIDEST)));
     if (width === this.width) return false;
     this.width = width;
     const height = Math.round(0.3 * width + 190);

@@ -50,7 +50,7 @@ export async function open({ calculators, module, app }) {
     byId("manual").href = one.page;
     tabs.forEach((tab) =>
       tab.dataset.name === one.name ? tab.setAttribute("aria-current", "page") : tab.removeAttribute("aria-current"));
-    panel = new Panel(byId("room"), one, run, changed, start);
+    panel = new Panel(byId("holder"), one, run, changed, start);
     document.title = `${one.title} – winkler`;
     write();
   };

@@ -33,8 +33,8 @@ export function placed(panel, x, y) {
 
 const said = (axis, number) => `${axis.title ? `${axis.title} ` : ""}${shown(number)}${axis.unit ? ` ${axis.unit}` : ""}`;
 
-// Let a picture be read off; `told` is an element that screen readers follow.  Returns what hides the reading.
-export function readOff(svg, panels, told) {
+// Let a picture be read off; `spoken` is an element that screen readers follow.  Returns what hides the reading.
+export function readOff(svg, panels, spoken) {
   let held = null; // [panel, curve, index]
   const layer = element("g", { class: "reading", "aria-hidden": "true" });
   svg.append(layer);
@@ -75,7 +75,7 @@ export function readOff(svg, panels, told) {
     const over = Math.max(space.x + size, Math.min(at[0] + size, space.x + space.width - width - size));
     const above = at[1] - tall - 1.8 * size > space.y ? at[1] - tall - 1.4 * size : at[1] + size;
     box.setAttribute("transform", `translate(${over} ${above})`);
-    if (told) told.textContent = lines.join(", ");
+    if (spoken) spoken.textContent = lines.join(", ");
   };
   const near = (event) => {
     const matrix = svg.getScreenCTM();
