@@ -174,6 +174,7 @@ def test_a_fast_source_is_a_plane_one():
     assert wake == pytest.approx(2.0 / np.pi * np.sqrt(1.5 / 2e4 / np.pi), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_ring_is_warmest_beside_its_middle():
     peak = RING.peak(20.0)
     assert peak.y > 0.5
@@ -236,3 +237,38 @@ def test_the_warmest_circle_is_that_of_all(source, length):
     """A table of a few digits chooses; the number is computed in full."""
     circles = np.sin(np.linspace(0.0, 0.5 * np.pi, 33))
     assert source.warmest(length, circles) == pytest.approx(np.max(source.risen(length, circles)), rel=1e-14)
+
+
+def overlap_transform(order, power):
+    """Return the integral of k^(-power) J_order(k) J_1(k), the critical case of Weber and Schafheitlin."""
+    doubled = (order + 2.0 - power, power + order, order + 2.0 + power, 2.0 - order + power)
+    first, *others = (special.loggamma(0.5 * part) for part in doubled)
+    return special.loggamma(power) + first - power * np.log(2.0) - sum(others)
+
+
+def transformed_mean(order, wave):
+    """Return the mean by plane waves, J_order(k)/k^order times J_1(k)/k, as an integral of Mellin and Barnes."""
+    scale = {1.0: 4.0, 1.5: 6.0 * np.sqrt(0.5 * np.pi)}[order]
+    s = 0.125 + 1j * np.linspace(-40.0, 40.0, 4001)
+    turned = special.loggamma(s) + special.loggamma(0.25 - s) + special.loggamma(0.75 - s) - special.loggamma(1.0 - s)
+    whole = np.exp(turned + overlap_transform(order, order + 1.0 - 2.0 * s) - 2.0 * s * np.log(wave)).real
+    step = 80.0 / 4000
+    return scale * np.sum(whole) * step / (4.0 * np.pi**2) / (special.gamma(0.25) * special.gamma(0.75))
+
+
+@pytest.mark.parametrize("wave", [1e-2, 20.0, 2e5, 8e7, 1e12])
+def test_the_mean_is_a_closed_integral_at_all_speeds(wave):
+    assert UNIFORM.mean(wave) == pytest.approx(transformed_mean(1.0, wave), rel=2e-10)
+    assert HERTZ.mean(wave) == pytest.approx(transformed_mean(1.5, wave), rel=2e-10)
+
+
+def test_the_mean_of_a_fast_disc_is_that_of_plane_flow():
+    """Uniform heat, no conduction along the surface: 2 q/lambda sqrt(kappa l / pi V) a length l behind the edge."""
+    wave, (node, weight) = 1e12, np.polynomial.legendre.leggauss(200)
+    half = np.sin(0.25 * np.pi * (1.0 + node))  # of the chord, which is 2 cos of the angle long
+    cosine = np.sqrt(1.0 - half**2)
+    chords = 0.5 * np.pi * np.sum(weight * cosine * (2.0 * cosine) ** 1.5 * 2.0 / 3.0) / np.pi
+    plane = 2.0 / np.pi * np.sqrt(1.0 / (np.pi * wave)) * chords
+    assert UNIFORM.mean(wave) == pytest.approx(plane, rel=1e-9)
+    ring = RING.mean(wave) * np.sqrt(wave)
+    assert ring == pytest.approx(RING.mean(1e14) * 1e7, rel=1e-9)

@@ -18,7 +18,8 @@ import math
 
 import numpy as np
 
-from winkler.numerics.fields.moving_source import disc_mean, spread_loads, surface_points
+from winkler.numerics.fields.disc_mean import disc_mean
+from winkler.numerics.fields.moving_source import spread_loads, surface_points
 from winkler.numerics.fields.source_tables import cosine_rule, lag_table, powers, spread_table
 from winkler.numerics.fields.warmest_place import LEAST_TEMPERATURE_GAIN, PeakTemperature, warmest_place
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -30,8 +31,6 @@ __all__ = ["TOLERANCE", "LineSource", "PeakTemperature"]
 
 TOLERANCE = 1e-11
 """Of the line load, relative to its greatest value."""
-MEAN_NODES = 10
-"""Nodes on every piece, in every one of the three integrals of a mean."""
 TIME_NODES = 20
 ROUGH_TOLERANCE = 1e-6
 """Of the greatest line load, to which circles are compared before the warmest are computed in full."""
@@ -107,7 +106,7 @@ class LineSource:
 
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the disc [W/m], on a body that moves."""
-        return self.scale * disc_mean(abs(wave) * self.radius, (*self.table, *lag_table(), *cosine_rule(MEAN_NODES)))
+        return disc_mean(abs(wave) * self.radius, self.joints, lambda part: self.load(self.radius * part))
 
     def peak(self, wave: float) -> PeakTemperature:
         """Return the greatest lambda T on a body that moves, and its place."""

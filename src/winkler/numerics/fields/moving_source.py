@@ -22,7 +22,7 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["disc_mean", "line_load", "panel_value", "spread_loads", "surface_points"]
+__all__ = ["line_load", "panel_value", "spread_loads", "surface_points"]
 
 LENGTH_RATIO = 4.0
 """Ratio of the lengths of consecutive pieces that leave a boundary layer."""
@@ -227,50 +227,3 @@ def surface_points(x: Array, y: Array, wave: float, source: Source, result: Arra
                 part += weights[k] * _lagged(s, b, source, cuts)
             total += width * part
         result[i] = (2.0 if y[i] == 0.0 else 1.0) * total / (2.0 * math.pi)
-
-
-@compiled
-def disc_mean(wave: float, source: Source) -> float:
-    """Return the mean of lambda T over the disc, over the scale of q: chords of the disc weigh each direction."""
-    joints, nodes, weights = source[0], source[6], source[7]
-    turns = np.empty(MOST_CUTS)
-    places = np.empty(MOST_CUTS)
-    cuts = np.empty(MOST_CUTS)
-    turns[0] = 0.0
-    turns[1] = 0.5 * math.pi
-    count = 2
-    layer = 1.0 / max(wave, 1e-9)
-    while layer < 1.0:
-        count = _angle(0.5 * math.pi - layer, turns, count, 0.0)
-        layer *= LENGTH_RATIO
-    ordered = np.sort(turns[:count])
-    total = 0.0
-    for j in range(count - 1):
-        width = ordered[j + 1] - ordered[j]
-        for k in range(nodes.size):
-            b = wave * math.cos(ordered[j] + width * nodes[k])
-            held = 2
-            places[0] = -1.0
-            places[1] = 1.0
-            for joint in joints[:-1]:
-                places[held] = joint
-                places[held + 1] = -joint
-                held += 2
-            layer = 2.0 / max(b, 1e-9)
-            while layer < 1.0 and held < places.size - 2:
-                places[held] = 1.0 - layer
-                places[held + 1] = layer - 1.0
-                held += 2
-                layer *= LENGTH_RATIO
-            along = np.sort(places[:held])
-            value = 0.0
-            for m in range(held - 1):
-                span = along[m + 1] - along[m]
-                if span <= 0.0:
-                    continue
-                for n in range(nodes.size):
-                    s = along[m] + span * nodes[n]
-                    chord = math.sqrt(max(1.0 - s * s, 0.0))
-                    value += span * weights[n] * chord * _lagged(s, b, source, cuts)
-            total += width * weights[k] * value
-    return 2.0 * total / math.pi**2

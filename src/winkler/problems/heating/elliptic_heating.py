@@ -181,7 +181,8 @@ class EllipticFrictionHeatingSolution:
     heat_rate : float or ndarray
         Q = mu F v, the heat of friction per time [W].
     first_share : float or ndarray
-        Part of it that goes into the first body [-].
+        Part of it that goes into the first body [-]; without contact the fixed one, or that of bodies at rest, their
+        conductivities against each other.
     first_peclet, second_peclet : float or ndarray
         Pe = V l / (2 kappa) of either body, with half the length l of the ellipse along its motion [-].
     first_max_temperature, second_max_temperature : float or ndarray

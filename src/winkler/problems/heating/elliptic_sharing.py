@@ -10,7 +10,7 @@ from winkler.laws.heat import HeatPartition
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.types import Array
-from winkler.problems.heating.estimates import first_share, shared
+from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.heated_ellipse import half_length
 
 __all__ = ["estimated_ellipse", "shared_ellipse_temperatures"]
@@ -41,7 +41,7 @@ def shared_ellipse_temperatures(
         Share; greatest of the first, of the second; mean of the first, of the second.
     """
     if axes[0] == 0.0:
-        return bodies[0].conductivity / (bodies[0].conductivity + bodies[1].conductivity), 0.0, 0.0, 0.0, 0.0
+        return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
     source, peaks, means = EllipticSource(*axes), [], []
     for speed, direction, body in zip(speeds, directions, bodies, strict=True):
         wave = speed / body.diffusivity

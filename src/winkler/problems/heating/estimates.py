@@ -21,7 +21,7 @@ from winkler.numerics.types import Array
 from winkler.problems.heating.heat_source import HeatSource
 from winkler.problems.heating.moved_body import HeatBody, moved_body, top
 
-__all__ = ["fast", "first_share", "shared", "stationary", "tian_kennedy"]
+__all__ = ["fast", "first_share", "idle_share", "shared", "stationary", "tian_kennedy"]
 
 
 def stationary(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
@@ -62,6 +62,12 @@ def first_share(partition: HeatPartition, greatest: Sequence[Any], means: Sequen
             return means[1] / (means[0] + means[1])
         case _:
             return greatest[1] / (greatest[0] + greatest[1])
+
+
+def idle_share(partition: HeatPartition, bodies: Sequence[HeatBody]) -> float:
+    """Return the first body's part of the heat of bodies that do not touch: a fixed one, or that of bodies at rest."""
+    first, second = (top(body).conductivity for body in bodies)
+    return partition.first_share if isinstance(partition, FixedShare) else first / (first + second)
 
 
 def shared(first: Array, second: Array, partition: HeatPartition) -> Array:

@@ -169,7 +169,8 @@ class LineFrictionHeatingSolution:
     heat_per_length : float or ndarray
         Q = mu P v, the heat of friction per time and length [W/m].
     first_share : float or ndarray
-        Part of it that goes into the first body [-].
+        Part of it that goes into the first body [-]; without contact the fixed one, or that of bodies at rest, their
+        conductivities against each other.
     first_peclet, second_peclet : float or ndarray
         Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray

@@ -12,7 +12,7 @@ from winkler.laws.heat import HeatPartition
 from winkler.numerics.fields.band_source import FAST, BandSource
 from winkler.numerics.types import Array
 from winkler.problems.heating.band_flux import band_sources
-from winkler.problems.heating.estimates import first_share, shared
+from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_under_band, top
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import rim_load
@@ -55,8 +55,7 @@ def _shares(
     source: BandSource | None, bodies: Bodies, partition: HeatPartition, speeds: Sequence[float]
 ) -> tuple[float, ...]:
     if source is None:
-        first, second = (top(body).conductivity for body in bodies)
-        return first / (first + second), 0.0, 0.0, 0.0, 0.0
+        return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
     peaks, means = [], []
     for speed, body in zip(speeds, bodies, strict=True):
         wave = speed / fastest_conductor(body).diffusivity

@@ -8,9 +8,9 @@ import numpy as np
 
 from winkler.laws.heat import HeatPartition
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.heating.estimates import first_share, shared
+from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
-from winkler.problems.heating.moved_body import HeatBody, moved_body, top
+from winkler.problems.heating.moved_body import HeatBody, moved_body
 from winkler.problems.normal.indentation import IndentationSolution
 
 __all__ = ["estimated", "shared_temperatures"]
@@ -50,8 +50,7 @@ def _shares(
 ) -> tuple[float, ...]:
     """Return the share of the first body, and greatest and mean temperatures of both for 1 W in all [K/W]."""
     if heat is None:
-        first, second = (top(body).conductivity for body in bodies)
-        return first / (first + second), 0.0, 0.0, 0.0, 0.0
+        return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
     moved = [moved_body(heat.source, body, abs(speed)) for speed, body in zip(speeds, bodies, strict=True)]
     peaks, means = [each.peak.height for each in moved], [each.mean for each in moved]
     share = first_share(partition, peaks, means)

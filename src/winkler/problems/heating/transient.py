@@ -27,7 +27,7 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.path import OneLoad
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note
-from winkler.problems.heating.estimates import first_share, shared
+from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.heat_source import heat_source
 from winkler.problems.heating.input_checks import RubbingBodies
 from winkler.problems.heating.validity import STEADY_SOURCE, sliding_contact_notes
@@ -119,8 +119,7 @@ class TransientHeating(RubbingBodies):
         """
         contact = Indentation(self.bed, self.load).solve()
         heat = self.law.coefficient * float(contact.force) * self.speed
-        conductivities = [body.conductivity for body in self._bodies]
-        share = np.full(self.time.shape, conductivities[0] / sum(conductivities))
+        share = np.full(self.time.shape, idle_share(self.partition, self._bodies))
         parts = [np.zeros(self.time.shape)] * 4
         if contact.radius > 0.0:
             source = heat_source(contact.pressed).source
