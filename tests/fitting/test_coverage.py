@@ -43,6 +43,7 @@ def hits(sticky: bool, memory: float, seeds: range, points: int) -> dict[str, in
     return inside
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("memory", [0.0, 0.7])
 def test_some_curves(memory):
     """Eight curves: fewer hits than this happen once in a thousand tests of an honest interval."""

@@ -31,6 +31,7 @@ def test_a_start_that_explains_the_curve_needs_no_other(monkeypatch, name, saved
     assert found.standard_errors == pytest.approx(other.standard_errors, rel=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [30_000, 30_036])
 def test_a_restart_ends_near_a_known_optimum_and_still_finds_a_likelier_one(monkeypatch, seed):
     """Under the second seed another point at the snap is in contact; the contact point moves by half its error."""

@@ -72,6 +72,7 @@ def test_without_noise_the_numbers_come_back():
     assert found.value("contact_point") == pytest.approx(ORIGIN, rel=1e-8)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("stiffness", [SPRING, np.inf])
 def test_jkr_there_and_back(stiffness):
     position, inward = there_and_back(-1e-6, 1e-6, 300)
@@ -91,6 +92,7 @@ def test_jkr_on_retraction_alone():
     within(found, {PATH: YOUNG, "law.work": WORK, "contact_point": ORIGIN})
 
 
+@pytest.mark.slow
 def test_an_early_pull_off_is_read_from_the_curve():
     """Vibration parts the contact before its limit: the numbers do not suffer."""
     position, inward = there_and_back(-1e-6, 1e-6, 300)
@@ -204,6 +206,7 @@ def test_two_moduli_of_one_pair_cannot_be_distinguished():
         fit(curve, model, free=[PATH, "bed.medium.second.young", "contact_point", "baseline"])
 
 
+@pytest.mark.slow
 def test_a_number_that_does_nothing_is_named():
     position, _ = there_and_back(-1e-6, 1e-6, 200)
     curve = measured(hertz_on_spring(position, MODULUS, R, SPRING), position)

@@ -107,6 +107,7 @@ def models() -> dict:
     }
 
 
+@pytest.mark.slow
 def test_a_sticky_curve_speaks_for_jkr():
     position, inward = there_and_back(-1e-6, 1e-6, 150)
     force = jkr(position, inward, MODULUS, R, 1e-4, 0.05) + 3e-11 * noise(np.random.default_rng(1), 300)
@@ -142,6 +143,7 @@ def test_comparing_nothing_is_refused():
         compare(curve, {"DMT of a cone": models()["DMT of a cone"]})
 
 
+@pytest.mark.slow
 def test_what_cannot_be_told_apart_is_named():
     """A ball and a cone far apart; a ball, and one with an attraction that the noise hides."""
     position, _ = there_and_back(-1e-6, 1e-6, 150)

@@ -63,6 +63,7 @@ def test_a_ball_does_not_explain_a_cone():
     ]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("memory", [0.0, 0.9])
 @pytest.mark.parametrize("seed", range(4))
 def test_a_right_model_is_let_through(seed, memory):

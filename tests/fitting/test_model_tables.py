@@ -50,6 +50,7 @@ def test_one_table_for_all_moduli_gives_hertz(spring):
 SLOW = pytest.mark.slow
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ratio", "thickness"),
     [

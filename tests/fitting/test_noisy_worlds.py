@@ -32,6 +32,7 @@ def outcomes(world, seeds):
     return np.sum(hits, axis=0), np.array(off)
 
 
+@pytest.mark.slow
 def test_a_few_curves_of_each_world():
     """Fewer hits than this happen once in a thousand tests of honest intervals; white ones would have two thirds."""
     seeds = range(2)
@@ -86,6 +87,7 @@ def test_a_drag_and_a_drift_do_not_move_the_modulus():
     assert not any(flag.name == "misfit" for flag in found.flags)
 
 
+@pytest.mark.slow
 def test_slow_noise_does_not_speak_for_another_model():
     """A ball in a world of 1/f noise, drift and tilt: the ball is likelier, or the curve cannot tell."""
     world = QUICK["everything"]

@@ -57,6 +57,7 @@ ROUNDED = {
 }  # fmt: skip
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("sides", [3, 4])
 def test_blunt_pyramids_by_boundary_elements(sides):
     """Modulus and radius of the apex together, from a spline through the forces of the elements."""
@@ -87,6 +88,7 @@ def test_blunt_pyramids_by_boundary_elements(sides):
     assert found.value(apex) == pytest.approx(radius, rel=0.02)
 
 
+@pytest.mark.slow
 def test_sticky_pyramids_are_fitted_as_cones():
     """JKR's cone, closed form: the pyramid's equivalent cone, and its modulus and work come back."""
     theta = math.atan(0.5 * math.pi * PUBLISHED[4] * TANGENT)

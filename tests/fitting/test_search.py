@@ -53,6 +53,7 @@ KINDS = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_stream_ends_with_what_fit_finds(kind):
     one, model, free = KINDS[kind]()

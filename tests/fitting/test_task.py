@@ -68,6 +68,7 @@ def test_jkr_on_a_spring(stiffness):
             assert columns[index, column] == pytest.approx(exact, rel=1e-3, abs=1e-5 * np.abs(columns[:, column]).max())
 
 
+@pytest.mark.slow
 def test_a_coating_against_whole_predictions():
     """On a coated body no closed form exists: the difference of two whole predictions, by central differences."""
     film = wk.Layer(wk.Elastic(2e4, 0.45), 2e-6)

@@ -30,6 +30,7 @@ from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.generalised import Generalised, generalised, likeliest
 from winkler.fitting.least_squares import solved
+from winkler.fitting.not_white import not_white
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
@@ -272,7 +273,7 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         "flags": (*flags, *task.doubts(numbers, errors)),
     }
     result = task.outcome(numbers, prediction, shared)
-    further = [*doubts(task.parameters, coordinates, result, uncertainty)]
+    further = [*doubts(task.parameters, coordinates, result, uncertainty), *not_white(task, best)]
     if not any(flag.name == "no_baseline" for flag in result.flags):
         both = ("approach", "retract") if isinstance(result, Fit) else ("approach",)
         unseen = [*without_baseline(result.curve, result.touched, both)]

@@ -16,6 +16,7 @@ REFUSING_FLAGS = {
 FLAG_MEANINGS = {
     "misfit": "residuals are more than the noise: the model does not explain the curve",
     "memory": "the noise is slow: fewer than five independent points for each number",
+    "not_white": "noise was stated to be white, but residuals are slow: leave noise_spectrum out",
     "at_bound": "a number has reached its bound; its error has no meaning: widen the bound, or fix the number",
     "undetermined": "a number is less than its own error: fix it, or give more of the curve",
     "correlated": "two numbers act nearly alike: fix one of them",

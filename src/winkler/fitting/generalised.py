@@ -13,7 +13,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.fitting.least_squares import bounds
 from winkler.fitting.misfit import FEWEST_FREE_POINTS, Misfit, misfit_of
-from winkler.fitting.noise.estimate import NoiseEstimate, noise_of
+from winkler.fitting.noise.estimate import NoiseEstimate
 from winkler.fitting.search import Search
 from winkler.fitting.task import FitTask, Prediction
 from winkler.numerics.types import Array
@@ -191,4 +191,4 @@ def _at(task: FitTask, coordinates: Array) -> Generalised:
     prediction = task.prediction(coordinates)
     jacobian = task.instrument(coordinates, prediction)
     residuals = (task.measured - prediction.fitted) * task.weights
-    return Generalised(coordinates, prediction, residuals, noise_of(residuals, jacobian, task.courses(jacobian)))
+    return Generalised(coordinates, prediction, residuals, task.noise_of(residuals, jacobian))

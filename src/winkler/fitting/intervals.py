@@ -19,7 +19,6 @@ import numpy as np
 
 from winkler.fitting.elastic.task import ElasticTask, elastic_task
 from winkler.fitting.least_squares import bounds, solved
-from winkler.fitting.noise.estimate import noise_of
 from winkler.fitting.noise.whitening import whitening_of
 from winkler.fitting.outcome import Fit
 from winkler.fitting.search import Search
@@ -85,7 +84,7 @@ def _decorrelated(task: ElasticTask, coordinates: Array) -> ElasticTask:
     prediction = task.prediction(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
     jacobian = task.jacobian(coordinates, prediction)
-    noise = noise_of(residuals, jacobian, task.courses(jacobian))
+    noise = task.noise_of(residuals, jacobian)
     return task._replace(whitening=whitening_of(noise))
 
 

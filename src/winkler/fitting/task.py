@@ -21,6 +21,7 @@ from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import LINE_PARAMETERS
 from winkler.fitting.noise.disturbances import disturbances_of
+from winkler.fitting.noise.estimate import NoiseEstimate, noise_of
 from winkler.fitting.noise.whitening import Whitening
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
@@ -87,9 +88,8 @@ class FitTask(_TaskFields):
     settled: ClassVar[float]
     """Relative change of sum and coordinates at which least squares stop."""
     coarse_count: ClassVar[int]
-    """Number of points for the choice between starts."""
+    """Number of points for the choice between starts, of which a coarse fit improves the first `starts_improved`."""
     starts_improved: ClassVar[int]
-    """Number of starts that a coarse fit improves."""
     starts_are_trials: ClassVar[bool]
     """Whether some starts may lie outside the validity of the model, and a single one is improved too."""
 
@@ -198,6 +198,10 @@ class FitTask(_TaskFields):
         """
         del jacobian
         return self.disturbances
+
+    def noise_of(self, residuals: Array, jacobian: Array) -> NoiseEstimate:
+        """Return the noise in weighted residuals ``(n,)`` with their jacobian ``(n, p)``, as far as it is unknown."""
+        return noise_of(residuals, jacobian, self.courses(jacobian), white=self.curve.has_white_noise)
 
     def restarts(self, coordinates: Array, covariance: Array) -> list[Array]:
         """Return coordinates from which a fit with several optima begins again; none, unless the fitted quantity jumps.

@@ -145,6 +145,7 @@ def test_a_flag_can_be_read():
     assert str(examined(good().chosen(np.arange(5)))[0]).startswith("few_points: The curve has 5 points")
 
 
+@pytest.mark.slow
 def test_noise_alone_is_no_pull():
     """The least of many means of points lies several of their errors below the far end; that is no tension."""
     position = np.linspace(-1.1e-6, 0.9e-6, 150)

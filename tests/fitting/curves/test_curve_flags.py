@@ -80,6 +80,7 @@ def rigid(made: tuple[ForceCurve, int]) -> tuple[ForceCurve, int]:
     return dataclasses.replace(made[0], machine_stiffness=math.inf), made[1]
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("hold", [0, 40])
 @pytest.mark.parametrize("seed", range(3))
 def test_a_pop_in_is_a_flag(hold, seed):
@@ -92,6 +93,7 @@ def test_a_pop_in_is_a_flag(hold, seed):
     assert "pop_in" in FLAG_MEANINGS
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("changes", [{}, {"hold": 40}, {"snap": 15.0, "pull": 30.0}, {"tilt": 5.0}])
 def test_curves_without_pop_ins_have_no_such_flag(changes):
     for seed in range(4):

@@ -87,6 +87,7 @@ def test_a_curve_without_a_baseline_has_none():
         assert curve.events.of("baseline before contact") == ()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("jump", "least"), [(12.0, 6), (30.0, 6)])
 def test_drops_of_force_while_pressed_in(jump, least):
     """Twelve times the noise, 0.9 % of the greatest force."""
@@ -130,6 +131,7 @@ def test_kinks_and_powers_are_no_steps(law, count):
     assert found_steps(signal, -1.0) == ()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("kind", "key"), [("snap-in", "snap"), ("pull-off", "pull")])
 def test_tension_before_and_after_contact(kind, key):
     for seed in range(3):
@@ -242,6 +244,7 @@ def test_a_notebook():
     assert len(str(curve.events).splitlines()) == len(lines) - 1
 
 
+@pytest.mark.slow
 def test_what_was_done_in_real_curves(shared_data):
     """JPK curves in liquid and on a gel, steel by a Hysitron: as seen in their pictures."""
     folder = shared_data / "force_curves"

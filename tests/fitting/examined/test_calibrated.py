@@ -46,6 +46,7 @@ def as_measured(travel):
     return wk.ForceCurve(POSITION - 6e-8 * VOLTS, force) if travel else wk.ForceCurve(POSITION, force, SPRING)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("travel", [False, True], ids=["position of the piezo", "travel of the tip"])
 @pytest.mark.parametrize("thermal", [False, True])
 def test_sensitivity(thermal, travel):

@@ -32,6 +32,7 @@ def solid(time, radius):
     return 0.5 + 0.5 / (1.0 + time / 300.0) ** 0.6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("share", "name", "truth"), [(liquid, "poroelastic", 2.0), (solid, "viscoelastic", 0.0)])
 def test_two_holds_tell_the_kind_of_body(share, name, truth):
     scores = []

@@ -32,6 +32,7 @@ def area(found, height):
     return sum(c * height ** (2.0 ** (1 - n)) for n, c in enumerate(found.indenter.area.coefficients))
 
 
+@pytest.mark.slow
 def test_area_and_frame_are_found_together():
     machine = Machine()
     found = calibrate_indenter(curves(machine, 1, 2, 1))

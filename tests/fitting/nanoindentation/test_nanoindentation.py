@@ -32,6 +32,7 @@ def indenter(machine, covariance=None):
     return CalibratedIndenter(CalibratedArea(machine.coefficients), machine.compliance, **more)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("sample", [SILICA, SAPPHIRE, STEEL], ids=["silica", "sapphire", "steel"])
 def test_every_unloading_is_read(sample):
     curve, truth = indentation(STILL, sample, 1, free=2.0, low_hold=2.0)
@@ -116,6 +117,7 @@ def test_intervals_hold(name):
         assert abs(np.median(errors)) < 0.2 * 2.0 * 1.96
 
 
+@pytest.mark.slow
 def test_shares_follow_their_sources():
     """Each share against finite differences of the whole evaluation, made by hand."""
     covariance = np.diag([2e-8, 0.3, 4e-8]) ** 2
@@ -154,6 +156,7 @@ def test_shares_follow_their_sources():
     assert found.young_errors == pytest.approx(np.sqrt(np.sum(found.young_shares**2, axis=0)), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_mean_of_repeated_indentations():
     """The calibration is common: no repetition makes it smaller."""
     covariance = np.diag([0.0, 0.5, 0.0]) ** 2
@@ -226,6 +229,7 @@ def test_continuous_stiffness():
         ContinuousStiffness([1e-9, 2e-9, 3e-9], [1.0, 2.0, 3.0], [1.0, 2.0])
 
 
+@pytest.mark.slow
 def test_validity_names_what_is_missing():
     curve, _ = indentation(Machine(), SILICA, 1, low_hold=0.0)
     found = Nanoindentation(curve, indenter(Machine()), 0.17).solve()

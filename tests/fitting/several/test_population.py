@@ -69,6 +69,7 @@ def test_scatter_is_separated():
     assert np.mean((low < np.exp(0.2 * random.standard_normal(4000))) & (high > 0.0)) == pytest.approx(0.975, abs=0.01)
 
 
+@pytest.mark.slow
 def test_ratio_of_groups_holds():
     random, held, worlds = np.random.default_rng(8), 0, 600
     for _ in range(worlds):

@@ -84,6 +84,7 @@ def test_joint_numbers_are_those_of_all_points():
         assert one.value("contact_point") == pytest.approx(index * 1e-6, abs=4e-9)
 
 
+@pytest.mark.slow
 def test_curves_fitted_before_are_joined():
     random = np.random.default_rng(3)
     curves = [measured(random) for _ in range(3)]
@@ -93,6 +94,7 @@ def test_curves_fitted_before_are_joined():
     assert after.interval(E) == pytest.approx(at_once.interval(E), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_another_sample_is_found():
     random = np.random.default_rng(4)
     curves = [measured(random, young=young) for young in (1e4, 1e4, 1.05e4, 1e4)]
@@ -105,6 +107,7 @@ def test_another_sample_is_found():
     assert found.single_values[:, 0] == pytest.approx([1e4, 1e4, 1.05e4, 1e4], rel=0.01)
 
 
+@pytest.mark.slow
 def test_shared_modulus_holds():
     """Three curves with 1/f noise: the interval of the shared modulus holds the truth."""
     held, flagged, worlds = 0, 0, 5

@@ -82,6 +82,7 @@ def test_frame_contact_point_and_shape_factor():
     assert found.modulus == pytest.approx(MODULUS / 1.034, rel=1e-8)
 
 
+@pytest.mark.slow
 def test_errors_are_honest():
     """Of 30 noisy unloadings about 95 % lie within 1.96 standard errors; fewer than 24 once in a thousand tests."""
     force, inside = cone(DEPTH), np.zeros(3)

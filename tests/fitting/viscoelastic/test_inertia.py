@@ -65,6 +65,7 @@ def scores(seeds, free):
     return np.array(rows)
 
 
+@pytest.mark.slow
 def test_numbers_hold_with_inertia_and_not_without():
     with_mass = FREE | {"inertia": MASS}
     rows = scores([0], with_mass)[0]

@@ -33,6 +33,7 @@ def elastic(shear, poisson, on):
     return wk.Foundation(wk.Paraboloid(BALL), film)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("on", "poisson"), [(BASE, 0.5), (wk.Elastic(500.0, 0.3), 0.4), (wk.Rigid(), 0.45)])
 def test_sudden_steps_end_in_the_elastic_films_at_once_and_after_all_time(on, poisson):
     """A depth and a force that are put on at once, against the tables of elastic layers."""
@@ -110,6 +111,7 @@ def hits(make, start, seeds):
 FAR = (4e3, 4e3, 4.0)
 
 
+@pytest.mark.slow
 def test_a_gel_on_glass():
     """Three curves of the hereditary integral: fewer hits happen once in a thousand tests of an honest interval."""
     start = model(wk.StandardSolid(*FAR, poisson=0.45), on=wk.Rigid())
@@ -122,6 +124,7 @@ def test_many_films_on_rubber():
     assert np.min(inside) >= int(binom.ppf(1e-3, 20, 0.95)), inside
 
 
+@pytest.mark.slow
 def test_a_thick_film_is_a_half_space():
     """In, held and out on a spring of the machine: numbers and errors are those of the fit of a half-space (Ting)."""
     time = np.linspace(-0.5, 3.5, 161)
@@ -141,6 +144,7 @@ def test_a_thick_film_is_a_half_space():
     assert found.standard_errors == pytest.approx(wanted.standard_errors, rel=0.03)
 
 
+@pytest.mark.slow
 def test_a_film_creeps_on_glass():
     """Under a load that grows for 1 s and stays: Phi(d) = int C(t-s) dF(s), Phi of the elastic film."""
     relaxed, shear, tau = TRUE

@@ -57,6 +57,7 @@ def judged(seeds):
     return np.array(scores)
 
 
+@pytest.mark.slow
 def test_three_cycles_give_the_solid():
     assert np.mean(judged(range(2))) >= 0.7
 

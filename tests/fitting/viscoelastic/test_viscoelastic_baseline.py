@@ -54,6 +54,7 @@ def test_creep_whatever_the_noise_of_the_position(scatter):
     assert np.all(np.abs(off.mean(axis=0)) < 3.3 * 1.35 / np.sqrt(8.0)), off.mean(axis=0)
 
 
+@pytest.mark.slow
 def test_a_line_that_is_subtracted_first_changes_nothing():
     one = ramp_and_hold(3)
     flat = dataclasses.replace(one, force=one.force - 5e-11 - 2e-5 * (one.position - 4e-7))
@@ -61,6 +62,7 @@ def test_a_line_that_is_subtracted_first_changes_nothing():
     assert abs(free.value(SHEAR) - known.value(SHEAR)) < 2.0 * free.error(SHEAR)
 
 
+@pytest.mark.slow
 def test_a_fixed_baseline_is_noted():
     """Before, the points that say so had no weight, and the modulus was 2 % and seven errors off without a word."""
     found = fit(ramp_and_hold(0, tilt=0.0), start("creep"), free=NAMES[:4])
@@ -81,6 +83,7 @@ def test_what_is_stated_about_creep_holds_along_the_whole_curve():
     assert np.std(found.residuals[before]) == pytest.approx(found.noise, rel=0.3)
 
 
+@pytest.mark.slow
 def test_relaxation_with_a_baseline_on_a_slope():
     truth = (*TRUE["relaxation"], 2e-5)
     names = (*FREE["relaxation"], "tilt")

@@ -38,12 +38,14 @@ def outcome(one, far, free):
         return {str(error)}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", FREE)
 @pytest.mark.parametrize("seed", [1, 2])
 def test_good_curves_are_not_doubted(kind, seed):
     assert not names(fit(curve(kind, seed), start(kind), free=FREE[kind])) & UNSURE
 
 
+@pytest.mark.slow
 def test_a_time_longer_than_the_curve():
     found = fit(held(StandardSolid(300.0, 700.0, 40.0)), model(StandardSolid(1e3, 1e3, 1.0)), free=STANDARD)
     assert "too_slow" in names(found)
@@ -75,6 +77,7 @@ def test_terms_that_are_one():
     assert not names(fit(two, model(Prony(1e3, [1e3, 1e3], [0.5, 2.0])), free=ROWS)) & UNSURE
 
 
+@pytest.mark.slow
 def test_a_series_that_does_not_reach():
     short = model(PowerLawSolid(2e3, 1.0, 0.45, shortest=0.05, longest=0.5))
     found = fit(loop(1), short, free=FREE["loop"])
@@ -87,6 +90,7 @@ def test_a_wrong_solid_does_not_explain_the_curve():
     assert names(found) & {"misfit", "memory"}
 
 
+@pytest.mark.slow
 def test_modulus_and_time_of_a_hold_that_is_too_short():
     """Of an exponential that has hardly begun only its slope is determined."""
     one = held(StandardSolid(300.0, 700.0, 200.0), lasting=10.0)

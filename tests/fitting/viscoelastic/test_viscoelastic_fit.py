@@ -54,6 +54,7 @@ def test_two_hundred_curves(kind):
         assert np.all(inside >= 0.91 * 200), inside
 
 
+@pytest.mark.slow
 def test_noise_that_remembers_widens_the_errors():
     quiet = loop(3, noise=0.0)
     random = np.random.default_rng(11)
@@ -113,6 +114,7 @@ def test_every_solid_comes_back(name):
     assert abs(found.value("contact_point") - 4e-7) < 4.0 * found.error("contact_point") + 3e-10
 
 
+@pytest.mark.slow
 def test_the_fitted_model_is_what_the_springs_answer():
     """`model` is the whole problem again; solved by springs it gives the fitted forces."""
     found = fit(loop(5), start("loop"), free=FREE["loop"])
@@ -125,6 +127,7 @@ def test_the_fitted_model_is_what_the_springs_answer():
     assert sunk.depth == pytest.approx(under.predicted, rel=3e-3)
 
 
+@pytest.mark.slow
 def test_drag_drift_and_tilt_are_found():
     plain = loop(2, noise=5e-12)
     velocity = np.where(plain.direction > 0.0, 1e-6, -1e-6)
@@ -150,6 +153,7 @@ def test_creep_of_a_chain_of_kelvin_bodies():
         assert abs(found.value(name) - truth) < 4.0 * found.error(name)
 
 
+@pytest.mark.slow
 def test_terms_are_sorted_and_counted():
     free = [f"{FIRST}relaxed_shear", f"{FIRST}shears", f"{FIRST}relaxation_times", *IN_AND_OUT]
     one = by_springs(SOLIDS["Prony"][0], hold=4.0)
@@ -171,6 +175,7 @@ def test_the_band_of_the_relaxation_holds_the_truth():
     assert np.all(width < 0.02 * truth)
 
 
+@pytest.mark.slow
 def test_given_noise_weighs_the_points():
     one = loop(6)
     found = fit(one, start("loop"), free=FREE["loop"], noise=np.where(one.force > 1e-9, 1.0, 2e-11))

@@ -41,6 +41,7 @@ def _empty() -> Array:
     return np.zeros(0)
 
 
+NOISE_SPECTRA = ("unknown", "white")
 POINTS_ADVICE = Advice("give the points as they were taken, and leave out those without numbers")
 
 
@@ -74,6 +75,9 @@ class ForceCurve:
     reading : str, optional
         How its file was read: the instrument, which column was taken for what, its units, what the instrument had
         subtracted, and where spring constant and sensitivity come from.
+    noise_spectrum : {"unknown", "white"}, optional
+        What is known of the noise: nothing (unless given), and intervals of fits allow for slow noise; or that it is
+        independent from point to point, as a recording out of contact may have shown, and they are narrower.
 
     Raises
     ------
@@ -96,6 +100,7 @@ class ForceCurve:
         name=("", None, "where the curve comes from"),
         marks=("", "", "what is stated of each point"),
         reading=("", None, "how the file was read"),
+        noise_spectrum=("", None, "unknown, or white if the noise is known to be that"),
     )
 
     position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
@@ -108,6 +113,7 @@ class ForceCurve:
     name: str = ""
     marks: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
     reading: str = ""
+    noise_spectrum: str = "unknown"
 
     def __post_init__(self) -> None:
         if not self.direction.size:
@@ -122,6 +128,8 @@ class ForceCurve:
             raise InvalidInput("ForceCurve: direction holds other numbers than +1 (in), 0 (held) and -1 (out).")
         if not np.all(np.isin(self.marks, (0.0, 1.0, 2.0, 3.0, 4.0))):
             raise InvalidInput("ForceCurve: marks holds other numbers than 0 to 4; state events by with_events.")
+        if self.noise_spectrum not in NOISE_SPECTRA:
+            raise InvalidInput(f"ForceCurve: noise_spectrum is {self.noise_spectrum!r}; give 'unknown' or 'white'.")
         object.__setattr__(self, "machine_stiffness", float(self.machine_stiffness))
 
     @property
@@ -133,6 +141,11 @@ class ForceCurve:
     def timed(self) -> bool:
         """Whether the times are known."""
         return bool(self.time.size)
+
+    @property
+    def has_white_noise(self) -> bool:
+        """Whether the noise is stated to be white."""
+        return self.noise_spectrum == "white"
 
     @property
     def compliance(self) -> float:

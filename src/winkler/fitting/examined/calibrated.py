@@ -22,7 +22,6 @@ from winkler.checks.number_checks import NON_NEGATIVE, checked
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import FitEstimate
-from winkler.fitting.noise.estimate import noise_of
 from winkler.fitting.noise.whitening import whitening_of
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.several.population import quantile
@@ -136,7 +135,7 @@ def calibration_shares(
     prediction = task.prediction(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
     jacobian = task.instrument(coordinates, prediction)
-    whitening = whitening_of(noise_of(residuals, jacobian, task.courses(jacobian)))
+    whitening = whitening_of(task.noise_of(residuals, jacobian))
     columns = whitening.of(jacobian)
     size = np.linalg.norm(columns, axis=0)
     rates = []

@@ -116,7 +116,7 @@ def amplitudes_of(count: int) -> tuple[Array, Array]:
     return levels, np.array([NONE_WEIGHT, FAINT_WEIGHT, *[rest] * len(choices)])
 
 
-def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEstimate:
+def noise_of(residuals: Array, jacobian: Array, disturbances: Array, *, white: bool = False) -> NoiseEstimate:
     """Return the noise in the residuals of a fit.
 
     Parameters
@@ -127,11 +127,13 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array) -> NoiseEst
         Weighted derivatives of the prediction.
     disturbances : ndarray, (n, q)
         Courses of disturbances, of unit root mean square.
+    white : bool, optional
+        Whether the noise is known to be white, and nothing else disturbs: then there is one candidate.
     """
     count, p = jacobian.shape
-    disturbances = _own(disturbances, jacobian)
+    disturbances = disturbances[:, :0] if white else _own(disturbances, jacobian)
     unit, size = float(np.sqrt(np.mean(residuals**2))) or 1.0, np.linalg.norm(jacobian, axis=0)
-    table = candidates(count)
+    table = candidates(count).only_white if white else candidates(count)
     basis, triangle = np.linalg.qr(jacobian / size)
     back = np.linalg.inv(triangle)
     products = _products(table, np.concatenate([basis, disturbances, (residuals / unit)[:, None]], axis=1))

@@ -73,6 +73,13 @@ class Candidates(NamedTuple):
     priors: Array
     slow: Array
 
+    @property
+    def only_white(self) -> Candidates:
+        """White noise alone."""
+        return self._replace(
+            spectra=self.spectra[:1], logarithms=self.logarithms[:1], priors=np.ones(1), slow=self.slow[:1]
+        )
+
 
 def transformed(columns: Array) -> Array:
     """Return the cosine transform ``(n, q)`` of columns ``(n, q)`` along the points; it keeps their norms."""

@@ -146,7 +146,7 @@ def _block(task: FitTask, coordinates: Array, place: Array) -> tuple[Generalised
     size = np.maximum(np.linalg.norm(jacobian, axis=0), 1e-12 * float(np.linalg.norm(jacobian)))
     left, lengths, rows = np.linalg.svd(jacobian / size, full_matrices=False)
     kept = lengths > LEAST_DIRECTION * lengths[0]
-    noise = noise_of(residuals, left[:, kept], task.disturbances)
+    noise = noise_of(residuals, left[:, kept], task.disturbances, white=task.curve.has_white_noise)
     outward = (lengths[:, None] * rows)[kept] * size
     inverse = np.linalg.inv(noise.covariance)
     block = CurveBlock(outward.T @ inverse @ outward, outward.T @ (inverse @ noise.step), place)

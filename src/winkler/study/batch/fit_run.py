@@ -5,6 +5,7 @@ A result in the journal is used as long as its curve is unchanged.
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import hashlib
 import json
@@ -187,7 +188,7 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         return Refused(name, math.nan, math.nan, reason, InvalidInput.exit_code)
     try:
         how = study.correct, study.frame_stiffness, study.part, study.segments, study.events
-        curve, steps = corrected(one.curve, *how)
+        curve, steps = corrected(dataclasses.replace(one.curve, noise_spectrum=study.noise_spectrum), *how)
         fitted = _fit_of(study, curve, watch)
         return Fitted(name, one.x, one.y, steps, fitted, _notes(fitted), further_of(study, curve, fitted))
     except WinklerError as error:

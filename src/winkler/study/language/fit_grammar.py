@@ -20,6 +20,7 @@ __all__ = ["fit_form"]
 
 PARTS: Any = Literal["approach", "hold", "retract", "both"]
 FITTED_QUANTITIES: Any = Literal["force", "position"]
+NOISE_SPECTRA: Any = Literal["unknown", "white"]
 CALIBRATIONS: Any = Literal["thermal", "other"]
 MOST_DEPTHS = 100
 
@@ -97,6 +98,7 @@ def fit_form() -> type[BaseModel]:
         frame_stiffness=(_positive("N/m"), MISSING),
         correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
         noise=(Any, MISSING),
+        noise_spectrum=(NOISE_SPECTRA, MISSING),
         time_limit=(_positive("s"), MISSING),
         spring_constant_error=(Annotated[Any, BeforeValidator(relative_error)], MISSING),
         sensitivity_error=(Annotated[Any, BeforeValidator(relative_error)], MISSING),

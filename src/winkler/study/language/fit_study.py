@@ -122,6 +122,8 @@ class FitStudy:
         [N/m].
     noise
         [N], or [m] where positions are fitted; zero: read from the curves.
+    noise_spectrum
+        unknown, or white if that is known.
     time_limit
         The longest that the fit of one curve may take [s].
     spring_constant_error, sensitivity_error
@@ -158,6 +160,7 @@ class FitStudy:
     units: tuple[tuple[str, str], ...] = ()
     frame_stiffness: float = math.inf
     noise: float = 0.0
+    noise_spectrum: str = "unknown"
     time_limit: float = math.inf
     spring_constant_error: float = 0.0
     sensitivity_error: float = 0.0
