@@ -122,6 +122,7 @@ def test_a_half_ellipsoid_is_approached_with_the_square_of_the_pixel(ratio, trac
     assert errors[1] / errors[2] > 3.0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("ratio", "traction"), [(1.0, (0.0, 0.0)), (0.4, (0.0, 0.0)), (0.4, (0.2, 0.0))])
 def test_the_greatest_stress_is_that_of_the_half_ellipsoid(ratio, traction):
     expected = greatest_in_half_ellipsoid(von_mises, ratio, 0.3, traction)
@@ -134,6 +135,7 @@ def test_the_greatest_stress_is_that_of_the_half_ellipsoid(ratio, traction):
     )
 
 
+@pytest.mark.slow
 def test_a_large_map_is_searched_on_means():
     """A ball of 180 pixels across: the greatest stress is Hertz's 0.620 p0 at 0.481 radii for nu = 0.3."""
     x = (np.arange(198) + 0.5) / 90.0 - 1.1

@@ -150,6 +150,7 @@ def test_theory_numbers():
     np.testing.assert_allclose(np.ravel(got)[:6], expected, rtol=0, atol=6e-10)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("shape", [Ball(), Cone(), Stuck(), PartlyStuck()], ids=lambda shape: type(shape).__name__)
 def test_point_forces_added_up(shape):
     """All nine components at six places, to 1e-10."""

@@ -89,3 +89,13 @@ def test_a_peak_at_the_surface_beside_one_below():
     line = np.linspace(0.97, 1.01, 4001)
     assert found.z == 0.0
     assert found.value == pytest.approx(np.max(field(line, np.zeros(4001))), rel=1e-5)
+
+
+def test_a_place_that_rounding_moves_off_the_axis_lies_on_it():
+    """Values at the axis and within 1e-8 of it are equal but for rounding: which one is greater says nothing."""
+    stress = hertz(0.3)
+    field = counted(lambda r, z: stress(z) * (1.0 - 0.3 * r**2) * (1.0 + 1e-15 * np.sign(r)))
+    found = greatest(field, 1.0, smooth=True)
+    assert found.r == 0.0
+    beside = greatest(lambda r, z: stress(z) * (1.0 - 0.3 * (r - 1e-3) ** 2), 1.0, smooth=True)
+    assert beside.r == pytest.approx(1e-3, rel=1e-3)

@@ -234,6 +234,7 @@ def compared(name, places):
         assert np.all(error < 2e-12), (r, z, error)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", CASES)
 def test_direct_integration(name):
     compared(name, [(0.2 + 1e-7, 1e-3), (0.37, 0.11)])
@@ -344,6 +345,7 @@ def truncated_cone_pressure(r):
     return mp.quad(integrand, [0, *(top * mp.mpf(10) ** -k for k in range(8, 0, -1)), top])
 
 
+@pytest.mark.slow
 def test_surface_of_a_truncated_cone():
     """T4 by 30-digit integration, to the sides of the kink as well."""
     u = TruncatedCone()
@@ -456,6 +458,7 @@ def test_every_plane_carries_the_force(name, depth):
 # -------------------------------------------------------------------------------------------- how it is computed
 
 
+@pytest.mark.slow
 def test_many_kinks_are_the_sum_of_few():
     """Far from a point neighbouring panels are lumped together; superposition shows whether that costs digits."""
     random = np.random.default_rng(4)

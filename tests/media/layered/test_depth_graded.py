@@ -95,6 +95,7 @@ def growing(grading: Growing, xi: float) -> mpmath.matrix:
         return end[0:2, :] * end[2:4, :] ** -1
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("nu", [-0.5, 0.0, 0.3, 0.5])
 @pytest.mark.parametrize("rate", [1.5, -2.3])
 def test_an_exponential_with_a_bottom(rate, nu):
@@ -127,6 +128,7 @@ def test_waves_across(rate):
         assert solution == pytest.approx(float(exact), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_tangential_modulus():
     """Narrow contacts feel the surface, wide ones the depth: G* = 4 G / (2 - nu)."""
     medium = DepthGradedHalfSpace(EXPONENTIAL, tolerance=1e-3)
@@ -235,6 +237,7 @@ def test_the_default_tolerance_holds(grading):
     np.testing.assert_allclose(found, finer, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_flat_punch_by_ritz():
     """k(a) from above: the energy of any displacement outside is too large; here by Legendre polynomials, n = 24."""
     from scipy.special import spherical_jn
@@ -268,6 +271,7 @@ def test_a_power_law_that_is_cut_off():
     assert (miss[1] - fall * miss[0]) / (1.0 - fall) == pytest.approx(0.0, abs=3e-4)
 
 
+@pytest.mark.slow
 def test_narrow_and_wide_contacts():
     medium = DepthGradedHalfSpace(EXPONENTIAL, tolerance=1e-3)
     narrow, wide = medium.punch_stiffness(np.array([1e-5, 1e3])) / np.array([1e-5, 1e3])
@@ -292,6 +296,7 @@ def test_a_constant_grading_is_a_half_space():
     assert float(medium.punch_stiffness(np.array(0.7))) == pytest.approx(2.0 * 2.0 / 0.91 * 0.7, rel=1e-10)
 
 
+@pytest.mark.slow
 def test_indentation_and_fields():
     bed = wk.Foundation(wk.Paraboloid(1.0), DepthGradedHalfSpace(EXPONENTIAL, tolerance=1e-3))
     contact = wk.Indentation(bed, wk.Radius(0.5)).solve()

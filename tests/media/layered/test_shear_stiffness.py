@@ -39,6 +39,7 @@ STACKS = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", STACKS)
 def test_stiffness_by_least_energy_with_tractions_of_both_directions(name):
     """The coupled problem, solved without the rule 1/k_x = (1/k_L + 1/k_T)/2; thin and thick, to 1e-8."""
@@ -77,6 +78,7 @@ def test_springs_are_half_the_slope_of_the_stiffness():
         assert summed == pytest.approx(float(medium.punch_shear_stiffness(np.array([radius]))[0]), rel=1e-8)
 
 
+@pytest.mark.slow
 def test_a_sheet_on_a_rigid_base_is_a_stack_of_springs():
     """Far wider than thick: k_x -> pi G a^2 / h, k_phi -> pi G a^4 / (2 h); edges add terms of the order of h/a."""
     medium = medium_of([(1.0, 0.3, 1.0)], None)

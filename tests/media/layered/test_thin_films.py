@@ -82,6 +82,7 @@ def compared(poisson: float, a: float, h: np.ndarray | None = None, step: float 
 WIDTHS = [0.3, 3.0, 10.0, 30.0, pytest.param(60.0, marks=pytest.mark.slow)]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 @pytest.mark.parametrize("a", WIDTHS)
 def test_punches_on_films_by_equal_panels(poisson, a):
@@ -167,6 +168,7 @@ def test_wide_punches_compress_a_film_like_a_bed(poisson):
 # -------------------------------------------------------------------------------------------------- without lengths
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", ["cone", "paraboloid", "rounded"])
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 def test_thickness_and_modulus_are_units(shape, poisson):

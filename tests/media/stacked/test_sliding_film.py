@@ -49,6 +49,7 @@ def test_punch_and_ball_agree_with_a_galerkin_solution(ratio):
     assert float(found.radius) == pytest.approx(a, rel=1e-8)
 
 
+@pytest.mark.slow
 def test_thin_films_are_springs_and_thick_ones_half_spaces():
     """Wide contacts: p = E* u / h, F = pi E* R d^2 / h.  Narrow ones: d is less by 1.1676 F / (pi E* h)."""
     thin = wk.Foundation(wk.Paraboloid(1e4), film(0.3))

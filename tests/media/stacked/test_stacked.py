@@ -41,6 +41,7 @@ STACKS = {
 }
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", STACKS)
 def test_compliances_are_those_of_elasticity(name):
     """Navier's equations, carried through the stack by matrix exponentials of a hundred digits and more."""
@@ -92,6 +93,7 @@ def test_bonded_isotropic_layers_are_a_coated_half_space():
         assert getattr(stacked, name)(radius) == pytest.approx(getattr(coated, name)(radius), rel=1e-12)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("solid", [QUARTZ_LIKE, WEAVE, FIBRES])
 def test_a_layer_on_its_own_solid_is_the_half_space_of_elliott(solid):
     medium = stack([(solid, 1.0, True)], on=solid, second=GLASS)
@@ -196,7 +198,7 @@ def test_what_is_not_known_is_refused_by_name():
     with pytest.raises(OutsideValidity, match="StackedHalfSpace: layer 2 slides on what lies below it"):
         slides.punch_shear_stiffness(np.array([1.0]))
     with pytest.raises(OutsideValidity, match="layer 2 slides"):
-        slides.punch_torsional_stiffness(np.array([1.0]))
+        slides.tangential_stiffness(np.array([1.0]))
     with pytest.raises(InvalidInput, match="list of at least one StackLayer"):
         wk.StackedHalfSpace([], on=GLASS)
     pressed = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), slides), wk.Radius(0.5)).solve()
@@ -218,5 +220,5 @@ def test_a_height_map_presses_on_a_sliding_stack():
         errors.append(contact.force / line.force - 1.0)
     assert abs(errors[1]) < 5e-4
     assert 3.0 < errors[0] / errors[1] < 6.0
-    with pytest.raises(OutsideValidity, match="tractions of a height map on a StackedHalfSpace"):
+    with pytest.raises(OutsideValidity, match="of a StackedHalfSpace that slides bears no tractions"):
         compliance_of(medium)

@@ -178,6 +178,7 @@ def test_a_graded_medium():
     assert again.loss_per_cycle == pytest.approx(half.loss_per_cycle, rel=1e-10)
 
 
+@pytest.mark.slow
 def test_springs_of_different_kinds_are_computed_and_labelled():
     """As on bodies graded in depth; coatings have rings, tests/problems/friction/test_steady_slip.py."""
     coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young=400e9, poisson=0.2), thickness=50e-6)], on=MEDIUM.first)

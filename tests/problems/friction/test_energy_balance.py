@@ -119,6 +119,7 @@ def test_a_body_that_is_dragged_keeps_account(name, ratio):
     assert result.dissipation == pytest.approx(result.friction_loss + result.bulk_loss, rel=1e-14)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("ratio", [1e-20, 1e-3, 1.0, 1e4, 1e20])
 def test_what_an_impact_takes_is_stored_or_lost(ratio):
     solid = solids(ratio)["standard solid"]
@@ -261,6 +262,7 @@ def test_torsion_on_a_random_path_balances_energy(profile, coefficient):
         assert standing(result) is Standing.EXACT
 
 
+@pytest.mark.slow
 def test_the_work_of_a_twist_is_the_integral_of_its_torque():
     """To Simpson's rule over many points of a stroke to and fro under a changing load."""
     contact = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
@@ -275,6 +277,7 @@ def test_the_work_of_a_twist_is_the_integral_of_its_torque():
     assert result[1:] == pytest.approx([1e-3 * first, 1e-3 * first - 1.5e-3 * second], rel=2e-4)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("speed", [1e-20, 1e-8, 1e14])
 def test_the_edge_of_rubber_keeps_account(speed):
     """Slowly nothing but leaps is lost, as in a cycle without speed; at once nothing is."""

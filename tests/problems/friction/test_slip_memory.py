@@ -163,6 +163,7 @@ def test_no_history_creates_energy(points, bound, states):
         assert np.all(loss_density(lost, gap) >= -1e-13 * bound**2)
 
 
+@pytest.mark.slow
 @given(turning_points.map(lambda points: points[:5]), st.floats(0.05, 5.0), st.sampled_from(CURVES))
 @settings(max_examples=15, deadline=None)
 def test_work_is_stored_or_lost(points, bound, states):

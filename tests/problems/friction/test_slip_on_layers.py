@@ -68,6 +68,7 @@ def test_partial_slip_by_least_energy_inside_the_stick_zone(name, order):
     assert load == pytest.approx(MU * want[1], rel=2e-6)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", LAYERS)
 @pytest.mark.parametrize("problem", [wk.Torsion, wk.CoatedTangential])
 def test_rings_that_slide_bear_their_own_pressure_and_others_less(name, problem):
@@ -137,6 +138,7 @@ def test_the_function_of_the_bound(k):
     np.testing.assert_allclose(bound_shape(k, z), want, rtol=2e-9)
 
 
+@pytest.mark.slow
 def test_the_greatest_torque_is_that_of_the_pressure_on_a_stack():
     stack = [wk.Layer(wk.Elastic(8.0, 0.2), 0.01), wk.Layer(wk.Elastic(0.5, 0.45), 0.01)]
     bed = wk.Foundation(BALL, wk.CoatedHalfSpace(stack, on=SOLID))

@@ -169,6 +169,7 @@ LATERAL_PATHS = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", LATERAL_PATHS)
 def test_solve_is_steps_to_the_last_bit(name):
     path = Path(np.arange(600.0), wk.Depth(1.0 + 0.3 * np.sin(np.arange(600) * 0.03)), LATERAL_PATHS[name])

@@ -28,6 +28,7 @@ def history(count: int, seed: int) -> np.ndarray:
     return np.concatenate([[0.0], random, [1.0, -1.0, 1.0, 0.2, 0.5, 0.2, 0.5, 0.5, 0.7, -1.0, 0.0]])
 
 
+@pytest.mark.slow
 def test_a_ball_that_never_touches_bears_nothing_in_all_units():
     time = np.arange(3.0)
     for size in (1e-6, 1.0, 1e6):

@@ -282,6 +282,7 @@ def test_no_history_creates_energy_or_more_traction_than_friction(history):
         assert np.all(np.abs(traction) <= MU * pressure(state.depth) + 1e-7 * peak)
 
 
+@pytest.mark.slow
 @given(points)
 @settings(max_examples=6, deadline=None)
 def test_work_is_stored_or_lost(history):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple, Self
 
 import numpy as np
@@ -23,7 +24,7 @@ from winkler.media.layered.wave_constants import (
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
-__all__ = ["StackAcross", "StackAlong", "StackNormal", "StackResponse", "StackTangential"]
+__all__ = ["StackAcross", "StackAlong", "StackNormal", "StackResponse", "StackTangential", "in_units_of_top"]
 
 
 def _in_units(solid: Elastic | TransverselyIsotropic, unit: float) -> Elastic | TransverselyIsotropic:
@@ -31,6 +32,24 @@ def _in_units(solid: Elastic | TransverselyIsotropic, unit: float) -> Elastic | 
         return Elastic(rounded(solid.young / unit), solid.poisson)
     constants = (solid.c11, solid.c12, solid.c13, solid.c33, solid.c44)
     return TransverselyIsotropic(*(rounded(each / unit) for each in constants))
+
+
+def in_units_of_top(
+    layers: tuple[AnyLayer, ...], on: Body, second: Body, of_body: Callable[[Body], float]
+) -> tuple[tuple[StackLayer, ...], Body, Body, float]:
+    """Return a stack in units of thickness and modulus of its uppermost layer, and that thickness [m].
+
+    Of the second body only what it adds to the compliance, by `of_body`, is kept.
+    """
+    top, length = layers[0].solid, layers[0].thickness
+    unit = top.young if isinstance(top, Elastic) else top.c44
+    own = tuple(
+        StackLayer(_in_units(layer.solid, unit), rounded(layer.thickness / length), is_bonded(layer))
+        for layer in layers
+    )
+    added = unit * of_body(second)
+    other = Elastic(rounded(of_body(Elastic(1.0, 0.0)) / added), 0.0) if added else RIGID
+    return own, on if isinstance(on, Rigid) else _in_units(on, unit), other, length
 
 
 class StackResponse:
@@ -52,16 +71,7 @@ class StackResponse:
     @property
     def own(self) -> tuple[Self, float]:
         """The same in units of thickness and modulus of its uppermost layer; and that thickness [m]."""
-        top, length = self.layers[0].solid, self.layers[0].thickness
-        unit = top.young if isinstance(top, Elastic) else top.c44
-        layers = tuple(
-            StackLayer(_in_units(layer.solid, unit), rounded(layer.thickness / length), is_bonded(layer))
-            for layer in self.layers
-        )
-        on = self.on if isinstance(self.on, Rigid) else _in_units(self.on, unit)
-        # of the second body only what it adds matters
-        added = unit * self.of_body(self.second)
-        second = Elastic(rounded(self.of_body(Elastic(1.0, 0.0)) / added), 0.0) if added else RIGID
+        layers, on, second, length = in_units_of_top(self.layers, self.on, self.second, self.of_body)
         return type(self)(layers, on, second), length  # type: ignore[call-arg]
 
     @property

@@ -13,12 +13,14 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.families import StackedBody
-from winkler.media.layered import coated_interior
+from winkler.media.interior.shear_field_punch import ShearField
+from winkler.media.layered import coated_interior, sheared_interior
 from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import BARBER, LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
+from winkler.media.stacked.floating import FloatingAcross
 from winkler.media.stacked.response import StackAcross, StackAlong, StackNormal, StackTangential
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -54,9 +56,12 @@ class SlidingStack(LayeredMedium, StackedBody):
         return StackAlong(self._held(), self.on, self.second)
 
     @property
-    def across_response(self) -> StackAcross:
-        """The response of the pair to shear across its wave, and to a twist."""
-        return StackAcross(self._held(), self.on, self.second)
+    def across_response(self) -> StackAcross | FloatingAcross:
+        """The response of the pair to shear across its wave, and to a twist; if a layer slides, to a twist alone."""
+        slides = next((number for number, layer in enumerate(self.stack, 1) if not is_bonded(layer)), 0)
+        if slides:
+            return FloatingAcross(self.stack[:slides], self.second)
+        return StackAcross(self.stack, self.on, self.second)
 
     def _held(self) -> tuple[Layer | StackLayer, ...]:
         """Return the layers, if shear on the surface reaches the base."""
@@ -64,13 +69,17 @@ class SlidingStack(LayeredMedium, StackedBody):
             if not is_bonded(layer):
                 raise OutsideValidity(
                     f"{type(self).__name__}: layer {number} slides on what lies below it and bears no shear there, so "
-                    "that under a push or a twist it slides away; give layers that are bonded."
+                    "that under a push it slides away; give layers that are bonded."
                 )
         return self.stack
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
+
+    def inside_dragged(self, load: CarriedLoad, x: Array, y: Array, z: Array) -> ShearField:
+        """The same under a traction along +x that is equal to the pressure; no layer slides."""
+        return sheared_interior.field(load, self._held(), self.on, self.modulus, x, y, z)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import CoatedBody, PowerLawMedium, StackedBody, TwistedMedium
+from winkler.media.families import PowerLawMedium, TwistedLayers, TwistedMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.panels.kink_panels import Stretches
@@ -32,6 +32,8 @@ SMALL_RATIO = 0.25
 """Squared ratio of radii up to which the hypergeometric function is summed from its end."""
 LEAST_EXPONENT = 1e-4
 """Of a power law, below which its function is interpolated between exponents."""
+LOGARITHMIC_WIDTH = 1.0 / 12.0
+"""Width of a panel, over the widest contact, where kernels have a logarithm: what is left of it errs like 1e-5."""
 MOST_NODES = 2000
 """Wider contacts, against the uppermost layer, are refused."""
 
@@ -49,7 +51,7 @@ def twisted_medium(medium: Medium) -> TwistedMedium:
     Raises
     ------
     OutsideValidity
-        If the medium relaxes, is measured, graded by a law other than a power, or of another kind.
+        If the medium relaxes, is measured, or of another kind.
     """
     if not isinstance(medium, TwistedMedium):
         raise no_kernel(medium)
@@ -58,15 +60,10 @@ def twisted_medium(medium: Medium) -> TwistedMedium:
 
 def no_kernel(medium: object) -> OutsideValidity:
     """Return the refusal of torsion on a medium."""
-    why = (
-        "a layer that slides bears no twist, and how rings slide on transversely isotropic layers is not built in"
-        if isinstance(medium, StackedBody)
-        else "how rings slide around the axis on it is not built in"
-    )
     return OutsideValidity(
-        f"Torsion: the medium of the bed is a {type(medium).__name__}; {why}: what twisted springs bear is known on "
-        "HalfSpace, TransverselyIsotropicHalfSpace, GradedHalfSpace and CoatedHalfSpace: give one of these, for a "
-        "body graded in depth a stack of layers."
+        f"Torsion: the medium of the bed is a {type(medium).__name__}; how rings slide around the axis on it is not "
+        "built in: what twisted springs bear is known on homogeneous, layered and graded elastic half-spaces: give one "
+        "of these."
     )
 
 
@@ -78,14 +75,17 @@ def panel_width(owner: str, medium: Medium, widest: float) -> float:
     OutsideValidity
         If a contact of radius `widest` [m] would need too many.
     """
-    if not isinstance(medium, CoatedBody):
+    if not isinstance(medium, TwistedLayers):
         return np.inf
-    width = PANEL_WIDTH_RATIO * min(medium.response.smooth, medium.across_response.smooth)
+    responses = medium.response, medium.across_response
+    width = PANEL_WIDTH_RATIO * min(each.smooth for each in responses)
     if widest > 0.05 * MOST_NODES * width:
         raise OutsideValidity(
             f"{owner}: the contact of radius {widest:.3g} m is too wide against the length of {width:.3g} m over which "
             f"the stack changes; at most {0.05 * MOST_NODES:g} times that can be followed: request less load."
         )
+    if any(each.smooth > each.length for each in responses):
+        width = min(width, LOGARITHMIC_WIDTH * widest)
     return float(width)
 
 
@@ -113,7 +113,7 @@ def twist_kernel(medium: Medium, panels: Stretches) -> TwistKernel:
     from winkler.numerics.transforms.odd_response import OddResponse
     from winkler.numerics.transforms.slip_tables import slip_table
 
-    if not isinstance(medium, CoatedBody):
+    if not isinstance(medium, TwistedLayers):
         raise no_kernel(medium)
     table = slip_table(panels, medium.response, OddResponse(medium.across_response))
     return TwistKernel(medium.modulus * table.bound, table.lever**2)

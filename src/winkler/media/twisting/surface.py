@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import CoatedBody, PowerLawMedium
+from winkler.media.families import PowerLawMedium, TwistedLayers
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import Twisted, clean_slope, twist_displacement, twist_traction
 from winkler.media.medium import Medium
@@ -24,6 +24,9 @@ __all__ = ["TABLE_ROUNDING", "traction_on", "turning_on"]
 
 TABLE_ROUNDING = 1e-9
 """A slope that changes h by no more than this part of it is rounding of the tables of a stack."""
+
+LOGARITHMIC_ROUNDING = 2e-6
+"""The same where the kernel has a logarithm, as of bodies graded in depth."""
 
 
 def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
@@ -49,19 +52,20 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
         summed = pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, k, place)
         factor = 0.5 * (1.0 + k) / medium.depth_scale**k
         return np.where(r > 0.0, factor * r * summed, 0.0)
-    if not isinstance(medium, CoatedBody):
+    if not isinstance(medium, TwistedLayers):
         raise no_kernel(medium)
     from winkler.numerics.transforms.odd_response import OddResponse
 
     response = OddResponse(medium.across_response)
+    known = LOGARITHMIC_ROUNDING if response.smooth > response.length else TABLE_ROUNDING
     summed = abel.pressure(
-        clean_slope(twisted, TABLE_ROUNDING),
+        clean_slope(twisted, known),
         twisted.kinks,
         twisted.edge,
         twisted.radius,
         place,
         lambda r, x: fredholm.push(response, r, x),
-        response.precision,
+        max(response.precision, known) if known > TABLE_ROUNDING else response.precision,
     )
     return np.where(r > 0.0, 0.5 * r * summed, 0.0)
 

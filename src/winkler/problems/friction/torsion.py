@@ -7,7 +7,7 @@ Torsion of a round contact is exact in springs.  A spring at x is displaced by :
 
 its bound depends on the pressure of all rings farther out.  What sticks is the inner part of the contact: towards the
 axis the bound grows without limit against the displacement, so that no finite angle makes all of it slide, and the
-greatest torque is only approached.  On layers and on power laws of the depth other springs are as exact
+greatest torque is only approached.  On layers and on gradings of the depth other springs are as exact
 (`winkler.media.twisting.kernels`), since a twist and a pressure do not act on each other there either.
 """
 
@@ -46,7 +46,7 @@ class Torsion:
     ----------
     bed : Bed
         The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a
-        homogeneous half-space, on layers or on a power law of the depth.
+        homogeneous half-space, on layers, bonded or sliding, or on a body graded in depth.
     law : Coulomb
         Friction.
     path : Path
@@ -57,8 +57,7 @@ class Torsion:
     InvalidInput
         If the law is not Coulomb's, or the path prescribes a shift.
     OutsideValidity
-        If the medium relaxes, is measured, or is graded by a law other than a power: there the bound of the springs is
-        not known.
+        If the medium relaxes or is measured: there the bound of the springs is not known.
 
     References
     ----------

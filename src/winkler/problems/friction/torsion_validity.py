@@ -17,6 +17,7 @@ from winkler.media.interior.peak import greatest
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
+from winkler.problems.friction.twisted_layers import twisted_layer_notes
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
@@ -54,6 +55,7 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
         "itself, as long as what slides is an outer ring.",
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )
+    yield from twisted_layer_notes(bed, states)
     depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("depth", "radius"))
     falling = np.flatnonzero((np.diff(depth) < 0.0) & (radius[1:] > 0.0)) + 1
     examined = falling[:: max(1, falling.size // PATH_SAMPLES)].tolist()

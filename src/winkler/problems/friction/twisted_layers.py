@@ -1,0 +1,55 @@
+"""What is assumed of layers and gradings under a twist: what holds a layer that slides, and how exact tables are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.foundation.torsion_bound import twist_bound
+from winkler.media.families import StackedBody
+from winkler.media.layered.climb import is_bonded
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.problems.friction.torsion_states import TorsionState
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["twisted_layer_notes"]
+
+
+def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[Note]:
+    """Yield what is assumed of the medium under a twist; nothing of bonded layers and of homogeneous bodies.
+
+    Parameters
+    ----------
+    bed : Bed
+    states : sequence of TorsionState
+        Those of a path.
+    """
+    medium = bed.medium
+    if isinstance(medium, StackedBody):
+        slides = [number for number, layer in enumerate(medium.stack, 1) if not is_bonded(layer)]
+        if slides:
+            yield Note(
+                Assumption.RESPONSE,
+                Standing.ASYMPTOTIC,
+                f"Layer {slides[0]} slides without friction, so that the twist stays in the layers down to it, which "
+                "are held far from the contact. If they are held at a radius R that is large against the thickness "
+                "and the contact, angles without slip are smaller by less than (a/R)^2 of them; a sheet that nothing "
+                "holds turns with the contact.",
+                "u_theta = M_z / (4 pi r sum of G h) in a sheet",
+            )
+    widest = max(states, key=lambda state: state.radius)
+    if isinstance(medium, DepthGradedHalfSpace) and widest.radius > 0.0:
+        springs = widest.springs
+        bound = twist_bound(bed, springs.coefficient, springs.widest, springs.forced)
+        known = float(medium.punch_torsional_stiffness(np.array(widest.radius)))
+        miss = abs(8.0 * medium.torsional_modulus * bound.inertia(widest.radius) / known - 1.0)
+        yield Note(
+            Assumption.RESOLUTION,
+            Standing.ASYMPTOTIC,
+            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part: the torsional "
+            f"stiffness of the springs misses that of a flat punch by {miss:.1e}, and the greatest torque that of "
+            "the pressure by about as much.",
+            "stiffness of the springs against that of flat punches",
+        )
