@@ -29,3 +29,10 @@ def bench_impact_of_200_moments(benchmark, coefficient, sliding):
 def bench_sticky_impact_of_200_moments(benchmark):
     problem = AdhesiveImpact(BED, wk.ShortRange(1e-5), 1.0, 0.01)
     assert not benchmark(problem.solve).captured
+
+
+@pytest.mark.parametrize("thickness", [1e-3, 0.1])
+def bench_oblique_impact_on_a_coating(benchmark, thickness):
+    layers = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(3.0, 0.3), thickness)], on=wk.Elastic(1.0, 0.3))
+    problem = Impact(wk.Foundation(wk.Paraboloid(1.0), layers), Coulomb(0.4), lateral_velocity=0.004, **BALL)
+    assert abs(benchmark.pedantic(problem.solve, rounds=3).balance[-1] - 1.0) < 1e-10

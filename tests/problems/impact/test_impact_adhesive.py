@@ -27,6 +27,7 @@ def hit(speed: float, bed=BALL, law=ShortRange(WORK), **more) -> object:  # noqa
     return AdhesiveImpact(bed, law, MASS, speed, **({"count": 41} | more)).solve()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("part", [1.0001, 1.2, 2.0, 10.0, 300.0])
 def test_a_ball_leaves_with_what_snap_in_and_pull_off_have_left(part):
     impact = hit(part * STICKING)
@@ -39,6 +40,7 @@ def test_a_ball_leaves_with_what_snap_in_and_pull_off_have_left(part):
     assert impact.force[-1] == impact.radius[-1] == impact.energy[-1] == 0.0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("part", [0.01, 0.5, 0.9999])
 def test_a_slow_ball_stays(part):
     impact = hit(part * STICKING)
@@ -112,6 +114,7 @@ def test_a_flat_punch_loses_the_work_of_its_area_twice():
     assert impact.duration == pytest.approx(math.pi / frequency + out, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_hysteresis_costs_every_area_that_was_closed():
     closing, opening = 0.2 * WORK, WORK
     slow, fast = (
@@ -135,6 +138,7 @@ def test_nothing_gained_by_closing():
     np.testing.assert_allclose(impact.balance, 1.0, atol=1e-10)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     "profile",
     [wk.Cone(1.3), wk.CappedCylinder(2e-4, wk.Paraboloid(RADIUS)), wk.Sphere(RADIUS), wk.PowerLaw(1e4, 3.0)],
@@ -167,6 +171,7 @@ def test_units_do_not_matter():
     assert two.restitution == pytest.approx(one.restitution, rel=1e-11)
 
 
+@pytest.mark.slow
 def test_a_grain_of_dust_is_followed_as_well():
     """What lasts nanoseconds is followed as closely as what lasts seconds."""
     radius, work = 0.5e-6, 0.05

@@ -21,7 +21,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["EDGE_SHIFT", "CoupledCells", "LoadedCells"]
+__all__ = ["EDGE_SHIFT", "BorneCells", "CoupledCells", "LoadedCells"]
 
 EDGE_SHIFT = 0.5 - 0.5 / math.sqrt(3.0)
 """By so many cells a contact is wider than where the last of its cells would bear nothing.
@@ -61,6 +61,14 @@ class LoadedCells(NamedTuple):
     memory: Array
 
 
+class BorneCells(NamedTuple):
+    """What the cells bear at one moment: d [m], F [N], and how many cells bear it."""
+
+    depth: float
+    force: float
+    held: int
+
+
 class _Factor(NamedTuple):
     """What depends on the length of a step alone."""
 
@@ -68,7 +76,9 @@ class _Factor(NamedTuple):
     share: Array
     faded: Array
     shared: Array
+    steady: Array
     lower: Array
+    diagonal: Array
     unit: Array
 
 
@@ -95,6 +105,7 @@ class CoupledCells:
         around[:, : 2 * count], around[:, 2 * count + 1 :] = kernels, kernels[:, :0:-1]
         self.waves = np.fft.rfft(around, axis=1).real[:, : 2 * count]
         self._factors: dict[float, _Factor] = {}
+        self._scratch = np.empty((times.size, 2 * count))  # new arrays of this size cost more than what is done in them
 
     @property
     def at_rest(self) -> LoadedCells:
@@ -128,6 +139,31 @@ class CoupledCells:
         from scipy.linalg.lapack import dtrtrs
 
         factor = self._factor(span)
+        depth, pressed, bears, held = self._pressed(factor, state, depth, force)
+        # behind the contact the load is zero: the leading block of the factor is that of the contact
+        load = np.zeros(self.count)
+        if held:
+            load[:held], _ = dtrtrs(factor.lower[:, :held], pressed[:held], lower=1, trans=1)
+        waves = self.transformed(load)
+        memory = factor.fade[:, None] * state.memory
+        memory += np.multiply(factor.share[:, None], waves - state.waves, out=self._scratch)
+        total = 2.0 * self.width * float(np.sum(load))
+        ring = bool(bears[held:].any())
+        radius = self._radius(pressed / factor.diagonal, held)
+        return LoadedCells(depth, total, radius, held, ring, load, waves, memory)
+
+    def borne(self, state: LoadedCells, span: float, depth: float | None, force: float | None) -> BorneCells:
+        """Return depth, force and number of cells after a time, as `step`, without what the cells remember of it."""
+        factor = self._factor(span)
+        depth, pressed, _, held = self._pressed(factor, state, depth, force)
+        return BorneCells(depth, 2.0 * float(pressed[:held] @ factor.unit[:held]), held)
+
+    def _pressed(
+        self, factor: _Factor, state: LoadedCells, depth: float | None, force: float | None
+    ) -> tuple[float, Array, Array, int]:
+        """Return depth, displacements v of independent springs ``(n,)``, which of them bear, and how many in a row."""
+        from scipy.linalg.lapack import dtrtrs
+
         dent = factor.shared * state.waves - np.einsum("mk,mk->k", factor.faded, state.memory)
         offset = -self.width * self.shape - self.restored(dent)
         still, _ = dtrtrs(factor.lower, offset, lower=1)
@@ -135,16 +171,7 @@ class CoupledCells:
             depth = self._depth_under(force or 0.0, factor.unit, still)
         pressed = depth * factor.unit + still
         bears = pressed > 0.0
-        held = self.count if bears.all() else int(np.argmin(bears))
-        # where nothing is prescribed behind the contact the load there is zero: no block needs to be cut out
-        load, _ = dtrtrs(factor.lower, np.where(np.arange(self.count) < held, pressed, 0.0), lower=1, trans=1)
-        waves = self.transformed(load)
-        memory = factor.fade[:, None] * state.memory
-        memory += np.outer(factor.share, waves - state.waves)
-        total = 2.0 * self.width * float(np.sum(load))
-        ring = bool(bears[held:].any())
-        radius = self._radius(pressed / np.diag(factor.lower), held)
-        return LoadedCells(depth, total, radius, held, ring, load, waves, memory)
+        return depth, pressed, bears, self.count if bears.all() else int(np.argmin(bears))
 
     def _depth_under(self, force: float, unit: Array, still: Array) -> float:
         """Return the depth at which independent springs bear a force."""
@@ -185,30 +212,36 @@ class CoupledCells:
             while len(self._factors) >= min(MOST_FACTORS, max(2, MOST_NUMBERS_KEPT // self.count**2)):
                 self._factors.pop(next(iter(self._factors)))
             self._factors[key] = _Factor(
-                fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], lower, unit
-            )
+                fade, share, fade[:, None] * self.waves[1:], share @ self.waves[1:], _steady(turns) @ self.waves[1:],
+                lower, np.diag(lower), unit,
+            )  # fmt: skip
         return self._factors[key]
 
     def displacement(self, state: LoadedCells) -> Array:
         """Return u [m] in the cells."""
-        kept = state.waves - state.memory
+        kept = np.subtract(state.waves, state.memory, out=self._scratch)
         return self.restored(self.waves[0] * state.waves + np.einsum("mk,mk->k", self.waves[1:], kept)) / self.width
 
     def stored(self, state: LoadedCells) -> float:
         """Return the energy stored [J]."""
-        kept = state.waves - state.memory
-        return float(self.waves[0] @ state.waves**2 + np.sum(self.waves[1:] * kept**2))
+        kept = np.subtract(state.waves, state.memory, out=self._scratch)
+        np.multiply(kept, kept, out=kept)
+        return float(self.waves[0] @ state.waves**2 + np.vdot(self.waves[1:], kept))
 
     def lost(self, before: LoadedCells, after: LoadedCells, span: float) -> float:
         """Return what a step has lost [J], the integral of c_m z_m^2 / lambda_m with the memory z_m in closed form."""
         if span == 0.0:
             return 0.0
-        change, turns = after.waves - before.waves, span / self.times
-        gone = -np.expm1(-turns)
-        # turns - 2 (1 - e) + (1 - e^2) / 2 over turns^2; the series where it cancels
-        series = turns * (1.0 / 3.0 - turns * (0.25 - 7.0 / 60.0 * turns))
-        steady = np.where(turns < 1e-2, series, (turns - 2.0 * gone - 0.5 * np.expm1(-2.0 * turns)) / turns**2)
-        borne = self.waves[1:] * before.memory
-        total = -0.5 * np.expm1(-2.0 * turns) @ np.einsum("mk,mk->m", borne, before.memory)
-        total += (gone**2 / turns) @ (borne @ change) + steady @ (self.waves[1:] @ change**2)
+        change, factor, gone = after.waves - before.waves, self._factor(span), -np.expm1(-span / self.times)
+        borne = np.multiply(self.waves[1:], before.memory, out=self._scratch)
+        total = (gone - 0.5 * gone**2) @ np.einsum("mk,mk->m", borne, before.memory)
+        total += (gone * factor.share) @ (borne @ change) + factor.steady @ change**2
         return 2.0 * float(total)
+
+
+def _steady(turns: Array) -> Array:
+    """Return what a steady change in steps of so many times loses: turns - 2 (1 - e) + (1 - e^2) / 2 over turns^2."""
+    series = turns * (1.0 / 3.0 - turns * (0.25 - 7.0 / 60.0 * turns))  # where it cancels
+    with np.errstate(divide="ignore", invalid="ignore"):
+        whole = (turns + 2.0 * np.expm1(-turns) - 0.5 * np.expm1(-2.0 * turns)) / turns**2
+    return np.asarray(np.where(turns < 1e-2, series, whole))

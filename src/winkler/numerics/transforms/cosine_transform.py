@@ -51,7 +51,8 @@ class WaveResponse(Protocol):
     """What an integral equation needs of a medium: a value that can be a key of a cache.
 
     One that also has `own`, the same response in a unit of length of its own and that unit [m], shares all that is
-    computed with those that differ from it by their unit alone.
+    computed with those that differ from it by their unit alone.  One that also has `long_wave_kernel` leaves a part
+    out of `excess`, which grows for long waves, and has the transform C(x) of that part.
     """
 
     @property
@@ -243,4 +244,5 @@ def _octave(response: WaveResponse, octave: int) -> Panels:
                 f"The kernel of the stack is not resolved at {low:.3g} m: two paths differ by {misfit / size:.1e}; "
                 "its contrasts are beyond what winkler can carry."
             )
-    return fit_panels(lambda x: _sum(xi, weights, x), np.array([low, high]), max(1e-14 * size, floor))
+    split_off = getattr(response, "long_wave_kernel", np.zeros_like)
+    return fit_panels(lambda x: _sum(xi, weights, x) + split_off(x), np.array([low, high]), max(1e-14 * size, floor))

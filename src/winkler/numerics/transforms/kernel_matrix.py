@@ -22,7 +22,15 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["halving_panels", "kernel_matrix", "legendre_to_chebyshev", "panel_nodes"]
+__all__ = [
+    "FAR_DISTANCE_RATIO",
+    "WIDEST_REGULAR_PANEL",
+    "graded_rule",
+    "halving_panels",
+    "kernel_matrix",
+    "legendre_to_chebyshev",
+    "panel_nodes",
+]
 
 WIDEST_REGULAR_PANEL = 3.0
 """A panel wider than this many lengths of the kernel is integrated piece by piece where the kernel is near."""
@@ -146,13 +154,13 @@ def _correct(
     (near,) = np.nonzero(np.maximum(low - place, place - high) <= FAR_DISTANCE_RATIO * width)
     if near.size == 0:
         return
-    distance, weights = _graded_rule(place[near], low, high, response)
+    distance, weights = graded_rule(place[near], low, high, response)
     t = place[near, None] + distance
     basis = np.polynomial.chebyshev.chebvander(np.clip((2.0 * t - low - high) / width, -1.0, 1.0), n - 1)
     matrix[near] = np.einsum("ij,ijk->ik", weights * kernel(np.abs(distance)), basis) @ legendre_to_chebyshev(n)
 
 
-def _graded_rule(place: Array, low: float, high: float, response: WaveResponse) -> tuple[Array, Array]:
+def graded_rule(place: Array, low: float, high: float, response: WaveResponse) -> tuple[Array, Array]:
     """Return nodes, as distances from `place`, and weights on [low, high] in pieces that shrink towards `place`."""
     farthest = float(np.max(np.maximum(high - place, place - low)))
     step = 2.0 * response.smooth

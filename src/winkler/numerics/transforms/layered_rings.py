@@ -53,14 +53,20 @@ class LayeredRings(GridTransforms):
         points, weights = self._points(response)
         inner = fredholm.moments(response, points, nodes)
         inner[1:] /= nodes[1:, None]
-        held = self._by_hats(inner * weights, points) @ plain.gap
-        self.gap = (plain.gap - held) / self.edge[:, None]
+        inner *= weights
+        held = self._by_hats(inner, points)
+        self.held_away: Array = np.eye(nodes.size) - held
+        """What takes a transform h to phi(x; x) g(x), lower triangular ``(n, n)``."""
+        self.gap = (plain.gap - held @ plain.gap) / self.edge[:, None]
         outer = fredholm.moments(response, nodes, points).T * (fredholm.edge(response, points) / points * weights)
         self._spread = self._by_hats(outer, points)
         widths = np.diff(nodes)
-        self._near = outer.reshape(nodes.size, widths.size, -1).sum(axis=2) / widths
-        own = np.diag(self.edge) - self._spread
-        self.outside, self.force = plain.outside @ own, plain.force @ own
+        self._near, self._held_near = (
+            each.reshape(nodes.size, widths.size, -1).sum(axis=2) / widths for each in (outer, inner)
+        )
+        self.own: Array = np.diag(self.edge) - self._spread
+        """What takes springs to those that press alike without layers, upper triangular ``(n, n)``."""
+        self.outside, self.force = plain.outside @ self.own, plain.force @ self.own
         self.rim_load = self.edge[-1] * plain.rim_load
 
     def _points(self, response: WaveResponse) -> tuple[Array, Array]:
@@ -82,7 +88,7 @@ class LayeredRings(GridTransforms):
 
     def _alike(self, values: Array, cut: Cuts) -> tuple[Array, Cuts, Array]:
         """Return the springs without layers that press alike: those of which the positive part counts, and the rest."""
-        rest = self._spread @ np.maximum(values, 0.0) + self._near[:, cut.cells] @ self.plain.missed(cut)
+        rest = self._spread @ np.maximum(values, 0.0) + self.missed_load(cut)
         scaled = self.edge * values
         scaled_cut = Cuts(self.squares, scaled)
         # the rest stands still where no spring is pressed, and reaches beyond no edge
@@ -90,6 +96,18 @@ class LayeredRings(GridTransforms):
         scaled_cut.slope = scaled_cut.slope - np.divide(rise, wide, out=np.zeros(wide.size), where=wide > 0.0)
         scaled_cut.cut_slope = scaled_cut.cut_slope - rise / (scaled_cut.stop - scaled_cut.start)
         return scaled, scaled_cut, rest
+
+    def line_load(self, values: Array, cut: Cuts) -> Array:
+        """Return q [m] at the nodes: the springs without layers that press as springs values+ do on them."""
+        return np.asarray(self.own @ np.maximum(values, 0.0) - self.missed_load(cut))
+
+    def missed_load(self, cut: Cuts) -> Array:
+        """Return what springs outside give each other in cells of a cut [m], beyond what nodes alone do."""
+        return np.asarray(self._near[:, cut.cells] @ self.plain.missed(cut))
+
+    def missed_hold(self, cut: Cuts) -> Array:
+        """Return what a transform gives those farther out in cells of a cut [m], beyond what nodes alone do."""
+        return np.asarray(self._held_near[:, cut.cells] @ self.plain.missed(cut))
 
     def borne(self, values: Array, cut: Cuts) -> Array:
         """As `GridTransforms.borne`, over E* of the uppermost layer."""

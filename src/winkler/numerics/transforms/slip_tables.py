@@ -37,6 +37,7 @@ from winkler.numerics.panels.kink_panels import (
 )
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.transforms.odd_response import parity
+from winkler.numerics.transforms.rounded_slip_tables import rounded_loads, rounded_slips
 from winkler.numerics.types import Array
 
 __all__ = ["SlipTable", "slip_table"]
@@ -80,9 +81,16 @@ def slip_table(panels: Stretches, normal: WaveResponse, shear: WaveResponse) -> 
     """
     x = panels.nodes.ravel()
     twist = parity(shear)[1] < 0.0
-    gamma, lever = _triangle(panels, shear, x if twist else np.ones(x.size))
+    shape = x if twist else np.ones(x.size)
+    elliptic = _elliptic(x) if twist else np.zeros((0, 0))
+    if any(each.smooth > each.length for each in (normal, shear)):  # a logarithm that is rounded off
+        pressed = rounded_loads(panels, normal)
+        loads = ((own, _ringed(panels, elliptic, phi, own) if twist else phi) for own, phi in pressed)
+        found, lever = rounded_slips(panels, shear, shape, loads)
+        return SlipTable(found / lever[:, None], lever)
+    gamma, lever = _triangle(panels, shear, shape)
     bound = np.zeros((x.size, x.size))
-    for columns, load in _loads(panels, normal, twist):
+    for columns, load in _loads(panels, normal, twist, elliptic):
         rows = columns.stop
         total = load + _above(panels, gamma, load, columns)
         bound[:rows, columns] = total / lever[:rows, None]
@@ -130,11 +138,10 @@ def _triangle(panels: Stretches, response: WaveResponse, shape: Array) -> tuple[
     return gamma, lever
 
 
-def _loads(panels: Stretches, response: WaveResponse, twist: bool) -> Iterator[tuple[slice, Array]]:
+def _loads(panels: Stretches, response: WaveResponse, twist: bool, elliptic: Array) -> Iterator[tuple[slice, Array]]:
     """Yield, panel by panel of the radii of flat punches, the line loads q over E* of the rings that slide."""
     x = panels.nodes.ravel()
     kernel, n = _kernel(response, x), NODES_PER_PANEL
-    elliptic = _elliptic(x) if twist else np.zeros((0, 0))
     for panel, cut in enumerate(_cuts(panels, kernel)):
         low, own = cut.lower, slice(cut.lower, cut.lower + n)
         weights = _partial(panels, panel)[1]
@@ -142,14 +149,17 @@ def _loads(panels: Stretches, response: WaveResponse, twist: bool) -> Iterator[t
         cut_at = np.linalg.inv(np.eye(n) + cut.schur * weights[:, None, :])
         inside = (cut_at @ (1.0 - cut.reflected @ ones)).T  # own nodes, radii
         phi = np.vstack([(cut.inverse @ ones)[:, None] - cut.carried @ (weights.T * inside), inside])
-        if twist:
-            edge = np.diagonal(inside)
-            steep = np.einsum("ij,pjt->pit", _SLOPE, phi.reshape(-1, n, phi.shape[1]))
-            steep = (steep / panels.half[: panel + 1, None, None]).reshape(phi.shape)
-            rows = slice(0, own.stop)
-            beyond = _above(panels, elliptic, steep, own, over_y=True)
-            phi = 4.0 / np.pi * x[rows, None] * (elliptic[rows, own] * edge - beyond)
-        yield own, phi
+        yield own, _ringed(panels, elliptic, phi, own) if twist else phi
+
+
+def _ringed(panels: Stretches, elliptic: Array, phi: Array, own: slice) -> Array:
+    """Return the line loads q over E* of rings that slide under flat punches, for the radii in one panel."""
+    x, rows = panels.nodes.ravel(), slice(0, own.stop)
+    edge = np.diagonal(phi[own])
+    steep = np.einsum("ij,pjt->pit", _SLOPE, phi.reshape(-1, NODES_PER_PANEL, phi.shape[1]))
+    steep = (steep / panels.half[: own.stop // NODES_PER_PANEL, None, None]).reshape(phi.shape)
+    beyond = _above(panels, elliptic, steep, own, over_y=True)
+    return np.asarray(4.0 / np.pi * x[rows, None] * (elliptic[rows, own] * edge - beyond))
 
 
 def _elliptic(x: Array) -> Array:

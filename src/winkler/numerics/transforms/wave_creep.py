@@ -42,8 +42,12 @@ LARGEST_ERROR = 1e-5
 """A fit that is wrong by more than this part is refused."""
 NODES = 16
 """Gauss-Legendre nodes on a panel of wave numbers."""
-MOST_PANELS = 400_000
-"""Of wave numbers for one grid of cells, up to contacts some 10 000 times as wide as the uppermost layer is thick."""
+TURNS = 16
+"""Of the shortest wave that cells resolve, up to which waves are summed one by one."""
+FOURTH_POWER = np.array([1.0, -4.0, 6.0, -4.0, 1.0]) / 16.0
+"""Of cos((j + k) x), k = -2 to 2, in sin^4(x/2) cos(j x)."""
+SLOPE_STEP = 1e-3
+"""Of a difference quotient, relative."""
 CHECKED_WAVES = 5
 """Every fifth wave is checked."""
 
@@ -78,37 +82,57 @@ class WaveCreep(NamedTuple):
         """Return how the load of a hat moves hats at distances 0, width, ..., ``(1 + M, 2 count)``.
 
         A hat is one in its middle and zero one width [m] away: the double integral of c with two hats [m/Pa].
-
-        Raises
-        ------
-        NotConverged
-            If the cells reach too far against the length over which the waves vary.
         """
         lowest, last, along = float(self.edges[1]), float(self.edges[-1]), np.arange(2 * count)
         stride = 2.0 * math.pi / (4 * count * width)
-        start = min(lowest * 2.0 ** max(0, math.ceil(math.log2(stride / lowest))), last)
-        xi, weights = wave_numbers(lowest, start, start)
-        total = self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
+        start, total = 0.0, np.zeros((self.local.size, 2 * count))
+        if lowest < stride:  # else the waves do not vary over the first steps
+            start = min(lowest * 2.0 ** math.ceil(math.log2(stride / lowest)), last)
+            xi, weights = wave_numbers(lowest, start, start)
+            total += self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
         # from there on panels of one width, which all cells at their distances meet in steps of a whole turn's part
-        panels = math.ceil((last - start) / stride)
-        if panels > MOST_PANELS:
-            raise NotConverged(
-                f"The contact is too wide against the uppermost layer: it needs {panels:.1e} panels of waves, of "
-                f"which at most {MOST_PANELS:.0e} are summed; leave so thin a layer out, give a thicker one, or press "
-                "less."
-            )
+        end = min(last, start + TURNS * 4 * count * stride)
+        panels = math.ceil((end - start) / stride)
         for node, weight in zip(*gauss_legendre(NODES), strict=True):
             first = start + node * stride
             xi = first + stride * np.arange(panels)
-            parts = self._weighted(xi, np.where(xi < last, weight * stride, 0.0), width)
+            parts = self._weighted(xi, np.where(xi < end, weight * stride, 0.0), width)
             folded = np.zeros((self.local.size, math.ceil(panels / (4 * count)) * 4 * count))
             folded[:, :panels] = parts
             summed = np.fft.fft(folded.reshape(self.local.size, -1, 4 * count).sum(axis=1), axis=1)
             turned = np.conj(summed[:, : 2 * count]) * np.exp(1j * first * width * along)
             total += turned.real
+        if end < last:
+            total += self._beyond(end, along, width)
         total[:, 0] += self.local * (2.0 / 3.0 * width)
         total[:, 1] += self.local * (width / 6.0)
         return total
+
+    def _beyond(self, end: float, along: Array, width: float) -> Array:
+        r"""Return what waves from xi = end on add, far shorter than the cells, ``(1 + M, 2 count)``.
+
+        What multiplies :math:`\sin^4\tfrac x2\cos jx`, :math:`x=\xi h`, hardly changes over a turn: its mean is
+        integrated, and of each wave :math:`\cos kx` two terms of the integration by parts are left.
+        """
+
+        def envelope(xi: Array) -> Array:
+            return self._varying(xi) * (width**2 / math.pi * (2.0 / (xi * width)) ** 4)
+
+        edges = np.append(end, self.edges[self.edges > end])
+        nodes, weights = gauss_legendre(NODES)
+        xi = edges[:-1, None] + np.diff(edges)[:, None] * nodes
+        mean = envelope(xi.ravel()) @ (np.diff(edges)[:, None] * weights).ravel()
+        near = end * np.array([1.0 - SLOPE_STEP, 1.0, 1.0 + SLOPE_STEP])
+        below, at, above = envelope(near).T
+        turns = np.abs(along[:, None] + np.arange(-2, 3))
+        some = np.maximum(turns, 1)
+        shares = np.where(turns > 0, FOURTH_POWER, 0.0)
+        sines, cosines = shares * np.sin(turns * end * width) / some, shares * np.cos(turns * end * width) / some**2
+        return np.asarray(
+            np.outer(mean, np.sum(FOURTH_POWER - shares, axis=1))
+            - np.outer(at / width, np.sum(sines, axis=1))
+            - np.outer((above - below) / (2.0 * SLOPE_STEP * end * width**2), np.sum(cosines, axis=1))
+        )
 
     def after(self, xi: Array, time: Array) -> Array:
         """Return c(xi, t) [1/Pa] of waves [1/m] ``(m,)`` after times [s] ``(T,)``, ``(m, T)``."""

@@ -6,14 +6,15 @@ import numpy as np
 
 from winkler.foundation.torsion_bound import TwistBound
 from winkler.media.interior.twist_field import clean_slope
+from winkler.media.layered import coated_load
 from winkler.media.twisting.surface import TABLE_ROUNDING
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_states import TwistedSprings
 from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
-from winkler.values import value
+from winkler.values import value, words
 
-__all__ = ["PushedSprings"]
+__all__ = ["MovedSprings", "PushedSprings"]
 
 
 @value
@@ -23,6 +24,11 @@ class PushedSprings(TwistedSprings):
     @property
     def _bound(self) -> TwistBound:
         return push_bound(self.bed, self.coefficient, self.widest, self.forced)
+
+    def displacement(self, r: Array) -> Array:
+        """Return u_x(r) [m] of both surfaces together, inside and outside the contact."""
+        body = pushed_body(self.bed)
+        return coated_load.surface(MovedSprings(self, body.shear_modulus), body.tangential_response, r)
 
     def traction(self, r: Array) -> Array:
         """Return tau(r) [Pa] along the motion: rigidly pushed discs of all radii, superposed."""
@@ -38,3 +44,43 @@ class PushedSprings(TwistedSprings):
                 response.precision,
             )
         )
+
+
+@value
+class MovedSprings:
+    """How far the springs of a pushed contact are displaced along the surface.
+
+    Parameters
+    ----------
+    springs : PushedSprings
+    modulus : float
+        G* [Pa].
+    """
+
+    __words__ = words(springs=("", None, "springs of a pushed contact"), modulus=("G^*", "Pa", "shear modulus"))
+
+    springs: PushedSprings
+    modulus: float
+
+    @property
+    def radius(self) -> float:
+        """Contact radius [m]."""
+        return self.springs.radius
+
+    @property
+    def edge(self) -> float:
+        """u(a-) [m]; zero where the contact closes smoothly."""
+        return self.springs.edge / self.modulus
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)``: just above x the slope of u holds -strength / sqrt(x^2 - x_kink^2)."""
+        return tuple((x, strength / self.modulus) for x, strength in self.springs.kinks)
+
+    def value(self, x: Array) -> Array:
+        """u(x) [m] for 0 < x <= a."""
+        return self.springs.value(x) / self.modulus
+
+    def slope(self, x: Array) -> Array:
+        """u'(x) [-] for 0 < x < a."""
+        return self.springs.slope(x) / self.modulus

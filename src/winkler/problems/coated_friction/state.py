@@ -50,3 +50,17 @@ class CoatedTangentialState:
         """
         r = np.asarray(r, dtype=float)
         return self.springs.traction(r) if self.radius > 0.0 else np.zeros(r.shape)
+
+    def slip(self, r: ArrayLike) -> Array:
+        """Return how far the surfaces stand displaced against each other [m], mean over the circle.
+
+        Where they have touched all the time that is how far they have slipped.
+
+        Parameters
+        ----------
+        r : array_like
+            Distance from the axis [m], not negative.
+        """
+        r = np.asarray(r, dtype=float)
+        still = self.radius == 0.0 or (self.shear_force == 0.0 and self.shift == 0.0)
+        return np.full(r.shape, self.shift) if still else self.shift - self.springs.displacement(r)

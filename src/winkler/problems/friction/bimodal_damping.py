@@ -3,7 +3,8 @@ r"""Pressed and pushed at the same time: what a contact loses when its depth and
 .. math:: d = d_0 + A_z\cos n\theta ,\qquad U = A_x\cos(m\theta+\varphi)
 
 Every spring runs through its own closed cycle, known without steps in time
-(`winkler.problems.friction.spring_cycle`); the loss is their sum.  Where nothing slides (infinite coefficient)
+(`winkler.problems.friction.spring_cycle`); the loss is their sum.  On coatings rings are followed in steps
+(`winkler.problems.ring_slip.steady_loss`).  Where nothing slides (infinite coefficient)
 springs lose what they hold when they part,
 
 .. math:: W = 4A_x^2\,S\int c_T(x)\,\sin^2\!\bigl(\tfrac mn\tau\bigr)\,\mathrm dx,\qquad
@@ -45,8 +46,11 @@ from winkler.problems.friction.damping_springs import oscillating_contact
 from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.problems.normal.yield_statement import SurfaceFriction
+from winkler.problems.ring_slip.moving_notes import IN_CYCLES, moving_ring_notes
+from winkler.problems.ring_slip.ring_table import RingTable
+from winkler.problems.ring_slip.sliding_springs import sliding_springs
+from winkler.problems.ring_slip.steady_loss import STEPS_PER_CYCLE, cycle_steps, loss_of_cycle
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -61,7 +65,6 @@ WITH_FRICTION = Condition(
     lambda law: law.coefficient > 0.0,
     "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
 )
-ONE_RATIO = "with a varying normal load that ratio must be the same everywhere: give a homogeneous or power-law medium"
 AMPLITUDE_ADVICE = Advice("how far to each side; turn the phase by pi instead of a negative one")
 
 
@@ -72,7 +75,7 @@ class BimodalDamping:
     Parameters
     ----------
     bed : Bed
-        The springs, on a homogeneous or power-law medium.
+        The springs, on a homogeneous or power-law medium or a CoatedHalfSpace; without slip on any whose k_x is known.
     law : Coulomb
         Friction; an infinite coefficient if nothing slides (relaxation damping), zero is refused.
     depth : float
@@ -149,20 +152,25 @@ class BimodalDamping:
         Raises
         ------
         OutsideValidity
-            If the bodies never touch, the profile ends before the greatest depth, or the ratio of the springs'
-            stiffnesses is not the same for all of them (layers).
+            If the bodies never touch, the profile ends before the greatest depth, the springs are neither alike nor
+            rings of a coating, or a closed cycle on a coating holds more than 50 oscillations.
         NotConverged
             If the profile is too rough.
         """
         deepest, lowest = oscillating_contact("BimodalDamping", self.bed, self.depth, self.depth_amplitude)
         radius = float(deepest.radius)
-        ratio = common_ratio("BimodalDamping", self.bed, radius, ONE_RATIO)
-        edges = self._edges(lowest, radius)
+        ratio, table = 1.0, None
+        if not math.isinf(self.law.coefficient):
+            ratio, table = sliding_springs("BimodalDamping", self.bed, self.law.coefficient, radius)
         pushed, ahead = np.broadcast_arrays(
             np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
         )
         pairs = zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)
-        loss = np.array([self._lost(ratio, edges, a, p) for a, p in pairs])
+        if table is None:
+            edges = self._edges(lowest, radius)
+            loss = np.array([self._lost(ratio, edges, a, p) for a, p in pairs])
+        else:
+            loss = self._worn(table, list(pairs))
         return BimodalDampingSolution(self, deepest, shaped(loss, pushed.shape))
 
     def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
@@ -205,6 +213,16 @@ class BimodalDamping:
             return np.asarray(2.0 * self.bed.tangential_stiffness(x) * lost)
 
         return float(along_springs(density, edges, np.array([self._tolerance(cycle)]), "loss of the springs")[0])
+
+    def _worn(self, table: RingTable, pairs: list[tuple[float, float]]) -> Array:
+        """Return the losses per closed cycle [J] of rings, by amplitude [m] and phase [rad]."""
+        n, m = self.normal_cycles, self.lateral_cycles
+        angle = np.linspace(0.0, 2.0 * np.pi, STEPS_PER_CYCLE * max(n, m) + 1)
+        cycles = [self._cycle(1.0, pushed, ahead) for pushed, ahead in pairs]
+        if not cycles:
+            return np.zeros(0)
+        steps = cycle_steps("BimodalDamping", table, n, m, self.depth + cycles[0].sunk(angle))
+        return np.array([loss_of_cycle(table, steps, cycle.moved(angle)) for cycle in cycles])
 
     def _tolerance(self, cycle: SpringCycle) -> float:
         """Return what rounding spoils: small differences of depths, and of displacements below a high bound."""
@@ -254,8 +272,11 @@ class BimodalDampingSolution(DampingSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
+        bed, coefficient, radius = self.problem.bed, self.problem.law.coefficient, float(self.contact.radius)
+        rings = () if math.isinf(coefficient) else moving_ring_notes(bed, coefficient, radius, IN_CYCLES)
         return (
-            *self.contact.notes_with(SurfaceFriction(self.problem.law.coefficient)),
+            *self.contact.notes_with(SurfaceFriction(coefficient)),
             STEADY,
-            *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
+            *rings[1:],
+            *damping_notes(bed, radius, coefficient, rings=bool(rings)),
         )

@@ -101,7 +101,8 @@ class SpringState:
         if spread > RATIO_TOLERANCE:
             raise OutsideValidity(
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
-                f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces."
+                f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces: "
+                "CoatedTangential restores them on bonded layers."
             )
         inner = self.springs.gap < self.depth
         depths = np.append(self.springs.gap[inner], self.depth)

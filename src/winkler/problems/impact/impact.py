@@ -6,7 +6,8 @@ The bodies are rigid but for the contact, whose force is that of slow motion.  W
 .. math:: m\dot v = -F_N(d), \qquad \dot w = -\Bigl(\frac1m+\frac{\ell^2}{I}\Bigr)F_x, \qquad w = v_x - \ell\omega .
 
 The shear force of the springs is followed through sticking, sliding and turning back without a grid
-(`winkler.problems.impact.march`); friction is all that takes energy.
+(`winkler.problems.impact.march`), on coatings ring by ring (`winkler.problems.impact.ring_march`); friction is all that
+takes energy.
 """
 
 from __future__ import annotations
@@ -23,20 +24,18 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
-from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.moments import joined_stages, states_along
+from winkler.problems.impact.moments import joined_stages, ring_states, states_along
 from winkler.problems.impact.motion import ImpactProblem
 from winkler.problems.impact.states import ImpactStage, ImpactState
-from winkler.problems.impact.validity import PLANAR, Moments, gravity_note
+from winkler.problems.impact.validity import Moments, gravity_note, slip_notes
 from winkler.problems.normal.force_curve import deepest, normal_curve
 from winkler.problems.normal.solve_contact import at_depth
-from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
+from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -44,10 +43,6 @@ __all__ = ["Impact", "ImpactSolution"]
 
 LARGEST_FRICTION = 1e5
 """More friction than this differs from no slip by rounding alone."""
-ONE_RATIO = (
-    "an oblique impact is computed where that ratio is the same everywhere, on homogeneous and power-law media: give "
-    "such a medium, or a lateral and angular velocity of zero"
-)
 
 
 @value
@@ -58,7 +53,7 @@ class Impact:
     ----------
     bed : Bed
         The springs: Foundation(profile, medium).  With friction and a motion along the surface, of a medium whose
-        springs all have the same ratio of tangential to normal stiffness.
+        springs all have the same ratio of tangential to normal stiffness, or of a CoatedHalfSpace.
     law : Coulomb
         Coulomb(coefficient); infinite if nothing slides, zero without friction.
     mass : float
@@ -144,14 +139,8 @@ class Impact:
         return 1.0 / self.mass + self.lever**2 / self.inertia
 
     @property
-    def _motion(self) -> ImpactProblem:
-        depth, ratio = deepest(self.bed, 0.5 * self.mass * self.velocity**2), 1.0
-        if self.law.coefficient > 0.0 and self.sliding_velocity != 0.0:
-            radius = float(at_depth(self.bed, np.array([depth]))[1][0])
-            ratio = common_ratio("Impact", self.bed, radius, ONE_RATIO)
-        curve = normal_curve(self.bed, depth)
-        moving = self.mass, self.mobility, self.velocity, self.sliding_velocity
-        return ImpactProblem(curve, depth, *moving, ratio, self.law.coefficient)
+    def _slides(self) -> bool:
+        return self.law.coefficient > 0.0 and self.sliding_velocity != 0.0
 
     @property
     def total(self) -> int:
@@ -165,11 +154,20 @@ class Impact:
         ------
         OutsideValidity
             If the body is pressed in beyond what is known of its profile, a contact along the path is no disc, or the
-            springs of an oblique impact are not alike; before the first state.
+            springs of an oblique impact are neither alike nor rings of a coating; before the first state.
         NotConverged
             If the profile is too rough, or the march comes to a halt.
         """
-        yield from states_along(self.bed, self._motion, self.count)
+        depth, ratio, table = deepest(self.bed, 0.5 * self.mass * self.velocity**2), 1.0, None
+        if self._slides:
+            radius = float(at_depth(self.bed, np.array([depth]))[1][0])
+            ratio, table = sliding_springs("Impact", self.bed, self.law.coefficient, radius)
+        moving = self.mass, self.mobility, self.velocity, self.sliding_velocity
+        motion = ImpactProblem(normal_curve(self.bed, depth), depth, *moving, ratio, self.law.coefficient)
+        if table is None:
+            yield from states_along(self.bed, motion, self.count)
+        else:
+            yield from ring_states(self.bed, motion, table, self.count)
 
     def gathered(self, states: Iterable[ImpactState]) -> ImpactSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
@@ -288,7 +286,7 @@ class ImpactSolution:
         modulus = float(bed.normal_stiffness(radius)[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
         mu = problem.law.coefficient
-        slides = mu > 0.0 and problem.sliding_velocity != 0.0
+        slides = problem._slides
         rubbing = (
             SurfaceFriction(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if slides else FRICTIONLESS
         )
@@ -296,5 +294,5 @@ class ImpactSolution:
         balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
         notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
         if slides:
-            notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
+            notes += slip_notes(bed, mu, float(radius[0]))
         return tuple(notes)

@@ -38,6 +38,10 @@ class PushedRings:
         """The shift from which every ring slides [m]."""
         return self._springs.most / self._modulus
 
+    def stick_radius(self, moved: float) -> float:
+        """Return the radius of the part that sticks [m] at an amplitude of the shift [m]; zero if all slides."""
+        return float(self._springs.curve(np.array([self._modulus * moved])).front[0])
+
     def loss(self, moved: Array) -> Array:
         """Return the loss per cycle [J] at amplitudes of the shift [m], both ``(m,)``."""
         return np.asarray(8.0 / self._modulus * self._springs.curve(self._modulus * moved).lost)

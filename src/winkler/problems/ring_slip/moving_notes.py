@@ -1,0 +1,63 @@
+"""What is assumed where rings of a coating slide while the normal load changes, in small steps."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.foundation.bed import Bed
+from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.ring_slip.push_notes import push_note
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["IN_CYCLES", "IN_IMPACTS", "moving_ring_notes"]
+
+OUTER_RINGS = (
+    "Rings that slide are taken to lie outside of those that stick; under a changing normal load some slide inside of "
+    "others. Compared with rings that slide each by itself, "
+)
+IN_IMPACTS = (
+    "for a/h from 0.1 to 10, a ball's velocity along the surface after an impact was off by up to 1.3 % of that "
+    "before on a base a hundred times softer than the layer, by 0.5 % on one ten times softer, by 0.3 % on stiffer "
+    "ones; losses by up to 0.7 % of the energy of that motion."
+)
+IN_CYCLES = (
+    "in seven contacts, losses of a cycle were off by up to 0.04 of mu F_N A_x on a base a hundred times softer than "
+    "the layer (a quarter of the loss; motions in phase seem to lose nothing), by up to 0.004 on one ten times "
+    "softer, and by 0.002 on one ten times stiffer."
+)
+RINGS_NOTE = Note(
+    Assumption.RESOLUTION,
+    Standing.ASYMPTOTIC,
+    "The contact is cut into rings and the motion into steps: velocities along the surface are known to 1e-4 of the "
+    "first, losses to 1e-3; both errors fall with the square of rings and steps.",
+    "compared with the closed solution on a half-space, rings and steps halved",
+)
+STUCK = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "Nothing slides: springs bear what the stiffness k_x(a) of a disc without slip grows by with its radius, and what "
+    "leaves the contact loses what it bore.",
+    "superposition of discs of all radii, each moved along the surface as a whole",
+)
+
+
+def moving_ring_notes(bed: Bed, coefficient: float, radius: float, error: str) -> tuple[Note, ...]:
+    """Return what is assumed of rings that are not alike; nothing where springs are.
+
+    Parameters
+    ----------
+    bed : Bed
+    coefficient : float
+        mu [-].
+    radius : float
+        Of the widest contact [m].
+    error : str
+        The end of the sentence on rings that slide inside of others.
+    """
+    if radius == 0.0 or alike(stiffness_ratios(bed, radius)):
+        return ()
+    if math.isinf(coefficient):
+        return (STUCK, RINGS_NOTE)
+    source = "a march of 60 rings with constant tractions, normal and tangential"
+    outer = Note(Assumption.SLIP, Standing.APPROXIMATE, OUTER_RINGS + error, source)
+    return (push_note(bed, radius), outer, RINGS_NOTE)
