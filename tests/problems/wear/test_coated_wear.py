@@ -45,6 +45,7 @@ def test_without_contrast_it_is_the_half_space(medium, plain):
         np.testing.assert_allclose(last.pressure, same.pressure, atol=1e-6 * float(np.max(same.pressure)))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", DISCS)
 def test_a_flat_pin_wears_as_rings_of_even_pressure_do(name):
     medium, discs = DISCS[name]
@@ -109,6 +110,7 @@ def test_a_film_much_thinner_than_the_contact():
         np.testing.assert_allclose(state.pressure[inner], expected, atol=2e-3 * start)
 
 
+@pytest.mark.slow
 def test_a_layer_that_wears_is_followed_up_to_a_part_of_its_thickness():
     film = wk.SlidingFilm([wk.Layer(POLYMER, 1e-6)], on=wk.Rigid())
     force, radius = 1.0, 1e-4

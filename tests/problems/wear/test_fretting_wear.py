@@ -57,6 +57,7 @@ def test_the_march_ends_in_the_limiting_profile_the_closer_the_finer_the_grid():
     assert np.all(orders > 1.3)
 
 
+@pytest.mark.slow
 def test_the_march_ends_within_one_percent_of_the_limiting_profile():
     limit, worn = limiting(), fretting().solve()
     assert worn.worn_volume[-1] == pytest.approx(limit.worn_volume, rel=0.01)
@@ -67,6 +68,7 @@ def test_the_march_ends_within_one_percent_of_the_limiting_profile():
     assert np.all(last.worn[last.radii <= 0.5 * A0] == 0.0)
 
 
+@pytest.mark.slow
 def test_the_limit_holds_in_a_graded_medium():
     soil = wk.PowerLawGraded(young=1.0, depth_scale=0.1, exponent=0.3, poisson=0.3)
     graded = wk.GradedHalfSpace.between(soil)
@@ -139,6 +141,7 @@ def test_a_march_that_was_stopped_goes_on_with_the_same_numbers():
     assert list(problem.steps(start=whole[-1])) == []
 
 
+@pytest.mark.slow
 def test_under_a_force_the_core_takes_over_what_the_ring_lets_go():
     worn = fretting(normal=wk.Force(1e-3), amplitude=wk.Shift(1e-3), cycles=np.geomspace(1.0, 1e5, 6)).solve()
     np.testing.assert_allclose(worn.force, 1e-3, rtol=1e-9)
@@ -182,6 +185,7 @@ class Squared:
         return pressure**2
 
 
+@pytest.mark.slow
 def test_the_limit_does_not_depend_on_the_law_of_wear():
     limit, worn = limiting(), fretting(wear=Squared(), cycles=np.array([0.0, 1e9])).solve()
     assert worn.worn_volume[-1] == pytest.approx(limit.worn_volume, rel=0.02)
@@ -230,15 +234,6 @@ def test_one_number_of_cycles_gives_states_that_crowd_at_the_beginning():
 def test_wrong_arguments_are_refused(changes, message):
     with pytest.raises(wk.InvalidInput, match=message):
         fretting(**changes)
-
-
-def test_layers_are_refused_with_the_reason():
-    solid = wk.Elastic(young=1.0, poisson=0.3)
-    coated = wk.CoatedHalfSpace([wk.Layer(solid, thickness=0.05)], on=solid)
-    with pytest.raises(
-        wk.OutsideValidity, match=r"does not answer to shear as it does to pressure.* use SlidingWear where"
-    ):
-        fretting(bed=wk.Foundation(wk.Paraboloid(BALL), coated))
 
 
 @pytest.mark.parametrize(("part", "count", "standing"), [

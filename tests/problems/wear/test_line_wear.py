@@ -72,6 +72,7 @@ def test_fretting_is_that_of_boundary_elements(counts):
     assert stresses[-1] < 0.5 * stresses[0]
 
 
+@pytest.mark.slow
 def test_sliding_is_that_of_boundary_elements():
     given = {"bed": CYLINDER, "wear": wk.Archard(1.0), "normal": wk.LineForce(FORCE), "tolerance": 1e-5}
     run = sliding(np.array([0.0, 0.1]), **given, count=400)
@@ -103,6 +104,7 @@ def test_the_march_ends_in_the_limiting_profile_the_closer_the_finer_the_grid():
     assert misses[-1] < 0.25 * misses[0]
 
 
+@pytest.mark.slow
 def test_what_sticks_stays_and_does_not_wear():
     run = fretting(cycles=np.array([0.0, 30.0, 300.0, LATE])).solve()
     np.testing.assert_allclose(run.stick_half_width, 0.5 * A, rtol=1e-12)

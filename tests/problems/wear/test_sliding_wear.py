@@ -45,6 +45,7 @@ def test_a_wider_grid_loses_nothing():
     np.testing.assert_allclose(run.force, 1.0, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_ball_wears_to_a_cap():
     run = worn(np.array([0.0, 1.0]), count=50)
     cap = (4.0 * 1e-3 * RATE * 1.0 / math.pi) ** 0.25
@@ -63,6 +64,7 @@ def test_the_pressure_beside_the_edge_is_stated():
     assert not any("of the mean" in note.statement for note in before.validity)
 
 
+@pytest.mark.slow
 def test_a_ball_wears_over_any_distance(monkeypatch):
     # a hundred kilometres, over which the contact grows to forty times its radius: V = kappa F s is a cap of the ball
     looks = 0
@@ -121,6 +123,7 @@ def test_at_a_steady_depth_a_ball_wears_until_nothing_presses():
     assert run.worn_volume[-1] == pytest.approx(math.pi * 1e-3 * depth**2, rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_stopped_march_goes_on_with_the_same_numbers_across_a_wider_grid():
     problem = wk.SlidingWear(BALL, wk.Archard(RATE), wk.Force(1.0), np.array([1e-3, 1e-2, 0.1, 0.2]), count=60)
     whole = list(problem.steps())

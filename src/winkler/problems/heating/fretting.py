@@ -28,6 +28,8 @@ from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
 from winkler.problems.assumptions.temperature import temperature_note
+from winkler.problems.coated_friction.cycle_heat import losses_on_layers
+from winkler.problems.coated_friction.tangential import CoatedTangential, CoatedTangentialSolution
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import RubbingBodies
 from winkler.validity import Assumption, Note, Standing
@@ -51,9 +53,10 @@ class FrettingHeat(RubbingBodies):
 
     Parameters
     ----------
-    motion : Tangential
-        The problem of the motion; its path ends with a closed cycle, which is then repeated for ever.  Two cycles of an
-        oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one differs.
+    motion : Tangential or CoatedTangential
+        The problem of the motion, on bonded layers a CoatedTangential; its path ends with a closed cycle, which is then
+        repeated for ever.  Two cycles of an oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one
+        differs.
     frequency : float
         How often the cycle is repeated [Hz]; the times of the path do not matter.
     conductors : HeatConductors
@@ -62,7 +65,7 @@ class FrettingHeat(RubbingBodies):
     Raises
     ------
     InvalidInput
-        If the motion is no `Tangential`, the frequency not positive, or a body does not conduct heat.
+        If the motion is none of these, the frequency not positive, or a body does not conduct heat.
 
     References
     ----------
@@ -86,7 +89,7 @@ class FrettingHeat(RubbingBodies):
     (1.0, True)
     """
 
-    motion: Tangential
+    motion: Tangential | CoatedTangential
     frequency: Positive
     conductors: HeatConductors
 
@@ -128,7 +131,7 @@ class FrettingHeat(RubbingBodies):
         return FrettingHeatSolution(self, march, loss, abs(entries / loss - 1.0), flux.scaled(scale), heated)
 
 
-def _begin(march: TangentialSolution) -> int:
+def _begin(march: TangentialSolution | CoatedTangentialSolution) -> int:
     """Return where the cycle begins that the path ends with."""
     same = np.ones(march.time.size - 1, dtype=bool)
     for column in (march.shift, march.shear_force, march.depth):
@@ -144,7 +147,14 @@ def _begin(march: TangentialSolution) -> int:
     return int(entries[-1])
 
 
-def _losses(march: TangentialSolution, begin: int, r: Array) -> Array:
+def _losses(march: TangentialSolution | CoatedTangentialSolution, begin: int, r: Array) -> Array:
+    """Return the heat per area of the cycle [J/m^2] at distances r."""
+    if isinstance(march, CoatedTangentialSolution):
+        return losses_on_layers(march, begin, r)
+    return _trapezoids(march, begin, r)
+
+
+def _trapezoids(march: TangentialSolution, begin: int, r: Array) -> Array:
     """Return the heat per area of the cycle [J/m^2] at distances r, by the trapezoidal rule over its points."""
     total = np.zeros(r.shape)
     before = None
@@ -165,7 +175,7 @@ class FrettingHeatSolution:
     ----------
     problem : FrettingHeat
         The problem that was solved.
-    march : TangentialSolution
+    march : TangentialSolution or CoatedTangentialSolution
         The motion.
     loss_per_cycle : float
         Energy lost in every cycle [J].
@@ -183,7 +193,7 @@ class FrettingHeatSolution:
     )
 
     problem: FrettingHeat
-    march: TangentialSolution
+    march: TangentialSolution | CoatedTangentialSolution
     loss_per_cycle: float
     misfit: float
     flux: RoundFlux

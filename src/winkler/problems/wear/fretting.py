@@ -20,21 +20,28 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
-from winkler.loading import Depth, ShearForce
+from winkler.loading import ShearForce
+from winkler.media.families import DepthVaryingMedium
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.friction.damping import FrictionDamping
-from winkler.problems.friction.damping_springs import SlippingSprings
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
-from winkler.problems.wear.input_checks import Cells, WearTolerance, refuse_unless_alike
+from winkler.problems.wear.input_checks import Cells, WearTolerance, refuse_unless_rubbed
 from winkler.problems.wear.march import WearMoment
+from winkler.problems.wear.round_core import expected_loss, fretting_nodes
 from winkler.problems.wear.round_grid import RoundGrid, RubbedContact
 from winkler.problems.wear.states import FrettingState
 from winkler.problems.wear.validity import fretting_notes, slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_states import AtGoals, pressed_moment, round_nodes, unworn, worn_history, worn_states
+from winkler.problems.wear.worn_layers import (
+    laws_on,
+    layer_loses,
+    layer_notes,
+    refuse_thin,
+    refuse_wear_of_layers,
+)
+from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -48,7 +55,7 @@ class FrettingWear(AtGoals):
     Parameters
     ----------
     bed : Foundation
-        Foundation(profile, medium) before wear; the medium homogeneous, or graded by a power law.
+        Foundation(profile, medium) before wear; the medium of elastic bodies, with bonded layers or without.
     wear : Archard, PairWear or OwnWear
         How the surfaces wear.
     law : Coulomb
@@ -63,13 +70,22 @@ class FrettingWear(AtGoals):
         Cells of the grid of radii.
     tolerance : float, optional
         Error of the worn depth in one jump over many cycles, over the depth of the springs.
+    layer_wears : bool, optional
+        Of a medium with layers, and one law of wear: whether its uppermost layer wears. Left out, the other body does;
+        under a PairWear both do, the layer by its first law.
 
     Raises
     ------
     InvalidInput
-        If a law, a load or a number is not of these kinds.
+        If a law, a load or a number is not of these kinds, or a layer is said to wear on a medium without layers.
     OutsideValidity
-        If the medium is layered: its tractions are not those of its springs.
+        If the medium relaxes, or a layer slides on what lies below it.
+
+    Notes
+    -----
+    On layers and depth gradings pressures, bounds of the springs and slip are those of the normal and shear kernels of
+    the layers, as in `CoatedTangential`; the core that sticks moves while its surroundings wear.  A layer that wears is
+    taken to respond as before, up to 5 per cent of its thickness.
 
     References
     ----------
@@ -101,6 +117,7 @@ class FrettingWear(AtGoals):
         amplitude=("", None, "amplitude of the shift or of the shear force"),
         count=("n", "", "cells of the grid of radii"),
         tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the depth"),
+        layer_wears=("", None, "whether the uppermost layer wears, and not the other body"),
     )
 
     bed: Foundation
@@ -111,16 +128,24 @@ class FrettingWear(AtGoals):
     cycles: FiniteQuantity
     count: Cells = 400
     tolerance: WearTolerance = 1e-3
+    layer_wears: bool = False
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "popov_2014", "archard_1953")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
     needs_round: ClassVar[str] = "wear, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:
-        refuse_unless_alike("FrettingWear", self.bed)
+        refuse_unless_rubbed("FrettingWear", self.bed)
+        refuse_wear_of_layers("FrettingWear", self.bed.medium, self.wear, layer_wears=self.layer_wears)
         super().__post_init__()
 
-    def _rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
+    @property
+    def laws(self) -> WearLaw:
+        """How the bodies wear: one law alone is that of the first, or on layers that stay as they are, the second."""
+        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
+
+    def rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
+        """Return what the pressed contact does that is pushed to and fro."""
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
             size = grid.shift_under(contact, coefficient, size)
@@ -133,28 +158,18 @@ class FrettingWear(AtGoals):
 
     def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
         """Return how far the surfaces slip in one cycle at the nodes [m]."""
-        return 4.0 * self._rubbed(grid, contact).slip
+        return 4.0 * self.rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse a contact that slides away under a prescribed shear force."""
+        """Refuse a contact that slides away under a prescribed shear force, and to wear much of a layer."""
+        if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
+            refuse_thin("FrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
         most = self.law.coefficient * contact.force
         if isinstance(self.amplitude, ShearForce) and float(self.amplitude.shear_force) >= most:
             raise OutsideValidity(
                 f"FrettingWear: after {elapsed:.6g} cycles friction bears {most:.6g} N, and the bodies slide away "
                 f"under a shear force of {float(self.amplitude.shear_force):.6g} N; give less, or prescribe a Shift."
             )
-
-    def _stick_radius(self, pressed: IndentationSolution) -> float:
-        """Return the radius of the core that sticks at first [m], as of a lower depth; zero if all sticks or slips."""
-        most = self.law.coefficient * float(pressed.force)
-        if isinstance(self.amplitude, ShearForce) and float(self.amplitude.shear_force) >= most:
-            return 0.0
-        springs = SlippingSprings(self.law.coefficient, pressed)
-        moved = float(FrictionDamping(self.bed, self.law, self.normal, self.amplitude).solve().shift)
-        if moved >= springs.reach:
-            return 0.0
-        core = float(Indentation(self.bed, Depth(springs.depth * (1.0 - moved / springs.reach))).solve().radius)
-        return core if core < springs.radius else 0.0
 
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
         """Yield the contact at every requested number of cycles.
@@ -173,13 +188,13 @@ class FrettingWear(AtGoals):
         NotConverged
             If jumps become too short.
         """
-        return worn_states(self, start, lambda: round_nodes(self, self._stick_radius), everywhere=False)
+        return worn_states(self, start, lambda: fretting_nodes(self), everywhere=False)
 
     def state(self, moment: WearMoment) -> FrettingState:
         """Return what is known of the contact."""
         contact, touching, common = pressed_moment(self, moment)
         grid = wear_grid(self.bed, moment.nodes)
-        rubbed = self._rubbed(grid, contact)
+        rubbed = self.rubbed(grid, contact)
         lost = 4.0 * self.law.coefficient * float(grid.rings.areas @ (contact.pressure * rubbed.slip))
         return FrettingState(
             **common, radii=moment.nodes, depth=contact.depth, force=contact.force, radius=touching,
@@ -256,8 +271,11 @@ class FrettingSolution:
         """How far the result can be trusted."""
         stated = self.problem
         found = stated.state(unworn(self.states[0].nodes)).loss_per_cycle
-        springs = FrictionDamping(stated.bed, stated.law, stated.normal, stated.amplitude).solve()
-        return (
-            *fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states),
-            *slip_grid_note(found, float(springs.loss_per_cycle)),
-        )
+        notes = fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states)
+        medium = stated.bed.medium
+        if not isinstance(medium, DepthVaryingMedium):
+            springs = FrictionDamping(stated.bed, stated.law, stated.normal, stated.amplitude).solve()
+            return (*notes, *slip_grid_note(found, float(springs.loss_per_cycle)))
+        wears = layer_loses(medium, stated.wear, layer_wears=stated.layer_wears)
+        expected = expected_loss(stated, self.states[0].nodes, found)
+        return (*notes, *slip_grid_note(found, expected), *layer_notes(medium, self.states, layer_wears=wears))

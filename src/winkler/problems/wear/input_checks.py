@@ -11,18 +11,14 @@ from winkler.media.families import DepthVaryingMedium
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 
-__all__ = ["Cells", "WearTolerance", "refuse_unless_alike", "refuse_unless_pressed"]
+__all__ = ["Cells", "WearTolerance", "refuse_unless_pressed", "refuse_unless_rubbed"]
 
 
-def refuse_unless_alike(owner: str, bed: Foundation) -> None:
-    """Refuse a bed whose slip does not follow from its springs."""
-    if not isinstance(bed.medium, HomogeneousMedium | GradedHalfSpace):
-        raise OutsideValidity(
-            f"{owner}: a {type(bed.medium).__name__} does not answer to shear as it does to pressure, so that slip "
-            "does not follow from its springs; give HalfSpace(first, second) or GradedHalfSpace(first, second), or use "
-            "SlidingWear where all slides, LimitingProfile for the shape in the end, CoatedTangential for what slips "
-            "before wear."
-        )
+def refuse_unless_rubbed(owner: str, bed: Foundation) -> None:
+    """Refuse a bed whose slip is not known for worn profiles: layers that slide on one another, bodies that relax."""
+    refuse_unless_pressed(owner, bed)
+    if isinstance(bed.medium, DepthVaryingMedium):
+        _ = bed.medium.tangential_response  # type: ignore[attr-defined]
 
 
 def refuse_unless_pressed(owner: str, bed: Foundation) -> None:

@@ -23,6 +23,7 @@ from winkler.foundation.bed import StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.loading import Depth, Shift
+from winkler.media.families import DepthVaryingMedium
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
@@ -31,7 +32,8 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.problems.wear.validity import DEBRIS, limiting_notes, slip_note
+from winkler.problems.wear.round_core import StuckRadii, layered_core, spring_core
+from winkler.problems.wear.validity import DEBRIS, core_notes, slip_note
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -39,8 +41,6 @@ __all__ = ["LimitingProfile", "LimitingSolution"]
 
 NODES = 64
 SAMPLES = 513
-MIDDLE_RADIUS = 1e-9
-"""Part of the contact that stands for its middle, where springs of graded media are known in the limit only."""
 
 
 ONE_DEPTH = Condition(
@@ -73,6 +73,12 @@ class LimitingProfile:
     ------
     InvalidInput
         If the bed, the law, the load or the amplitude are not of these kinds.
+
+    Notes
+    -----
+    On layers and depth gradings the core is that of their normal and shear kernels. Where what sticks before wear would
+    slip at the edge of a core that bears alone, the core shrinks to where it does not; where it would not, the core
+    grows while its surroundings wear, by how much depends on the law, and the one before wear is taken.
 
     References
     ----------
@@ -120,8 +126,9 @@ class LimitingProfile:
         Raises
         ------
         OutsideValidity
-            If everything slips: such a contact has no core, and wears without end.  If nothing slips.  If the worn
-            contact ends beyond what is known of the profile.
+            If everything slips, or on layers the core shrinks to nothing: such a contact wears without end.  If nothing
+            slips.  If a layer slides on what lies below it.  If the worn contact ends beyond what is known of the
+            profile.
         """
         contact = self.contact
         depth, radius = float(self.normal.depth), float(contact.radius)
@@ -131,26 +138,29 @@ class LimitingProfile:
         return LimitingSolution(self, core, self._outer_radius(core))
 
     def _stick_radius(self, depth: float, radius: float) -> float:
-        moved, bed = float(self.amplitude.shift), self.bed
-
-        def margin(x: Array) -> Array:
-            ratio = bed.normal_stiffness(x) / bed.tangential_stiffness(x)
-            return np.asarray(self.law.coefficient * ratio * (depth - bed.gap(x)) - moved)
-
-        place = radius * np.linspace(0.0, 1.0, SAMPLES)
-        place[0] = MIDDLE_RADIUS * radius
-        sticks = margin(place) >= 0.0
-        if not sticks[0]:
-            raise OutsideValidity(
-                f"LimitingProfile: with an amplitude of {moved:.6g} m everything slips; such a contact wears without "
-                "end: give a smaller amplitude, or use FrettingWear."
-            )
-        if np.all(sticks):
+        radii = self._stuck(depth, radius)
+        moved = float(self.amplitude.shift)
+        if radii.first == radius:
             raise OutsideValidity(
                 f"LimitingProfile: with an amplitude of {moved:.6g} m nothing slips, and nothing wears."
             )
-        last = int(np.argmin(sticks)) - 1
-        return float(between(lambda x, _: margin(x), place[last : last + 1], place[last + 1 : last + 2])[0])
+        core = min(radii)
+        if core == 0.0:
+            shrinks = radii.first > 0.0
+            fate = "the core shrinks to nothing while its surroundings wear" if shrinks else "everything slips"
+            raise OutsideValidity(
+                f"LimitingProfile: with an amplitude of {moved:.6g} m {fate}; such a contact wears without end: give a "
+                "smaller amplitude, or use FrettingWear."
+            )
+        return core
+
+    def _stuck(self, depth: float, radius: float) -> StuckRadii:
+        """Return the radii of the core before wear and where it bears alone."""
+        stated = (self.bed, self.law.coefficient, depth, radius, float(self.amplitude.shift))
+        if isinstance(self.bed.medium, DepthVaryingMedium):
+            return layered_core(*stated)
+        core = spring_core(*stated)
+        return StuckRadii(core, core)
 
     def _outer_radius(self, core: StretchedSprings) -> float:
         bed = self.bed
@@ -274,4 +284,6 @@ class LimitingSolution:
         bed = self.problem.bed
         rubbing = SurfaceFriction(self.problem.law.coefficient)
         worn = (DEBRIS, slip_note(bed), sticking_note(bed.medium, self.problem.law.coefficient))
-        return (*self.problem.contact.notes_with(rubbing), *worn, *limiting_notes(bed, self.core.radius))
+        contact = self.problem.contact
+        radii = self.problem._stuck(self.core.depth, float(contact.radius))
+        return (*contact.notes_with(rubbing), *worn, *core_notes(bed, *radii))

@@ -100,6 +100,10 @@ class WearProblem(Protocol):
         """Greatest depth that can wear off at all [m]; infinite where wear has no end, or it is not known."""
         ...
 
+    def reached(self, elapsed: float) -> str:
+        """Return how far wear has come, in words and with its unit."""
+        ...
+
     def slipped(self, grid: Any, contact: WornContact) -> Array:
         """Return how far the surfaces slip at the nodes, over one cycle [m] or one metre of sliding [-]."""
         ...
@@ -205,8 +209,8 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
             length = min(length, goal - elapsed - settling)
         if length < SHORTEST_JUMP * max(goal - begun, elapsed) and length < goal - elapsed:
             raise NotConverged(
-                f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "
-                "tolerance."
+                f"Wear: after {problem.reached(elapsed)} the jumps become too short to go on; give more cells (count) "
+                "or a smaller tolerance."
             )
         try:
             with np.errstate(over="raise", invalid="raise"):

@@ -9,8 +9,10 @@ from winkler.loading import Depth, Normal
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 
-__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes", "nodes_about"]
+__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes", "nodes_about", "nodes_between"]
 
+FINER = 3.0
+"""How much closer nodes are where the edge of what sticks moves, than even ones."""
 GRID_GROWTH = 1.5
 """How much wider than the contact a grid begins, and how much wider it gets when the contact has grown."""
 
@@ -76,3 +78,22 @@ def nodes_about(core: float, reach: float, count: int) -> Array:
     inner = count // 2
     inside = core * (1.0 - np.linspace(1.0, 0.0, inner + 1)[:-1] ** 1.5)
     return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
+
+
+def nodes_between(low: float, high: float, reach: float, count: int) -> Array:
+    """Return distances from the middle to `reach`: close together between two radii, and beyond them.
+
+    Parameters
+    ----------
+    low, high, reach : float
+        Between which the edge of what sticks moves, and where the grid ends [m].
+    count : int
+        How many nodes beside the one in the middle.
+    """
+    between_both = min(round(FINER * count * (high - low) / reach), count // 3)
+    high = high if between_both else low
+    rest = count - between_both
+    inner = min(max(round(rest * low / reach), rest // 8), rest - rest // 8)
+    inside = np.linspace(0.0, low, inner + 1)[:-1]
+    moved = np.linspace(low, high, between_both + 1)[:-1]
+    return np.concatenate([inside, moved, high + (reach - high) * np.linspace(0.0, 1.0, rest - inner + 1) ** 2])

@@ -7,7 +7,8 @@ bear
 .. math:: q = c_N\,v_+ , \qquad u_t = \min(U, \mu\tfrac{E^*}{G^*}\,v_+) , \qquad
           s(r) = \frac2\pi\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm dx ,
 
-zero where everything inside sticks.
+zero where everything inside sticks.  On layers, whose normal and shear kernels differ, bounds and slip are those of
+`winkler.numerics.transforms.rubbed_rings`.
 """
 
 from __future__ import annotations
@@ -24,10 +25,10 @@ from winkler.loading import Depth, Normal
 from winkler.media.body_of import exponent_of
 from winkler.media.families import DepthVaryingMedium
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
+from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_grid
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
 
 __all__ = ["RoundGrid", "RubbedContact"]
@@ -121,11 +122,9 @@ class RoundGrid(WornGrid):
         return 2.0 * self.modulus * self.rings.integral(stretch, cut)
 
     @functools.cached_property
-    def shear_ratio(self) -> float:
-        """E*/G* [-]."""
-        medium = self.bed.medium
-        assert isinstance(medium, HomogeneousMedium | GradedHalfSpace)
-        return float(medium.modulus / medium.shear_modulus)
+    def sheared(self) -> ShearedGrid:
+        """What the springs do that are pushed along the surface."""
+        return sheared_grid(self)
 
     def sunk(self, contact: WornContact, worn: Array) -> float:
         """As `WornGrid.sunk`: the depth."""
@@ -133,46 +132,57 @@ class RoundGrid(WornGrid):
 
     def depth_under(self, force: float, gap: Array) -> float:
         """Return the depth [m] at which springs under a gap [m] bear a force [N]."""
-        # the force at the depths of the nodes, as if g never fell, gives the start
-        climbing = np.maximum.accumulate(gap)
-        squares = self.rings.squares
-        areas = 2.0 * self.modulus * self.rings.springs_within(squares)
-        means = np.cumsum(np.append(0.0, np.diff(areas) * 0.5 * (climbing[1:] + climbing[:-1])))
-        depth = float(np.interp(force, climbing * areas - means, climbing))
-        if depth == climbing[-1]:
-            depth = float((force + means[-1]) / areas[-1])
-        for trial in range(MOST_TRIALS):
-            stretch = depth - gap
-            cut = self.cuts(stretch)
-            error = 2.0 * self.modulus * self.rings.integral(stretch, cut) - force
-            # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
-            if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
-                return depth
-            slope = 2.0 * self.modulus * self.rings.inside(cut, float(squares[-1]) if stretch[-1] > 0.0 else 0.0)
-            following = depth - error / slope if slope > 0.0 else float(np.max(gap))
-            if abs(following - depth) <= DEPTH_TOLERANCE * float(np.max(np.abs(gap))):
-                return following
-            depth = following
-        raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; take more nodes.")
+        return level_under(self.rings, self.modulus, force, gap)
 
     def rub(self, contact: WornContact, coefficient: float, shift: float) -> RubbedContact:
         """Return what a contact does that is pushed to and fro by a shift [m]."""
-        bound = coefficient * self.shear_ratio * np.maximum(contact.stretch, 0.0)
-        short = shift - bound
+        ratio = self.sheared.ratio
+        short = shift - coefficient * ratio * np.maximum(self.sheared.bounds(contact.stretch), 0.0)
         cut = self.cuts(short)
-        slip = np.where(contact.pressure > 0.0, self.surface(short, cut), 0.0)
+        slip = np.where(contact.pressure > 0.0, self.sheared.slip(short, cut), 0.0)
         rising = cut.place[~cut.falls]
         core_edge = 0.0 if short[0] > 0.0 else math.inf
         stick = min([contact.radius, core_edge, *np.sqrt(rising).tolist()])
         # what slides bears the whole friction, less what its core has in excess of the shift
         excess = -short
-        core = 2.0 * self.modulus / self.shear_ratio * self.rings.integral(excess, self.cuts(excess))
+        core = 2.0 * self.modulus / ratio * self.sheared.rings.integral(excess, self.cuts(excess))
         return RubbedContact(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
 
     def shift_under(self, contact: WornContact, coefficient: float, shear_force: float) -> float:
         """Return the shift [m] of a shear force [N] (Ciavarella, Jaeger); at sliding the one from which all slides."""
-        core = contact.force - shear_force / coefficient
+        core, bounds = contact.force - shear_force / coefficient, self.sheared.bounds(contact.stretch)
         if core <= 0.0:
-            return coefficient * self.shear_ratio * float(np.max(contact.stretch, initial=0.0))
-        inner = self.depth_under(core, contact.depth - contact.stretch)
-        return coefficient * self.shear_ratio * (contact.depth - inner)
+            moved = float(np.max(bounds, initial=0.0))
+        else:
+            moved = -level_under(self.sheared.rings, self.modulus, core, -bounds)
+        return coefficient * self.sheared.ratio * moved
+
+
+def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array) -> float:
+    """Return the depth [m] at which springs of these transforms under a gap [m] bear a force [N]."""
+    # the force at the depths of the nodes, as if g never fell, gives the start
+    climbing = np.maximum.accumulate(gap)
+    squares = rings.squares
+    areas = 2.0 * modulus * rings.springs_within(squares)
+    means = np.cumsum(np.append(0.0, np.diff(areas) * 0.5 * (climbing[1:] + climbing[:-1])))
+    depth = float(np.interp(force, climbing * areas - means, climbing))
+    if depth == climbing[-1]:
+        depth = float((force + means[-1]) / areas[-1])
+    low, high = float(np.min(gap)), math.inf
+    for trial in range(MOST_TRIALS):
+        stretch = depth - gap
+        cut = Cuts(squares, stretch)
+        error = 2.0 * modulus * rings.integral(stretch, cut) - force
+        # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
+        if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
+            return depth
+        low, high = (max(low, depth), high) if error < 0.0 else (low, min(high, depth))
+        slope = 2.0 * modulus * rings.inside(cut, float(squares[-1]) if stretch[-1] > 0.0 else 0.0)
+        following = depth - error / slope if slope > 0.0 else float(np.max(gap))
+        # stiff layers part and touch again from depth to depth: halving is slow, but settles
+        if trial > LATE_TRIAL and high < math.inf:
+            following = 0.5 * (low + high)
+        if abs(following - depth) <= DEPTH_TOLERANCE * float(np.max(np.abs(gap))):
+            return following
+        depth = following
+    raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; give more cells (count).")

@@ -16,8 +16,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, FiniteQuantity
 from winkler.foundation.foundation import Foundation
-from winkler.laws.wear import Archard, OwnWear, PairWear, Unworn, WearLaw
-from winkler.media.families import DepthVaryingMedium
+from winkler.laws.wear import Archard, OwnWear, WearLaw
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import WORN
@@ -26,7 +25,7 @@ from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import WearState
 from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_layers import layer_notes, refuse_thin, refuse_without_layer
+from winkler.problems.wear.worn_layers import laws_on, layer_notes, refuse_thin, refuse_without_layer
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, round_nodes, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -124,13 +123,12 @@ class SlidingWear(OfDistance):
     @property
     def laws(self) -> WearLaw:
         """How the bodies wear: the second one on layers that stay as they are, else the first."""
-        second = isinstance(self.bed.medium, DepthVaryingMedium) and not self.layer_wears
-        return PairWear(Unworn(), self.wear) if second else self.wear
+        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse to wear more than a small part of a layer; else sliding goes on."""
         if self.layer_wears:
-            refuse_thin("SlidingWear", self.bed.medium, contact.worn_depth, elapsed)
+            refuse_thin("SlidingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} m of sliding")
 
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
         """Yield the contact at every requested distance.

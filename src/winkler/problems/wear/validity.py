@@ -9,9 +9,9 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
+from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
-from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import indentation_notes
@@ -23,9 +23,9 @@ __all__ = [
     "DEBRIS",
     "SLIDES_EVERYWHERE",
     "core_note",
+    "core_notes",
     "edge_notes",
     "fretting_notes",
-    "limiting_notes",
     "resolution_note",
     "sliding_notes",
     "slip_grid_note",
@@ -40,6 +40,8 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1
 
 FINE_SLIP, COARSE_SLIP = 0.01, 0.1
 """Relative error of the loss in a cycle up to which a grid is fine, and beyond which it does not resolve the slip."""
+SAME_CORE = 1e-6
+"""Part of the radius of a core by which it may differ and count as the same."""
 UNWORN = 1e-9
 """Worn depth over the size of the contact below which nothing is said of worn edges."""
 
@@ -62,6 +64,8 @@ def slip_note(bed: Bed) -> Note:
         "Slip is taken to be parallel to the motion and the same all around the axis (Cattaneo-Mindlin): with lateral "
         "contraction the worn profile would not be quite round."
     )
+    if isinstance(bed.medium, DepthVaryingMedium):
+        slip += " Within that, pressures, tractions and slip follow from the normal and shear kernels of the layers."
     return Note(Assumption.SLIP, Standing.APPROXIMATE, slip, JOHNSON)
 
 
@@ -105,17 +109,32 @@ def resolution_note(last: WornState, tolerance: float, scale: str) -> Note:
     )
 
 
-def limiting_notes(bed: Bed, radius: float) -> Iterator[Note]:
-    """Yield the notes on the limiting profile around a core of a radius [m]."""
-    yield core_note(POPOV)
-    if not alike(stiffness_ratios(bed, radius)):
-        yield Note(
-            Assumption.SLIP,
-            Standing.APPROXIMATE,
-            "On layers the radius of the core is that of springs which stick or slip by themselves, an approximation; "
-            "the shape around a core of this radius is exact.",
-            "flat punches have tangential tractions of another shape than pressures",
-        )
+def core_notes(bed: Bed, first: float, alone: float) -> Iterator[Note]:
+    """Yield the notes on the limiting profile around a core.
+
+    Parameters
+    ----------
+    bed : Bed
+    first, alone : float
+        Radius of what sticks before wear, and where the core bears alone [m].
+    """
+    grows = alone > first * (1.0 + SAME_CORE)
+    if not grows:
+        yield core_note(POPOV)
+    if not isinstance(bed.medium, DepthVaryingMedium):
+        return
+    fate = (
+        f"grows while its surroundings wear, to less than {alone:.4g} m; how far depends on the law of wear, and the "
+        "one before wear was taken: follow it with FrettingWear."
+        if grows
+        else f"shrinks while its surroundings wear, to {min(first, alone):.4g} m, where it sticks as it bears alone."
+    )
+    yield Note(
+        Assumption.SLIP,
+        Standing.APPROXIMATE if grows else Standing.EXACT,
+        f"With the normal and shear kernels of the layers the core has {first:.4g} m before wear, and {fate}",
+        "what a spring on layers bears before it slides depends on the pressure outside of it",
+    )
 
 
 def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: SurfaceFriction) -> tuple[Note, ...]:

@@ -1,4 +1,4 @@
-"""Sliding wear on layered media: which body wears, how much of the uppermost layer may go, and what that changes."""
+"""Wear on layered media: which body wears, how much of the uppermost layer may go, and what that changes."""
 
 from __future__ import annotations
 
@@ -9,17 +9,31 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.laws.wear import PairWear, Unworn, WearLaw
+from winkler.loading import Depth, Force
 from winkler.media.families import DepthVaryingMedium, LayeredBody
+from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.states import WearState
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["MOST_WORN_SHARE", "layer_notes", "refuse_thin", "refuse_without_layer"]
+__all__ = [
+    "MOST_WORN_SHARE",
+    "laws_on",
+    "layer_loses",
+    "layer_notes",
+    "refuse_thin",
+    "refuse_wear_of_layers",
+    "refuse_without_layer",
+]
 
 MOST_WORN_SHARE = 0.05
 """Part of the thickness of the uppermost layer that may be worn off while the body responds as before."""
 SMALL_CHANGE, LARGE_CHANGE = 0.01, 0.1
 """Relative change of the stiffness by a thinner layer up to which it is small, and beyond which it is not."""
+SMALL_MISS, LARGE_MISS = 0.002, 0.05
+"""Relative error of the force before wear up to which a grid is fine, and beyond which it does not resolve the layers.
+"""
 SMALL_PULL = 1e-3
 """Part of the load that rings may pull before it is stated."""
 
@@ -39,7 +53,44 @@ def _thickness(medium: Any) -> float:
     return float(medium.layers[0].thickness)
 
 
-def refuse_thin(owner: str, medium: object, worn_depth: float, distance: float) -> None:
+def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_wears: bool) -> None:
+    """Refuse a law for a layer on a medium that has no layer to be worn; parameters as of `laws_on`."""
+    if layer_wears:
+        refuse_without_layer(owner, medium)
+        if isinstance(wear, PairWear):
+            raise InvalidInput(
+                f"{owner}: layer_wears is True, and the law of wear is a PairWear, whose first law is that of the "
+                "layer; leave layer_wears out, or give one law."
+            )
+    if isinstance(wear, PairWear) and isinstance(medium, DepthVaryingMedium) and not isinstance(medium, LayeredBody):
+        raise InvalidInput(
+            f"{owner}: under a PairWear the first body wears, and a {type(medium).__name__} has no layers of which it "
+            "is known how much may go; give one law, that of the other body, or a CoatedHalfSpace."
+        )
+
+
+def layer_loses(medium: object, wear: WearLaw, *, layer_wears: bool) -> bool:
+    """Return whether the uppermost layer wears; parameters as of `laws_on`."""
+    return layer_wears or (isinstance(wear, PairWear) and isinstance(medium, DepthVaryingMedium))
+
+
+def laws_on(medium: object, wear: WearLaw, *, layer_wears: bool) -> WearLaw:
+    """Return how the bodies wear.
+
+    Parameters
+    ----------
+    medium : Medium
+    wear : Archard, OwnWear or PairWear
+        One law alone is that of the second body on layers that stay as they are, else the first's.
+    layer_wears : bool
+        Whether the uppermost layer wears by it.
+    """
+    if isinstance(wear, PairWear) or layer_wears or not isinstance(medium, DepthVaryingMedium):
+        return wear
+    return PairWear(Unworn(), wear)
+
+
+def refuse_thin(owner: str, medium: object, worn_depth: float, elapsed: str) -> None:
     """Refuse a layer of which more than a small part has been worn off.
 
     Parameters
@@ -47,20 +98,22 @@ def refuse_thin(owner: str, medium: object, worn_depth: float, distance: float) 
     owner : str
         Name of the problem.
     medium : CoatedHalfSpace, SlidingFilm or StackedHalfSpace
-    worn_depth, distance : float
-        Greatest worn depth [m], and how far the bodies have slid [m].
+    worn_depth : float
+        Greatest worn depth [m].
+    elapsed : str
+        Distance or cycles up to there, with the unit.
     """
     thickness = _thickness(medium)
     if worn_depth > MOST_WORN_SHARE * thickness:
         raise OutsideValidity(
-            f"{owner}: within {distance:.4g} m of sliding more than {100.0 * MOST_WORN_SHARE:g} per cent of the "
-            f"uppermost layer ({thickness:.4g} m) is worn off, and the body no longer responds as before; slide less "
-            "far, or give a thicker layer."
+            f"{owner}: within {elapsed} more than {100.0 * MOST_WORN_SHARE:g} per cent of the "
+            f"uppermost layer ({thickness:.4g} m) is worn off, and the body no longer responds as before; wear less, "
+            "or give a thicker layer."
         )
 
 
 def layer_notes(medium: Any, states: Sequence[WearState], *, layer_wears: bool) -> Iterator[Note]:
-    """Yield what is assumed of a layered medium that is slid on.
+    """Yield what is assumed of a layered medium that wears, or is worn against.
 
     Parameters
     ----------
@@ -74,6 +127,7 @@ def layer_notes(medium: Any, states: Sequence[WearState], *, layer_wears: bool) 
         return
     last = states[-1]
     yield _thinned(medium, last) if layer_wears else OTHER_WEARS
+    yield from _cells_note(states[0])
     pulled = max(_pulled(state) for state in states)
     if pulled > SMALL_PULL:
         yield Note(
@@ -82,6 +136,25 @@ def layer_notes(medium: Any, states: Sequence[WearState], *, layer_wears: bool) 
             f"The layers bend away from the body: rings would have to pull with {pulled:.2g} of the load, and were "
             "taken to bear nothing. Too much is worn off by that part.",
             "a contact that is not one disc is not solved",
+        )
+
+
+def _cells_note(first: WearState) -> Iterator[Note]:
+    """Yield by how much a grid misses the force of the profile before wear, where that is not small."""
+    if not first.force > 0.0:
+        return
+    exact = Indentation(first.bed, Force(first.force)).solve()
+    unworn = wear_grid(first.bed, first.nodes).press(np.zeros(first.nodes.size), Depth(float(exact.depth)))
+    error = unworn.force / first.force - 1.0
+    if abs(error) > SMALL_MISS:
+        more = "more" if error > 0.0 else "less"
+        yield Note(
+            Assumption.RESOLUTION,
+            standing_of(abs(error), SMALL_MISS, LARGE_MISS),
+            f"Before wear the grid of {first.nodes.size - 1} cells bears {100.0 * abs(error):.2g} per cent {more} than "
+            "the layers do at the same depth: a layer that is much stiffer than its base takes cells that are small "
+            "against its thickness. Give more cells (count); the error falls fast.",
+            "force of flat punches superposed, without a grid",
         )
 
 

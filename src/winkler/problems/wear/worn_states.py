@@ -64,12 +64,20 @@ class AtGoals:
         """How many states `steps` yields: one for each of `goals`."""
         return int(self.goals.size)
 
+    def reached(self, elapsed: float) -> str:
+        """Return how far wear has come, in words and with its unit."""
+        return f"{elapsed:.6g} cycles"
+
 
 class OfDistance(AtGoals):
     """The part of a problem of steady sliding that says where its contact is returned; wear has no end."""
 
     _along: ClassVar[str] = "distance"
     _unit: ClassVar[str] = " in m"
+
+    def reached(self, elapsed: float) -> str:
+        """As `AtGoals.reached`: a distance."""
+        return f"{elapsed:.6g} m of sliding"
 
     @property
     def most_worn(self) -> float:
