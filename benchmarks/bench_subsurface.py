@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 import pytest
+from film_tables import forget
 
 import winkler as wk
 
@@ -29,6 +30,25 @@ def bench_stresses_at_one_depth(benchmark, below):
     found = benchmark.pedantic(solution.stresses_at_depth, (0.5,), rounds=5, warmup_rounds=1)
     assert math.isclose(float(np.min(found.zz_stress)), -0.8, rel_tol=1e-2)  # Hertz, on the axis
     below(0.6, "256 x 256 pixels under pressure and friction: all stresses and displacements at one depth")
+
+
+def coated_ball() -> wk.Foundation:
+    """A ball on a hard coating, at the onset of yield five times as wide as the coating is thick."""
+    hard, steel = wk.Elastic(420e9, 0.3, strength=1e9), wk.Elastic(210e9, 0.3, strength=1e9)
+    return wk.Foundation(wk.Paraboloid(1e-2), wk.CoatedHalfSpace([wk.Layer(hard, 2e-5)], on=steel))
+
+
+def bench_the_onset_of_yield_under_a_thin_coating(benchmark, below):
+    found = benchmark.pedantic(wk.YieldOnset(coated_ball()).solve, setup=forget, rounds=2)
+    assert math.isclose(found.force, 31.7939112437, rel_tol=1e-9)
+    below(3.0, "onset of yield of a ball on a hard coating of a fifth of the contact radius, from nothing")
+
+
+def bench_the_onset_of_yield_of_a_coating_that_is_slid_over(benchmark, below):
+    sliding = wk.YieldOnset(coated_ball(), wk.Coulomb(0.3))
+    found = benchmark.pedantic(sliding.solve, setup=forget, rounds=2)
+    assert 0.0 < found.force < 31.7939112437
+    below(8.0, "the same where the ball slides with a coefficient of friction of 0.3")
 
 
 def bench_the_greatest_stress(benchmark, below):

@@ -12,7 +12,15 @@ from winkler.numerics.types import Array, Curve
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
-__all__ = ["CoatedBody", "DepthVaryingMedium", "LayeredBody", "PowerLawMedium", "StackedBody", "TwistedMedium"]
+__all__ = [
+    "CoatedBody",
+    "DepthVaryingMedium",
+    "LayeredBody",
+    "PowerLawMedium",
+    "StackedBody",
+    "TwistedLayers",
+    "TwistedMedium",
+]
 
 
 class TwistedMedium:
@@ -66,12 +74,8 @@ class LayeredBody(DepthVaryingMedium):
         return sum(layer.thickness for layer in layers)
 
 
-class CoatedBody(LayeredBody, TwistedMedium):
-    """Bonded, isotropic layers: rings may slide around the axis, or along the surface."""
-
-    layers: tuple[Layer, ...]
-    on: Solid
-    second: Solid
+class TwistedLayers(TwistedMedium):
+    """A body of layers whose responses to a pressure and to a twist are known."""
 
     @property
     def response(self) -> SurfaceResponse:
@@ -79,13 +83,21 @@ class CoatedBody(LayeredBody, TwistedMedium):
         raise NotImplementedError
 
     @property
-    def tangential_response(self) -> SurfaceResponse:
-        """The response of the pair to a shear load, averaged over its angle with the wave."""
-        raise NotImplementedError
-
-    @property
     def across_response(self) -> SurfaceResponse:
         """The response of the pair to shear across its wave, and to a twist."""
+        raise NotImplementedError
+
+
+class CoatedBody(LayeredBody, TwistedLayers):
+    """Bonded, isotropic layers: rings may slide around the axis, or along the surface."""
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid
+
+    @property
+    def tangential_response(self) -> SurfaceResponse:
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
         raise NotImplementedError
 
     @property
@@ -98,8 +110,13 @@ class CoatedBody(LayeredBody, TwistedMedium):
         raise NotImplementedError
 
 
-class StackedBody(LayeredBody):
+class StackedBody(LayeredBody, TwistedLayers):
     """Layers that may be transversely isotropic, and need not be bonded."""
+
+    @property
+    def stack(self) -> tuple[Layer | StackLayer, ...]:
+        """The layers, with what they are bonded to."""
+        raise NotImplementedError
 
     layers: tuple[Layer | StackLayer, ...]
     on: Solid | TransverselyIsotropic

@@ -30,6 +30,7 @@ from winkler.plot.normal.curves import (
 )
 from winkler.plot.normal.outline import profile_panel
 from winkler.plot.normal.punches import pressures_panel, steps_panel
+from winkler.plot.normal.sliding_onset import sliding_stress_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, points, titled
@@ -166,7 +167,9 @@ def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
 @sheet_of.register(YieldOnsetSolution)
 def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Sheet:
     contact = Indentation(item.problem.bed, Force(item.force)).solve()
-    left = stress_panel(contact, around(contact.pressed, extent), item.radius)
+    to = around(contact.pressed, extent)
+    slides = item.problem.friction.coefficient > 0.0
+    left = sliding_stress_panel(item, contact.pressed, to) if slides else stress_panel(contact, to, item.radius)
     curve = curve_panel(force_depth(contact.pressed), marker="", name="elastic")
     right = curve.plus(
         points(item.depth, item.force, name="yielding begins"),

@@ -78,15 +78,15 @@ def pressure(solution: Contact, to: float) -> Panel:
     return pressure_panel(solution, to, float(solution.force) / (np.pi * radius**2) if radius > 0.0 else None)
 
 
-def stress(solution: Contact, to: float, *, coarse: bool = False) -> Panel:
-    """Return the map of the stress below the surface; `coarse`: at fewer points, without its maximum."""
+def stress(solution: Contact, to: float, *, scale: float | None = None) -> Panel:
+    """Return the map of the stress below the surface; with a `scale` [m] at fewer points, without its maximum."""
     if solution.radius == 0.0:
         raise InvalidInput(
             "draw: the bodies do not touch under this load, so there is no stress to show; give more load."
         )
     if is_dragged(solution):
-        return dragged_stress_panel(solution.sheared, to, coarse=coarse)
-    return stress_panel(solution, to, float(solution.radius), coarse=coarse)
+        return dragged_stress_panel(solution.sheared, to, scale=scale)
+    return stress_panel(solution, to, float(solution.radius), scale=scale)
 
 
 def force(solution: Contact, _: float = 0.0) -> Panel:

@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.transforms.strip_modes import bessel_rows
 from winkler.problems.line.stress import LineFields
 
@@ -110,6 +111,7 @@ def test_a_cylinder_by_another_discretisation(poisson, half_width):
     assert of_width(strip(poisson), half_width).force_per_length == pytest.approx(expected, rel=1e-11)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("ratio", [30.0, 100.0])
 def test_thin_compressible_strip(ratio):
     """Johnson 1985, section 5.8: p = M_c (a^2 - x^2)/(2 R h), depth a^2/(2 R), as the strip becomes thin."""
@@ -130,6 +132,7 @@ def test_thin_incompressible_strip(ratio):
     assert contact.depth == pytest.approx(ratio**2 / 6.0, rel=4.0 / ratio)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("profile", [ROUNDED, WEDGE])
 def test_pressure_bears_the_load_and_surfaces_part(profile):
     contact = of_width(strip(0.45, profile=profile), 1.0)
@@ -174,6 +177,7 @@ def test_stresses_are_in_equilibrium_and_continuous():
     np.testing.assert_allclose(on_surface[3], 0.0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_greatest_stresses_of_layers():
     contact = of_width(coated(layer=wk.Elastic(3.0, 0.25)), 1.0)
     first, base = contact.layer_stresses()
@@ -246,3 +250,42 @@ def test_the_search_under_a_falling_profile_ends():
     bed = strip(thickness=0.02, profile=wk.Wavy(0.01, 4.0))
     with pytest.raises(wk.OutsideValidity, match="no wider strip is sought where the load may fall"):
         wk.LineIndentation(bed, wk.LineForce(1e9)).solve()
+
+
+def yielding_pair(coating, base, thickness, profile=CYLINDER):
+    return wk.LayeredLineFoundation(profile, wk.CoatedHalfSpace([wk.Layer(coating, thickness)], base))
+
+
+def test_equal_layers_yield_as_a_half_plane():
+    solid = wk.Elastic(0.91, 0.3, strength=0.1)
+    ours = wk.LineYieldOnset(yielding_pair(solid, SOLID, 3.0)).solve()
+    theirs = wk.LineYieldOnset(wk.LineFoundation(CYLINDER, wk.HalfSpace(solid))).solve()
+    assert ours.force_per_length == pytest.approx(theirs.force_per_length, rel=1e-9)
+    assert ours.z == pytest.approx(theirs.z, rel=1e-4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("strengths", "part"), [((0.5, np.inf), 0), ((np.inf, 0.2), 1)])
+def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strengths, part):
+    """The fields at the load found, on a fine grid that knows nothing of the search: just at the strength."""
+    coating, base = (
+        wk.Elastic(*row, strength=each) for row, each in zip(((3.0, 0.25), (0.91, 0.3)), strengths, strict=True)
+    )
+    onset = wk.LineYieldOnset(yielding_pair(coating, base, 0.3)).solve()
+    contact = wk.LineIndentation(onset.problem.bed, wk.LineForce(onset.force_per_length)).solve()
+    x = onset.half_width * np.linspace(0.0, 1.5, 121)
+    z = np.linspace(0.0, 0.3, 121) if part == 0 else 0.3 + np.linspace(1e-12, 2.0 * onset.half_width, 121)
+    level = contact.stresses(x[:, None], z[None, :]).von_mises
+    assert np.max(level) <= strengths[part] * (1.0 + 1e-9)
+    assert np.max(level) == pytest.approx(strengths[part], rel=2e-3)
+    assert float(contact.stresses(onset.x, onset.z).von_mises) == pytest.approx(strengths[part], rel=1e-8)
+
+
+def test_yield_onset_on_layers_refuses_friction_and_sharp_tips():
+    solid = wk.Elastic(0.91, 0.3, strength=0.3)
+    with pytest.raises(OutsideValidity, match="slides on layers"):
+        wk.LineYieldOnset(yielding_pair(solid, solid, 1.0), wk.Coulomb(0.1))
+    with pytest.raises(InvalidInput, match="no layer or body has a strength"):
+        wk.LineYieldOnset(yielding_pair(SOLID, SOLID, 1.0))
+    with pytest.raises(OutsideValidity, match="sharp tip"):
+        wk.LineYieldOnset(yielding_pair(solid, solid, 1.0, WEDGE)).solve()

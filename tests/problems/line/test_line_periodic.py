@@ -57,6 +57,7 @@ def test_a_little_load_is_that_of_cylinders():
     assert pressed(WAVE, wk.LineForce(1.0)).half_width == pytest.approx(cylinder.half_width, rel=1e-4)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("share", [0.2, 0.7, 1.5])
 def test_several_waves_close_as_their_sum(share):
     """Two waves of one crest: beyond closure p = nominal + the sum of p* cos; the strip before obeys the integral."""
@@ -152,6 +153,7 @@ def test_yield_below_ridges_is_stated_from_a_grid():
     assert share == pytest.approx(0.5575 * float(ridges.peak_pressure) / 1e9, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_waves_that_close_beside_their_valleys_close_without_tension():
     """Equal p* of both: p = nominal + p* (cos + cos 2), least at cos = -1/4, so that all closes at 9/8 of p*."""
     both = WAVE + wk.Wavy(0.5 * AMPLITUDE, 0.5 * PITCH)
@@ -166,6 +168,7 @@ def test_waves_that_close_beside_their_valleys_close_without_tension():
             pressed(both, wk.NominalPressure(share * CLOSURE))
 
 
+@pytest.mark.slow
 def test_crests_that_touch_as_soon_are_not_passed_over():
     with pytest.raises(wk.InvalidInput, match="as high at 0.0005 m as at the crest"):
         pressed(wk.Wavy(AMPLITUDE, 0.5 * PITCH), wk.NominalPressure(1.0))
@@ -175,6 +178,7 @@ def test_crests_that_touch_as_soon_are_not_passed_over():
         pressed(WAVE + wk.Wavy(AMPLITUDE, 0.1 * PITCH), wk.NominalPressure(0.3 * CLOSURE))
 
 
+@pytest.mark.slow
 def test_refusals_are_one_sentence():
     with pytest.raises(wk.InvalidInput, match="before the valley at half of the pitch"):
         pressed(wk.Sphere(0.4e-3), wk.NominalPressure(1e6))

@@ -134,6 +134,7 @@ def test_a_tilted_punch_lifts_one_edge():
     np.testing.assert_allclose(found.pressure(x), level, rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_the_middle_of_many_waves_is_westergaards():
     pitch, height = 0.1, 1e-3
     found = pressed(wk.MirroredSection(wk.Wavy(height, pitch), 2.05), 3e-3)
@@ -143,6 +144,7 @@ def test_the_middle_of_many_waves_is_westergaards():
     assert nominal == pytest.approx(np.pi * height / pitch * np.sin(np.pi * half / pitch) ** 2, rel=1e-4)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("force", [1e-6, 3e-6])
 def test_refined_strips_are_those_of_line_loads_summed(force):
     found = pressed(ROUGH, force)
@@ -203,6 +205,7 @@ def test_a_force_beside_the_cylinders_is_refused():
         pressed(row(-0.5, 0.5), 1e-3, wk.LineOfAction(50.0))
 
 
+@pytest.mark.slow
 def test_measured_points_come_close_to_the_formula():
     x = np.linspace(0.0, 1e-2, 4001)
     lines, curved = (

@@ -172,6 +172,7 @@ def test_friction_brings_the_onset_to_the_surface():
     assert abs(onset.z) < 1e-6 * onset.half_width
 
 
+@pytest.mark.slow
 def test_other_profiles_yield_at_their_strength():
     parabola = wk.LineYieldOnset(wk.LineFoundation(wk.PowerLaw(coefficient=50.0, exponent=2.0), PAIR)).solve()
     cylinder = wk.LineYieldOnset(wk.LineFoundation(wk.Paraboloid(10e-3), PAIR)).solve()
@@ -246,6 +247,7 @@ def test_a_roller_shakes_down_at_the_known_pressures():
     assert limit_over_shear(0.366) < 1.0 / 0.366 - 1e-4
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("mu", [0.0, 0.2, 0.35])
 def test_residual_stresses_exist_with_which_a_roller_shakes_down(mu):
     """Melan: at each depth one residual stress along x must keep all of the passage within k, in the plane."""

@@ -63,6 +63,7 @@ WISHES = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("wish", WISHES)
 def test_pressed_again(wish):
     """The designed body, pressed anew, follows the wish within the tolerance it states (some ten of it at a point)."""
@@ -122,6 +123,7 @@ def test_pressed_again_into_layers(name, wish):
 EVERY = {**{name: (medium, 2e-5) for name, medium in MEDIA.items()}, **{n: (m, 0.8) for n, m in LAYERED.items()}}
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", EVERY)
 @pytest.mark.parametrize("share", [1.0, 1.7])
 def test_the_surface_takes_the_shape_of_what_displaces_the_springs(name, share):
@@ -154,6 +156,7 @@ def _excess(xi: np.ndarray, contrast: float) -> np.ndarray:
     return top / (1.0 - (one + other + 4.0 * other * xi * xi) * e + one * other * e * e) - 1.0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "contrast"), [("hard", 10.0), ("soft", 0.1)])
 def test_pressure_on_a_layer(name, contrast):
     """Hertz's pressure: the paraboloid's part in closed form, the layer's by its Hankel transform."""
@@ -186,6 +189,7 @@ def test_a_soft_edge_on_three_layers():
     np.testing.assert_allclose(wk.restore(contact, places).pressure, 0.01 * (1.0 - (places / a) ** 2) ** 1.5, atol=1e-8)
 
 
+@pytest.mark.slow
 def test_uniform_pressure_pressed_again():
     """Until a' < a: T4 of the springs of a uniform pressure, p = (2 p0/pi) arcsin sqrt((a'^2 - r^2) / (a^2 - r^2))."""
     a, part = 1e-4, 0.999
@@ -223,6 +227,7 @@ def test_uniform_pressure():
     np.testing.assert_allclose(body.height(r), exact, rtol=1e-7, atol=1e-8 * exact[-1])
 
 
+@pytest.mark.slow
 def test_between():
     """A pressure that is neither: r^2-growing, ending in a step, checked by a second quadrature of the half-space."""
     a = 1e-4
@@ -288,6 +293,7 @@ def test_infeasible_pressures():
         design_for_pressure(r, 0.0 * r, GLASS)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_read_backwards():
     with pytest.raises(wk.OutsideValidity, match="inverse transform"):
         design_profile(DEPTH, DEPTH**1.5, wk.MeasuredBed(DEPTH[:9], DEPTH[:9], DEPTH[:9]).medium)

@@ -242,6 +242,7 @@ def test_twenty_waves_are_restored():
     assert 0.005 < np.max(np.abs(pressure - hertz)) / hertz[0] < 1.0
 
 
+@pytest.mark.slow
 def test_measured_waves_are_checked_alike():
     r = np.linspace(0.0, 1.0, 200)
     profile = wk.Measured(r, r**2 / 2.0 + 4e-3 * (1.0 - np.cos(10.0 * np.pi * r)))

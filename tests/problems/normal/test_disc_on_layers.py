@@ -80,6 +80,7 @@ def test_the_verdict_everywhere(young, a, shape):
     assert pushes(bed, a) is accepted
 
 
+@pytest.mark.slow
 def test_the_refused_load_of_an_array_is_named():
     bed = wk.Foundation(wk.PowerLaw(1.0, 4.0), HARD)
     with pytest.raises(wk.OutsideValidity, match="load at index 1"):
@@ -134,6 +135,7 @@ def test_the_pressure_of_a_flat_punch_in_graded_media(name):
     np.testing.assert_allclose(medium.punch_pressure(r, np.full(3, a)), exact, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_incompressible_films_rise_around_a_punch():
     """And never sink deeper than it: what the check of overlap rests on."""
     facts = FILM.punch_facts(20.0)
@@ -198,6 +200,7 @@ def solved_and_restored(shape, medium) -> None:
     assert np.all(fields.pressure > 0.0)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["sphere", "formula", "capped cylinder"])
 @pytest.mark.parametrize("medium", ["hard", "graded"])
 def test_shapes_that_end(name, medium):
@@ -215,6 +218,7 @@ def test_all_shapes(name, medium):
     solved_and_restored(SHAPES[name], MEDIA[medium])
 
 
+@pytest.mark.slow
 def test_a_sphere_pressed_to_its_equator():
     """g is infinite there on every layered medium: any force is carried before it."""
     bed = wk.Foundation(wk.Sphere(1.0), SOFT)

@@ -147,6 +147,7 @@ def onset(bodies, medium, *sliding):
     return wk.EllipticYieldOnset(bodies, medium, *sliding).solve()
 
 
+@pytest.mark.slow
 def test_onset_of_yield():
     """At the onset the greatest stress is the strength, of the body that comes first to it; on the axis by Thomas."""
     strong, weak = wk.Elastic(210e9, 0.3, 900e6), wk.Elastic(70e9, 0.33, 250e6)
@@ -182,6 +183,7 @@ def test_bearing_of_another_program():
     assert found.force == pytest.approx(766.0, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_yield_note_of_a_sliding_ellipse():
     """What slides fully is judged by the stresses under friction along the direction of shear, on either side."""
     steel = wk.Elastic(210e9, 0.3, 900e6)

@@ -58,6 +58,7 @@ def test_many_loads_are_checked_as_each_alone(name):
             wk.Indentation(bed, wk.Depth(mixed)).solve()
 
 
+@pytest.mark.slow
 def test_the_order_of_the_loads_does_not_matter():
     bed = wk.Foundation(SHARPER, FILM)
     wide = wk.Indentation(bed, wk.Depth(np.linspace(0.03, 0.05, 7))).solve()

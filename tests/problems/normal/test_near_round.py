@@ -74,6 +74,7 @@ def test_ellipses(a, b, force, axes):
     assert np.min(result.contour) == pytest.approx(wide * math.sqrt(1.0 - m), rel=axes)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("faces", "expected", "exact", "off"),
     [(3, 0.8480, 0.8824, 0.041), (4, 0.7243, 0.737617, 0.019), (6, 0.6694, 0.6733, 0.007)],

@@ -81,6 +81,7 @@ CASES = [
 ]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("name", "strength"), CASES)
 def test_all_kinds_state_it(name, strength):
     """Elastic solids answer the same whatever their strength is: it is put into the answer of the example."""
@@ -99,6 +100,7 @@ def when(place, name):
     return [] if name in SOLVED else [pytest.mark.long if place % 3 else pytest.mark.slow]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", [pytest.param(name, marks=when(place, name)) for place, name in enumerate(PROBLEMS)])
 def test_all_kinds_are_solved_and_state_it(name):
     """The same where the strength is known before."""

@@ -58,6 +58,7 @@ def test_johnson():
     assert any("von Mises" in note.statement for note in onset.validity)
 
 
+@pytest.mark.slow
 def test_the_stress_there_is_the_strength():
     """Found independently: restore the fields at the load of the onset."""
     for profile in (wk.Sphere(1e-3), wk.RoundedCone(1e-4, 1.45), wk.RoundedPunch(1e-3, 1e-2), wk.PowerLaw(1e4, 3.0)):
@@ -154,6 +155,7 @@ def test_a_rim_yields_when_it_is_reached():
     assert sharp.standing is wk.Standing.APPROXIMATE
 
 
+@pytest.mark.slow
 def test_an_onset_where_the_contact_is_no_disc_is_refused():
     """Waves open a hole for radii between 0.1 and 0.17; strengths that are first reached there have no solution."""
     wavy = wk.Paraboloid(1.0) + wk.Wavy(4e-3, 0.2)
@@ -185,6 +187,7 @@ def test_what_must_be_given():
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), transverse))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("shape", [wk.Sphere(1e-2), wk.AreaFunction((-math.pi, 2.0 * math.pi * 1e-2))])
 @pytest.mark.parametrize(("young", "strength"), [(210e9, 1e20), (1e-20, 1e9)])
 def test_a_strength_that_no_slope_reaches_is_refused(shape, young, strength):

@@ -30,8 +30,11 @@ def test_a_layer_of_the_solid_of_its_base_yields_as_a_half_space(thickness, part
     assert found.validity[-1].statement.startswith(f"Yielding begins in the {part}, ")
 
 
-def mises_on_axis(onset, layers, z):
-    """|axial - radial| at a depth, from fields carried up from there; `layers` lie above it, the last one below too."""
+def mises_on_axis(onset, layers, z, base=None, below=0.0):
+    """|axial - radial| at a depth, from fields carried up from there; `layers` lie above it, the last one below too.
+
+    Below it may go on to a face on which two states `base` are free.
+    """
     solution = wk.Indentation(onset.problem.bed, wk.Radius(onset.radius)).solve()
     angle, area = 0.25 * np.pi * (GAUSS[0] + 1.0), 0.25 * np.pi * GAUSS[1]
     r = onset.radius * np.sin(angle)
@@ -41,10 +44,11 @@ def mises_on_axis(onset, layers, z):
     shares = (0.5 * np.diff(cuts)[:, None] * GAUSS[1]).ravel()
     wave = j0(np.outer(xi, r)) @ load
     shear, poisson = layers[-1][:2]  # on the interface the layer, which is stressed more
-    here = fields = np.broadcast_to(_base((E / 2.6, 0.3)), (xi.size, 4, 2))
-    for modulus, nu, thickness in reversed(layers):
+    here = fields = np.broadcast_to(_base((E / 2.6, 0.3)) if base is None else base, (xi.size, 4, 2))
+    for number, (modulus, nu, thickness) in enumerate([(*layers[-1][:2], below), *reversed(layers)]):
         scale = np.array([1.0, 1.0, modulus, modulus])[:, None]
         fields = scale * (expm(-_plane(nu) * (xi * thickness)[:, None, None]) @ (fields / scale))
+        here = fields if number == 0 else here
     amplitudes = np.linalg.solve(fields[:, 2:], np.array([0.0, -1.0])[None, :, None] * wave[:, None, None])
     moved = (here @ amplitudes)[..., 0]  # U, tractions over xi
     axial, strain = np.sum(shares * xi * moved[:, 3]), 0.5 * np.sum(shares * xi * moved[:, 0])
@@ -62,10 +66,24 @@ def test_a_stiff_layer_yields_at_its_lower_face_and_a_soft_one_lets_the_base_yie
     assert mises_on_axis(soft, above, soft.z) == pytest.approx(Y, rel=1e-6)
 
 
+@pytest.mark.slow
+def test_a_film_that_slides_on_a_rigid_base_yields_inside():
+    """Below it neither shear nor sinking: states U and S alone."""
+    film = wk.SlidingFilm([wk.Layer(wk.Elastic(E, 0.3, strength=Y), H)], on=wk.Rigid())
+    found = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), film)).solve()
+    above, free = [(E / 2.6, 0.3, found.z)], np.eye(4)[:, [0, 3]]
+    assert found.r == 0.0
+    assert mises_on_axis(found, above, found.z, free, H - found.z) == pytest.approx(Y, rel=1e-6)
+    stack = wk.StackedHalfSpace([wk.StackLayer(wk.Elastic(E, 0.3, strength=Y), H, bonded=False)], on=wk.Rigid())
+    assert wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), stack)).solve().force == pytest.approx(found.force, rel=1e-12)
+    with pytest.raises(wk.OutsideValidity, match="layer 1 slides on what lies below it and bears no shear"):
+        wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), stack), wk.Coulomb(0.1)).solve()
+
+
 def test_media_and_parts_without_an_onset_are_refused():
     with pytest.raises(wk.InvalidInput, match="no body has a strength"):
         wk.YieldOnset(coated(E, H, layer=math.inf, base=math.inf))
-    with pytest.raises(wk.InvalidInput, match="give a HalfSpace or a CoatedHalfSpace"):
+    with pytest.raises(wk.InvalidInput, match="the strength of a graded one is a profile"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
 
 

@@ -117,12 +117,25 @@ def _followed(
             finite = values[np.isfinite(values)]
             if max(dr, depth_step) < least_step or (finite.size and np.ptp(finite) <= ROUNDING * abs(best.value)):
                 break
-            place = _fitted_top(around_r, around_z, values, on_axis=around_r[0] == least) if best is found else None
-            if _on_face(found, around_r, around_z, least, top):
+            place = None
+            if best is found:
+                held = found.z == bottom or found.z == top > 0.0
+                fit = _fitted_row if held else _fitted_top
+                place = fit(around_r, around_z, values, on_axis=around_r[0] == least)
+            if _on_face(found, around_r, around_z, (least, top, bottom)):
                 size, fitted = WIDENED if fitted else 1.0, False
             elif fitted := place is not None:
                 centre, size = StressPlace(best.value, *place), FITTED
         dr, depth_step = size * dr, size * depth_step
+    return best if both_sides else _on_axis(field, best, radius)
+
+
+def _on_axis(field: Callable[[Array, Array], Array], best: StressPlace, radius: float) -> StressPlace:
+    """Return the point of the axis beside a place that lies off it by no more than the rounding of values allows."""
+    if 0.0 < best.r <= math.sqrt(ROUNDING) * radius:
+        value = float(field(np.zeros(1), np.array([best.z]))[0])
+        if value >= (1.0 - ROUNDING) * best.value:
+            return StressPlace(value, 0.0, best.z)
     return best
 
 
@@ -153,9 +166,27 @@ def _fitted_top(r: Array, z: Array, values: Array, *, on_axis: bool) -> tuple[fl
     return float(middle_r + half_r * across), float(middle_z + half_z * down)
 
 
-def _on_face(found: StressPlace, r: Array, z: Array, least: float, top: float) -> bool:
+def _fitted_row(r: Array, z: Array, values: Array, *, on_axis: bool) -> tuple[float, float] | None:
+    """Return the top of a parabola along the face of a layer on which the greatest value lies; None as of the other."""
+    row = values[:, int(np.argmax(np.max(values, axis=0)))]
+    face = float(z[int(np.argmax(np.max(values, axis=0)))])
+    if r.size < LINE.size - 3 or not np.all(np.isfinite(row)):
+        return None
+    if on_axis and np.argmax(row) == 0:
+        return float(r[0]), face
+    half, middle = 0.5 * np.ptp(r), 0.5 * (r[0] + r[-1])
+    x = (r - middle) / half
+    bend, rise, level = np.polyfit(x, row, 2)
+    misfit = np.sqrt(np.mean((np.polyval((bend, rise, level), x) - row) ** 2))
+    if misfit > MISFIT * np.ptp(row) or bend >= 0.0 or abs(rise) > -2.0 * bend:
+        return None
+    return float(middle - 0.5 * half * rise / bend), face
+
+
+def _on_face(found: StressPlace, r: Array, z: Array, ends: tuple[float, float, float]) -> bool:
     """Return whether the best point lies on a face of its box behind which the body goes on."""
-    return bool(found.r == r[-1] or found.z == z[-1] or found.r == r[0] > least or found.z == z[0] > top)
+    least, top, bottom = ends
+    return bool(found.r == r[-1] or z[-1] == found.z < bottom or found.r == r[0] > least or found.z == z[0] > top)
 
 
 def _within(z: Array, top: float, bottom: float, radius: float) -> Array:

@@ -14,12 +14,13 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
 from winkler.media.families import CoatedBody, DepthVaryingMedium
-from winkler.media.interior import subsurface
-from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
+from winkler.media.interior import shear_field, subsurface
+from winkler.media.interior.shear_field_punch import ShearField
+from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts, sheared_interior
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.layers import NormalResponse
 from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
@@ -141,6 +142,32 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
             raise rigid_body(below)
         return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
 
+    def inside_dragged(self, load: CarriedLoad, x: Array, y: Array, z: Array) -> ShearField:
+        """Stresses and displacements in the first body under a traction along +x that is equal to the pressure."""
+        raise OutsideValidity(
+            f"{type(self).__name__}: the stresses of a traction on the surface are computed in bonded, isotropic "
+            "layers only; leave out the friction, or give a CoatedHalfSpace."
+        )
+
+    def dragged_interior(self, displacement: Displacement, x: Array, y: Array, z: Array, *, below: bool) -> ShearField:
+        """Return stresses and displacements where the surface is dragged along +x by a traction equal to the pressure.
+
+        Parameters
+        ----------
+        displacement : Displacement
+            u(x) of the springs that press.
+        x, y, z : ndarray
+            Of one shape [m], z >= 0 into the body.
+        below : bool
+            Whether in the layers and their base, or in the other body.
+        """
+        load, second = CarriedLoad(displacement, self.response), self.second
+        if below:
+            return self.inside_dragged(load, x, y, z)
+        if not isinstance(second, Elastic):
+            raise rigid_body(below)
+        return shear_field.field(load, x, y, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
+
 
 @value
 class CoatedHalfSpace(LayeredMedium, CoatedBody):
@@ -208,6 +235,10 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
+
+    def inside_dragged(self, load: CarriedLoad, x: Array, y: Array, z: Array) -> ShearField:
+        """The same under a traction along +x that is equal to the pressure."""
+        return sheared_interior.field(load, self.layers, self.on, self.modulus, x, y, z)
 
     notes = (
         Note(

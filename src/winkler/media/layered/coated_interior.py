@@ -9,6 +9,7 @@ others.  Deeper layers lie at least h below the load and need no such help.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -19,19 +20,32 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import subsurface
 from winkler.media.layered import layers as stack
 from winkler.media.layered.blocks import Four, add, scaled, stacked, times
-from winkler.media.layered.climb import AnyLayer, climbed, crossing
+from winkler.media.layered.climb import AnyLayer, Support, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.media.punch_field import BodyField
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["HankelWaves", "WaveState", "field", "half_space_decay", "superposed", "wave_states", "waves_of"]
+__all__ = [
+    "HankelWaves",
+    "WaveState",
+    "field",
+    "half_space_decay",
+    "reach_of",
+    "refuse_unknown_places",
+    "superposed",
+    "wave_states",
+    "waves_of",
+]
 
 LARGEST_PHASE = 10.0
 """Largest phase of a wave over one panel of the quadrature."""
 PAIRS_PER_CHUNK = 1_000_000
+LEAST_REACH = 1.25
+"""Distance from the axis up to which waves are resolved at least, in contact radii."""
 MOST_PAIRS = 1e9
 """More pairs of wave numbers and springs than this are refused: the contact is too wide for the uppermost layer."""
 
@@ -73,6 +87,22 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
     """
     shape, r, z = np.shape(r), np.ravel(r), np.ravel(z)
     bottoms = np.cumsum([layer.thickness for layer in layers])
+    refuse_unknown_places(layers, on, bottoms, z)
+    top, upper = layers[0].solid, z <= bottoms[0]
+    result = np.zeros((6, r.size))
+    if load.radius > 0.0 and r.size:
+        waves = waves_of(load, modulus, reach_of(load, r), 2.0 * DECAY_SPAN / load.response.length)
+        if isinstance(top, Elastic) and upper.any():
+            own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
+            result[:, upper] = own
+        for depth, state, end in wave_states(layers, on, bottoms, np.unique(z), waves.xi):
+            (members,) = np.nonzero(z == depth)
+            result[:, members] += superposed(state, HankelWaves(*(part[:end] for part in waves)), r[members])
+    return BodyField(*(part.reshape(shape) for part in result))
+
+
+def refuse_unknown_places(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, z: Array) -> None:
+    """Refuse depths z [m] in a rigid base, or in a transversely isotropic uppermost layer."""
     top, upper = layers[0].solid, z <= bottoms[0]
     if isinstance(on, Rigid) and np.any(z > bottoms[-1]):
         raise OutsideValidity(
@@ -83,18 +113,15 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
             f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not known "
             f"to winkler; request the surface (without z), or points below {bottoms[0]:.6g} m."
         )
-    result = np.zeros((6, r.size))
-    if load.radius > 0.0 and r.size:
-        waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DECAY_SPAN / load.response.length)
-        if isinstance(top, Elastic) and upper.any():
-            own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
-            result[:, upper] = own
-        for depth, state, end in wave_states(layers, on, bottoms, np.unique(z), waves.xi):
-            (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, HankelWaves(*(part[:end] for part in waves)), r[members])
-    return BodyField(*(part.reshape(shape) for part in result))
 
 
+def reach_of(load: CarriedLoad, r: Array) -> float:
+    """Return a distance from the axis [m] within which all places lie; the same for most calls on one contact."""
+    least = LEAST_REACH * load.radius
+    return least * 2.0 ** max(0, math.ceil(math.log2(max(float(np.max(r)) / least, 1.0))))
+
+
+@cached_by_value(8)
 def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> HankelWaves:
     """Return the pressure as a superposition of waves with wave numbers up to `end`, for radii up to `farthest`."""
     response, a = load.response, load.radius
@@ -115,7 +142,7 @@ def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> 
 
 
 def wave_states(
-    layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array
+    layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array, *, dragged: bool = False
 ) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes and how many wave numbers matter.
 
@@ -131,35 +158,52 @@ def wave_states(
         Where, ascending [m].
     xi : ndarray, (m,)
         Wave numbers [1/m], ascending.
+    dragged : bool
+        Whether the traction on the surface is not a pressure but along the wave.
     """
     supports = [support for support, _ in climbed(layers, on, xi)]
     tops = np.concatenate([[0.0], bottoms])
     surface = np.zeros((xi.size, 2, 1))
-    surface[:, 1] = -1.0
+    surface[:, 0 if dragged else 1] = -1.0
     arrived = [surface]
     for layer, support in zip(layers, supports, strict=True):
         x = xi * layer.thickness
         arrived.append(_matrices(crossing(constants_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
-    for depth in depths:
-        index = int(np.searchsorted(bottoms, depth))
-        start = xi * (depth - tops[index])
-        if index == len(layers):
-            assert not isinstance(on, Rigid)
-            solid = on
-            constants = constants_of(solid)
-            loaded = constants.decay(start)
-            moved = times(constants.half_space, loaded)
-        else:
-            solid = layers[index].solid
-            constants = constants_of(solid)
-            moved, loaded = crossing(constants, supports[index], xi * layers[index].thickness, start)
-        if index == 0:
-            own = scaled(-1.0, constants.decay(start))
-            loaded, moved = add(loaded, own), add(moved, times(constants.half_space, own))
-        states = (_matrices(part, xi) @ arrived[index] for part in (moved, loaded))
-        displacement, traction = (state[..., 0] for state in states)
-        end = int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, bottoms, depth)))
-        yield float(depth), WaveState(displacement / constants.shear, traction, solid), end
+    index_of = np.searchsorted(bottoms, depths)
+    most = max(1, PAIRS_PER_CHUNK // (8 * max(xi.size, 1)))
+    for index in np.unique(index_of):
+        (members,) = np.nonzero(index_of == index)
+        for first in range(0, members.size, most):  # several depths at once: most stacks have few wave numbers
+            part = depths[members[first : first + most]]
+            start = (xi * (part[:, None] - tops[index])).ravel()
+            if index == len(layers):
+                assert not isinstance(on, Rigid)
+                solid = on
+                constants = constants_of(solid)
+                loaded = constants.decay(start)
+                moved = times(constants.half_space, loaded)
+            else:
+                solid = layers[index].solid
+                constants = constants_of(solid)
+                below = Support(
+                    tuple(np.tile(np.broadcast_to(entry, xi.shape), part.size) for entry in supports[index].compliance),  # type: ignore[arg-type]
+                    supports[index].bonded,
+                )
+                moved, loaded = crossing(constants, below, np.tile(xi * layers[index].thickness, part.size), start)
+            if index == 0:
+                own = scaled(-1.0, constants.decay(start))
+                loaded, moved = add(loaded, own), add(moved, times(constants.half_space, own))
+            displacement, traction = (_applied(four, arrived[index], part.size) for four in (moved, loaded))
+            for depth, moves, loads in zip(part, displacement, traction, strict=True):
+                end = int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, bottoms, depth)))
+                yield float(depth), WaveState(moves / constants.shear, loads, solid), end
+
+
+def _applied(four: Four, arrived: Array, count: int) -> Array:
+    """Return what matrices of several depths ``(count * m,)`` make of the tractions ``(m, 2, 1)``."""
+    shear, axial = arrived[:, 0, 0], arrived[:, 1, 0]
+    a, b, c, d = (np.reshape(np.broadcast_to(entry, (count * shear.size,)), (count, shear.size)) for entry in four)
+    return np.stack([a * shear + b * axial, c * shear + d * axial], axis=-1)
 
 
 def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float:
@@ -168,7 +212,8 @@ def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float
         return float(2.0 * bottoms[0] - depth)
     above = zip(layers, bottoms, strict=True)
     return sum(
-        float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0))) * constants_of(layer.solid).slowest
+        float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0)))
+        * min(constants_of(layer.solid).slowest, math.sqrt(constants_of(layer.solid).twist))
         for layer, bottom in above
     )
 

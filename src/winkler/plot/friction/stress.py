@@ -27,7 +27,7 @@ DEPTH_IN_RADII = 1.6
 """Depth of the map in contact radii."""
 
 
-def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, coarse: bool = False) -> Panel:
+def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, scale: float | None = None) -> Panel:
     """Return the von Mises stress in the plane y = 0 of a sheared contact, with a mark where it is greatest.
 
     Parameters
@@ -36,8 +36,9 @@ def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, coarse: bool
         Of a contact.
     extent : float
         [m].
-    coarse : bool, optional
-        At fewer points and without the search for the maximum: for animations.
+    scale : float, optional
+        Contact radius by which the depth is scaled [m], for animations: at fewer points, without the search for the
+        maximum.
 
     Raises
     ------
@@ -46,12 +47,12 @@ def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, coarse: bool
     """
     solution, radius = RestorableSprings(sheared), sheared.pressed.radius
     sign = -1.0 if isinstance(getattr(sheared.pressed.bed.medium, "first", None), Rigid) else 1.0
-    across, down = (COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN) if coarse else (POINTS_ACROSS, POINTS_DOWN)
+    across, down = (COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN) if scale else (POINTS_ACROSS, POINTS_DOWN)
     x = np.linspace(-extent, extent, across)
-    z = DEPTH_IN_RADII * radius * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
+    z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
     fields = restore_body(solution, x[:, None], 0.0, sign * z[None, :])
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.INK, width=3.0, clipped=False, blunt=True, order=8.0)
-    if coarse:
+    if scale:
         return body_stress_panel(fields).plus(edge)
     peak = peak_stress(solution, below=sign > 0.0)
     corner = "lower centre" if sign > 0.0 else "upper centre"

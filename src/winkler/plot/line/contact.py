@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 
 from winkler.loading import HalfWidth
+from winkler.materials.elastic import Elastic
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
@@ -59,7 +61,7 @@ def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, ex
     end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a
     sign = float(np.copysign(1.0, item.z))  # -0.0 is the surface of the second body
     x = np.linspace(-end, end, ACROSS)
-    z = sign * end * np.linspace(0.0, 1.0, DOWN) ** 1.6
+    z = sign * min(end, _deepest(item) if sign > 0.0 else end) * np.linspace(0.0, 1.0, DOWN) ** 1.6
     contact = LineIndentation(item.problem.bed, HalfWidth(a)).solve()
     found = contact.stresses(x[:, None], z[None, :] + sign * 1e-6 * a, item.problem.friction.coefficient)
     across, down = np.broadcast_arrays(x[:, None], z[None, :])
@@ -70,6 +72,14 @@ def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, ex
     limit = "onset of yield" if onset else "shakedown limit"
     title = f"{limit}: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
     return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
+
+
+def _deepest(item: LineYieldOnsetSolution | LineShakedownSolution) -> float:
+    """Return how deep stresses are known [m]: not in a rigid base."""
+    medium = item.problem.bed.medium
+    if not isinstance(medium, CoatedHalfSpace) or isinstance(medium.on, Elastic):
+        return np.inf
+    return (1.0 - 1e-5) * medium.thickness
 
 
 def flat(item: Any, name: str) -> Series:

@@ -43,7 +43,7 @@ def first_body_deforms(solution: Restorable) -> bool:
     return not isinstance(getattr(solution.pressed.bed.medium, "first", None), Rigid)
 
 
-def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: bool = False) -> Panel:
+def stress_panel(solution: Restorable, extent: float, radius: float, *, scale: float | None = None) -> Panel:
     """Return the von Mises stress below a contact, with a mark where it is greatest.
 
     Parameters
@@ -54,8 +54,9 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: 
         Drawn up to this distance from the axis [m].
     radius : float
         Contact radius [m].
-    coarse : bool, optional
-        At fewer points, over a smaller extent, and without the search for the maximum: for animations.
+    scale : float, optional
+        Contact radius by which the map is scaled [m], for animations: at fewer points, over a smaller extent, and
+        without the search for the maximum.
 
     Raises
     ------
@@ -66,11 +67,12 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: 
     sign, corner = (1.0, "lower centre") if below else (-1.0, "upper centre")
     r = np.linspace(
         0.0,
-        min(extent, COARSE_EXTENT_IN_RADII * radius) if coarse else extent,
-        COARSE_POINTS_ACROSS if coarse else POINTS_ACROSS,
+        min(extent, COARSE_EXTENT_IN_RADII * scale) if scale else extent,
+        COARSE_POINTS_ACROSS if scale else POINTS_ACROSS,
     )
     # denser towards the surface; the last bit above zero is enough to stay off the poles of sharp edges
-    z = DEPTH_IN_RADII * radius * (np.linspace(0.0, 1.0, COARSE_POINTS_DOWN if coarse else POINTS_DOWN) ** 1.6 + 1e-3)
+    down = COARSE_POINTS_DOWN if scale else POINTS_DOWN
+    z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
     borders = np.array([h for h in interfaces(solution.pressed.bed.medium) if below and h < z[-1]])
     if borders.size:  # stresses jump there: one row of points on either side
         z = np.unique(np.concatenate([z, borders * (1.0 - INTERFACE_OFFSET), borders * (1.0 + INTERFACE_OFFSET)]))
@@ -78,7 +80,7 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: 
     marks: list[Any] = list(interface_rules(fields, solution.pressed.bed.medium))
     if is_singular(solution.pressed):
         marks.append(note("infinite at a sharp edge, kink or tip", corner))
-    elif not coarse:
+    elif not scale:
         peak = _peak(solution, fields, below=below)
         marks.append(Line(np.array([peak.r]), np.array([peak.z]), "white", width=0.0, marker="+", size=9.0))
         off_axis = f", $r$ = {with_unit(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""

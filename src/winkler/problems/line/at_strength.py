@@ -7,7 +7,9 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
@@ -17,7 +19,7 @@ from winkler.problems.line.stress import LineContact
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["first_at_strength", "refuse_without_strength"]
+__all__ = ["first_at_strength", "refuse_sharp", "refuse_without_strength"]
 
 MOST_STEPS = 60
 FACTOR = 4.0
@@ -25,8 +27,12 @@ NEAREST_END = 1e-3
 """How near to the end of the profile the strength is sought, over its reach."""
 
 
-def refuse_without_strength(bed: LineFoundation, name: str) -> None:
+def refuse_without_strength(bed: LineFoundation | LayeredLineFoundation, name: str) -> None:
     """Refuse bodies that are not isotropic, or of which none has a strength."""
+    if isinstance(bed, LayeredLineFoundation):
+        if not strong_parts(bed.medium):
+            raise InvalidInput(f"{name}: no layer or body has a strength; give Elastic(young, poisson, strength=...).")
+        return
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"{name}: the medium is a {type(bed.medium).__name__}; stresses are compared with a strength in "
@@ -34,6 +40,16 @@ def refuse_without_strength(bed: LineFoundation, name: str) -> None:
         )
     if min(bed.medium.strengths) == math.inf:
         raise InvalidInput(f"{name}: no body has a strength; give Elastic(young, poisson, strength=...).")
+
+
+def refuse_sharp(bed: LineBed, name: str) -> None:
+    """Refuse profiles under which the stress is infinite."""
+    sharp = float(bed.slope(np.zeros(1))[0]) != 0.0 or any(strength > 0.0 for _, strength in bed.kinks)
+    if sharp or (math.isfinite(bed.rim) and bed.flat >= bed.rim):
+        raise OutsideValidity(
+            f"{name}: the stress at a sharp tip, kink or rim is infinite under every load, so that yielding begins at "
+            "the first touch; round it off."
+        )
 
 
 def first_at_strength(bed: LineFoundation, friction: float, measure: Measure, name: str) -> tuple[float, Placed]:
@@ -49,12 +65,7 @@ def first_at_strength(bed: LineFoundation, friction: float, measure: Measure, na
     name : str
         Of the problem, for its refusals.
     """
-    sharp = float(bed.slope(np.zeros(1))[0]) != 0.0 or any(strength > 0.0 for _, strength in bed.kinks)
-    if sharp or (math.isfinite(bed.rim) and bed.flat >= bed.rim):
-        raise OutsideValidity(
-            f"{name}: the stress at a sharp tip, kink or rim is infinite under every load, so that yielding begins at "
-            "the first touch; round it off."
-        )
+    refuse_sharp(bed, name)
     found = []
     for part in strong_parts(bed.medium):
         contact = LineContact(bed, 0.0, 0.0, part.solid.poisson, friction)

@@ -16,7 +16,7 @@ from winkler.numerics.types import Array
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["Measure", "Placed", "greatest", "von_mises"]
+__all__ = ["Measure", "Placed", "greatest", "sought", "von_mises"]
 
 Measure = Callable[[LineFields], Array]
 PLACES_BESIDE, DEPTHS = 10, 24
@@ -62,17 +62,18 @@ def greatest(contact: LineContact, measure: Measure) -> Placed:
         level = contact.bed.medium.modulus * contact.half_width / contact.bed.profile.curvature_radius
         value, x, z = _of_cylinder(measure, contact.poisson, contact.friction)
         return Placed(level * value, contact.half_width * x, contact.half_width * z)
-    return _sought(contact, measure)
+    return sought(contact, measure)
 
 
 @functools.lru_cache(maxsize=256)
 def _of_cylinder(measure: Measure, poisson: float, friction: float) -> Placed:
     """Return the greatest stress of a cylinder over E* a / R, and its place over a: all cylinders are similar."""
     bed = LineFoundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
-    return _sought(LineContact(bed, 1.0, 0.0, poisson, friction), measure)
+    return sought(LineContact(bed, 1.0, 0.0, poisson, friction), measure)
 
 
-def _sought(contact: LineContact, measure: Measure) -> Placed:
+def sought(contact: LineContact, measure: Measure) -> Placed:
+    """Return what `greatest` does, of any one contact: also of a cylinder that is not similar to all others."""
     from scipy.ndimage import maximum_filter
 
     x, z = _grid(contact)

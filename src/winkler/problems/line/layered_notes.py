@@ -18,7 +18,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["layered_notes"]
+__all__ = ["layered_notes", "strip_notes"]
 
 WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"
 PLACES, DEPTHS = 33, 25
@@ -39,6 +39,11 @@ def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float
     rim_load : float
         Load per length over E* that a rim bears [m].
     """
+    return (*strip_notes(bed, half_width, rim_load), *_yield_notes(bed, half_width, rim_load))
+
+
+def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
+    """Return these notes but for that on yield."""
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
@@ -50,7 +55,7 @@ def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float
     if half_width > 0.0 and has_depth(bed.medium):
         strain = layered_approach(bed, half_width, rim_load, None, None) / bed.medium.thickness
         notes = (*notes, film_note(strain, strain))
-    return (*notes, *_yield_notes(bed, half_width, rim_load))
+    return notes
 
 
 def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:

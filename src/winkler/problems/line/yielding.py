@@ -10,12 +10,16 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.at_strength import first_at_strength, refuse_without_strength
+from winkler.problems.line.at_strength import first_at_strength, refuse_sharp, refuse_without_strength
 from winkler.problems.line.greatest_stress import von_mises
+from winkler.problems.line.layered_notes import strip_notes
+from winkler.problems.line.layered_stress import refuse_friction
+from winkler.problems.line.layered_yield import first_on_layers
 from winkler.problems.line.validity import line_notes
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -31,15 +35,17 @@ class LineYieldOnset:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies, on a `HalfSpace` of which at least one body was given a strength.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies, on a `HalfSpace` or on bonded layers, of which at least one part was given a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given.
+        The contact slides everywhere, and drags each body by mu p; none unless given, and none on layers.
 
     Raises
     ------
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
+    OutsideValidity
+        If there is friction on layers.
 
     References
     ----------
@@ -48,7 +54,7 @@ class LineYieldOnset:
 
     __words__ = words(bed=("", None, "profile and bodies of the line contact"))
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     friction: Overcome = FRICTIONLESS
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985",)
@@ -56,6 +62,8 @@ class LineYieldOnset:
 
     def __post_init__(self) -> None:
         refuse_without_strength(self.bed, "LineYieldOnset")
+        if isinstance(self.bed, LayeredLineFoundation):
+            refuse_friction(self.friction.coefficient)
 
     def solve(self) -> LineYieldOnsetSolution:
         """Return the load, and where yielding begins.
@@ -66,7 +74,11 @@ class LineYieldOnset:
             If the body yields at the first touch (a sharp tip, kink or rim), or not within the reach of the profile.
         """
         bed = self.bed
-        a, place = first_at_strength(bed, self.friction.coefficient, von_mises, "LineYieldOnset")
+        if isinstance(bed, LayeredLineFoundation):
+            refuse_sharp(bed, "LineYieldOnset")
+            a, place = first_on_layers(bed, "LineYieldOnset")
+        else:
+            a, place = first_at_strength(bed, self.friction.coefficient, von_mises, "LineYieldOnset")
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
         return LineYieldOnsetSolution(self, force, a, place.x, place.z)
 
@@ -108,5 +120,8 @@ class LineYieldOnsetSolution:
             "Yielding begins where the von Mises stress of the elastic field in plane strain reaches the strength.",
             "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
         )
-        slid = sliding_note(self.problem.bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
-        return (*line_notes(self.problem.bed, self.half_width), slid, criterion)
+        bed = self.problem.bed
+        if isinstance(bed, LayeredLineFoundation):
+            return (*strip_notes(bed, self.half_width, 0.0), criterion)
+        slid = sliding_note(bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
+        return (*line_notes(bed, self.half_width), slid, criterion)

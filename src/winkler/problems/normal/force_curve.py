@@ -24,6 +24,7 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
 from winkler.loading import Depth
+from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.equations.roots import between, invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -235,7 +236,10 @@ def rough_depth(bed: Bed, energy: float) -> float:
         gap = bed.gap(radius)
         return np.asarray(0.4 * (bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)
 
-    radius = np.array([1e-6 * end if math.isfinite(end) else SEARCH_START * rough_root(stored, energy)])
+    # from the thickness on: discs of another order may be out of reach of the tables of a layer, and cost time
+    unit = bed.medium.thickness if isinstance(bed.medium, DepthVaryingMedium) else 1.0
+    start = 1e-6 * end if math.isfinite(end) else SEARCH_START * unit * rough_root(lambda x: stored(unit * x), energy)
+    radius = np.array([start])
     low = np.zeros(1)
     while radius[0] < end and float(stored(radius)[0]) < energy:
         low, radius = radius, np.minimum(2.0 * radius, end)

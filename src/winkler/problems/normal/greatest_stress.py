@@ -38,7 +38,7 @@ from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["GreatestStress", "greatest_stress", "sharp_places"]
+__all__ = ["GreatestStress", "greatest_stress", "sharp_places", "stress_in_plane"]
 
 EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""
@@ -73,7 +73,7 @@ def greatest_stress(
         The springs of the contact.
     part : StrongPart
     friction : float
-        Traction over pressure; more than zero on a `HalfSpace` alone.
+        Traction over pressure; more than zero on a `HalfSpace` and on bonded layers.
     fine : bool
         Whether the place is sought as precisely in layers as in a half-space, which takes longer.
 
@@ -99,7 +99,7 @@ def greatest_stress(
         for place, _ in sharp:
             regular &= np.hypot(np.abs(x) - place, z) >= off
         if regular.any():
-            stress[regular] = _stress(pressed, part, friction, x[regular], z[regular])
+            stress[regular] = stress_in_plane(pressed, part, friction, x[regular], z[regular])
         return stress
 
     layered = isinstance(bed.medium, DepthVaryingMedium)
@@ -111,7 +111,7 @@ def greatest_stress(
         bottom=part.bottom,
         both_sides=friction > 0.0,
         zooms=in_layers if layered else REFINEMENTS,
-        smooth=not (sharp or layered),
+        smooth=not sharp,
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 
@@ -153,30 +153,40 @@ def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> It
             yield place, f"the slope of the profile jumps{UNRESOLVED if bounded else INFINITE}"
 
 
-def _stress(pressed: PressedSprings, part: StrongPart, friction: float, x: Array, z: Array) -> Array:
+def stress_in_plane(pressed: PressedSprings, part: StrongPart, friction: float, x: Array, z: Array) -> Array:
+    """Return the von Mises stress [Pa] in the plane y = 0 of a contact that is dragged along x by `friction` times p.
+
+    Parameters
+    ----------
+    pressed : PressedSprings
+        The springs of the contact.
+    part : StrongPart
+        Of the body in which the places lie; of a `HalfSpace` its solid counts.
+    friction : float
+        Traction over pressure [-].
+    x, z : ndarray
+        Of one shape [m], z >= 0 into that body.
+    """
     medium, springs = pressed.bed.medium, pressed.blunted
     with np.errstate(invalid="ignore"):  # stresses are infinite in points of the surface
         across = medium.interior(springs, np.abs(x), z, below=part.first)
     if friction == 0.0:
         return von_mises(across.radial_stress, across.hoop_stress, across.axial_stress, across.shear_stress)
-    assert isinstance(medium, HalfSpace)
+    y, solid = np.zeros(x.shape), part.solid
     with np.errstate(invalid="ignore"):
-        along = shear_field.field(
-            springs,
-            x,
-            np.zeros(x.shape),
-            z,
-            modulus=friction * medium.modulus,
-            poisson=part.solid.poisson,
-            shear=part.solid.shear,
-        )
+        if isinstance(medium, HalfSpace):
+            along = shear_field.field(
+                springs, x, y, z, modulus=medium.modulus, poisson=solid.poisson, shear=solid.shear
+            )
+        else:
+            along = medium.dragged_interior(springs, x, y, z, below=part.first)  # type: ignore[attr-defined]
     return von_mises_of_tensor(
-        across.radial_stress + along.xx_stress,
-        across.hoop_stress + along.yy_stress,
-        across.axial_stress + along.zz_stress,
-        along.xy_stress,
-        np.sign(x) * across.shear_stress + along.xz_stress,
-        along.yz_stress,
+        across.radial_stress + friction * along.xx_stress,
+        across.hoop_stress + friction * along.yy_stress,
+        across.axial_stress + friction * along.zz_stress,
+        friction * along.xy_stress,
+        np.sign(x) * across.shear_stress + friction * along.xz_stress,
+        friction * along.yz_stress,
     )
 
 
@@ -193,6 +203,6 @@ def _ball(poisson: float, friction: float) -> GreatestStress:
     unit, part = PressedSprings(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
     peak = 2.0 * medium.modulus / math.pi
     largest = greatest(
-        lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0, smooth=True
+        lambda x, z: stress_in_plane(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0, smooth=True
     )
     return GreatestStress(largest.value, largest.r, largest.z, "")

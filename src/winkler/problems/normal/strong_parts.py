@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from winkler.materials.elastic import Elastic
-from winkler.media.families import CoatedBody
+from winkler.media.families import CoatedBody, StackedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["StrongPart", "solid_parts", "strong_parts"]
@@ -60,10 +60,11 @@ def _parts(medium: object) -> Iterator[StrongPart]:
     if isinstance(medium, RelaxingMedium):
         medium = medium.bodies
     first, second = getattr(medium, "first", None), getattr(medium, "second", None)
-    if isinstance(medium, CoatedBody):
+    if isinstance(medium, CoatedBody | StackedBody):
         top = 0.0
         for number, layer in enumerate(medium.layers, 1):
-            yield StrongPart(f"layer {number}", layer.solid, True, top, top + layer.thickness)
+            if isinstance(layer.solid, Elastic):  # no single strength belongs to a transversely isotropic one
+                yield StrongPart(f"layer {number}", layer.solid, True, top, top + layer.thickness)
             top += layer.thickness
         if isinstance(medium.on, Elastic):
             yield StrongPart("body under the layers", medium.on, True, top)

@@ -19,7 +19,7 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.foundation import Foundation
-from winkler.media.families import CoatedBody
+from winkler.media.families import CoatedBody, StackedBody
 from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
@@ -144,7 +144,7 @@ def _refuse_costly(pressed: PressedSprings) -> None:
     medium = pressed.bed.medium
     if isinstance(medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
-    if isinstance(medium, CoatedBody) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
+    if isinstance(medium, CoatedBody | StackedBody) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
         raise OutsideValidity(
             f"the contact is more than {WIDEST_ON_LAYER:g} times as wide as the uppermost layer is thick; use "
             "peak_stress for the stresses inside."
@@ -154,7 +154,7 @@ def _refuse_costly(pressed: PressedSprings) -> None:
 def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
     """Return why the stresses under friction are not known, or nothing."""
     medium = pressed.bed.medium
-    if not isinstance(medium, HalfSpace):
+    if not isinstance(medium, HalfSpace | CoatedBody):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"

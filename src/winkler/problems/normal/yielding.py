@@ -2,43 +2,44 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.friction import Coulomb, Overcome
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.stacked.stacked import SlidingStack
+from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
+from winkler.problems.normal.greatest_stress import GreatestStress
+from winkler.problems.normal.onset.search import greatest_in, onset_in, weakest_first
 from winkler.problems.normal.single_contact import refuse_unless_disc
-from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.problems.normal.yield_statement import RADIUS_SHARES, WIDEST_ON_LAYER
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values import value, words
 
-__all__ = ["YieldOnset", "YieldOnsetSolution"]
+__all__ = ["YieldOnset", "YieldOnsetSolution", "part_that_yields"]
 
-MOST_STEPS, OCTAVES = 40, 500
-ROUGH_MISS = 0.02
-"""Logarithm of stress over strength below which stresses in layers are sought finely."""
-REACH_SHARE = 0.999
-"""Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
+FRICTIONLESS = Coulomb(0.0)
 
 
 @value
 class YieldOnset:
-    """At which load does the first of the bodies begin to yield?
+    r"""At which load does the first of the bodies begin to yield, pressed or while it slides?
+
+    A contact that slides carries the traction :math:`\mu p` of Coulomb's law; the pressure is taken to be that without
+    friction, as usual: what the traction adds to it is left out (`validity` says of which order that is).
 
     Parameters
     ----------
     bed : Bed
-        Springs over a `HalfSpace` or a `CoatedHalfSpace` of which at least one body, layer or base was given a
-        strength.
+        Springs over a `HalfSpace`, a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` of which at least one
+        isotropic body, layer or base was given a strength.
+    friction : Coulomb, optional
+        The contact slides everywhere, and drags each body by mu p; none unless given.
 
     Raises
     ------
@@ -47,21 +48,25 @@ class YieldOnset:
 
     References
     ----------
-    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1, doi:10.1017/CBO9781139171731
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1, doi:10.1017/CBO9781139171731;
+    G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53-59, doi:10.1243/PIME_PROC_1983_197_076_02 (sliding).
     """
 
+    __words__ = words(friction=("", None, "law of friction of a contact that slides everywhere"))
+
     bed: Bed
+    friction: Overcome = FRICTIONLESS
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
-    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED}
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, HalfSpace | CoatedHalfSpace):
+        if not isinstance(self.bed.medium, HalfSpace | CoatedHalfSpace | SlidingStack):
             raise InvalidInput(
                 f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "isotropic bodies and bonded layers only (a transversely isotropic body has no single strength, a "
-                "graded one another at each depth, layers that slide are not searched): give a HalfSpace or a "
-                "CoatedHalfSpace."
+                "isotropic bodies and layers only (a transversely isotropic body has no single strength, the strength "
+                "of a graded one is a profile that no single number states): give a HalfSpace, or a CoatedHalfSpace "
+                "whose layers have a strength each."
             )
         if not strong_parts(self.bed.medium):
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
@@ -78,12 +83,15 @@ class YieldOnset:
         NotConverged
             If the contact radius at the onset is not found.
         """
+        mu = self.friction.coefficient
         onsets: list[tuple[float, GreatestStress, StrongPart]] = []
         missed = []
-        for part in strong_parts(self.bed.medium):
-            if onsets and _stress(self.bed, part, min(onsets, key=_radius)[0], True).value < part.solid.strength:
-                continue  # still elastic where another part yields
-            onset = _onset(self.bed, part)
+        for part in weakest_first(self.bed, mu):
+            if onsets:
+                narrowest = min(onsets, key=_radius)[0]
+                if greatest_in(self.bed, part, narrowest, True, mu).value < part.solid.strength:
+                    continue  # still elastic where another part yields
+            onset = onset_in(self.bed, part, mu)
             if isinstance(onset, str):
                 missed.append(onset)
             else:
@@ -96,7 +104,8 @@ class YieldOnset:
         force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
         if not self.bed.certain:
             refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
-        return YieldOnsetSolution(self, depth, force, radius, r=place.x, z=place.z if part.first else -place.z)
+        z = place.z if part.first else -place.z
+        return YieldOnsetSolution(self, depth, force, radius, r=abs(place.x), z=z, x=place.x)
 
 
 @value
@@ -110,8 +119,13 @@ class YieldOnsetSolution:
     depth, force, radius : float
         [m], [N], [m] when yielding begins.
     r, z : float
-        Where it begins [m]; z > 0 in the first body, z < 0 in the second.
+        Distance from the axis and depth [m] where it begins; z > 0 in the first body, z < 0 in the second.
+    x : float
+        The same distance in the direction in which the surface of that body is dragged [m]: negative behind the middle.
+        Without friction it is `r`.
     """
+
+    __words__ = words(x=("x", "m", "place in the direction in which the surface is dragged"))
 
     problem: YieldOnset
     depth: float
@@ -119,181 +133,30 @@ class YieldOnsetSolution:
     radius: float
     r: float
     z: float
-
-    @property
-    def _part(self) -> str:
-        """Name of the part that yields."""
-        parts = [part for part in strong_parts(self.problem.bed.medium) if part.first == (self.z >= 0.0)]
-        depth = abs(self.z)
-        return min(parts, key=lambda part: max(part.top - depth, depth - part.bottom, 0.0)).name
+    x: float
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
         return (
             *self.problem.bed.notes,
+            sliding_note(self.problem.bed.medium, self.problem.friction.coefficient),
             Note(
                 Assumption.ELASTIC,
                 Standing.EXACT,
-                f"Yielding begins in the {self._part}, where the von Mises stress of the elastic field first reaches "
-                "its strength.",
+                f"Yielding begins in the {part_that_yields(self).name}, where the von Mises stress of the elastic "
+                "field first reaches its strength.",
                 "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
             ),
         )
-
-
-def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
-    """Return the contact radius at which one body yields, and where; or why it does not."""
-    strength, flat, buried = part.solid.strength, flat_radius(bed), part.top > 0.0
-    sharp = [b for b, jump in bed.kinks if jump != 0.0 and not buried]  # below a layer the stress stays finite
-    widest = math.inf
-    if isinstance(bed.medium, CoatedHalfSpace):
-        widest = WIDEST_ON_LAYER * bed.medium.layers[0].thickness
-        if flat > widest:
-            return _too_wide(part, widest)
-    end = min([bed.reach, bed.rim, widest, *(b for b in sharp if b > flat)])
-    a = _start(bed, flat, end, strength)
-    if not buried:
-        _refuse_first_touch(bed, part, a, flat, sharp)
-    elif bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
-        return _pinned(bed, part)
-
-    def stress(radius: float, fine: bool = True) -> GreatestStress:
-        return _stress(bed, part, radius, fine)
-
-    with np.errstate(divide="ignore", invalid="ignore"):
-        vertical = not math.isfinite(float(bed.gap_slope(np.array([end]))[0]))  # as the equator of a ball
-    if end == widest < math.inf:
-        while stress(a, fine=False).value < strength:  # wide contacts on layers take long: the least that suffices
-            if a == end:
-                return _too_wide(part, widest)
-            a = min(flat + 2.0 * (a - flat), end)
-        end = a
-    elif end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
-        place = stress(end)
-        if place.value < strength:
-            if buried and bed.rim <= bed.reach:
-                return _pinned(bed, part)
-            if end in sharp or bed.rim <= bed.reach:  # reached first, and there the stress is infinite
-                return end, GreatestStress(math.inf, end, 0.0, "")
-            return (
-                f"YieldOnset: within the profile's reach ({end:.6g} m) the largest von Mises stress stays below "
-                f"{strength:.6g} Pa; the body does not yield before the profile ends."
-            )
-    elif math.isfinite(end):
-        end *= REACH_SHARE
-        place = stress(end)
-        if place.value < strength:
-            return (
-                f"YieldOnset: at {end:.6g} m, where the profile is nearly vertical, the largest von Mises stress is "
-                f"{place.value:.6g} Pa, below the strength, {strength:.6g} Pa: the body does not yield before; check "
-                "the units of strength and modulus."
-            )
-    found = _crossing(stress, strength, flat, end, a)
-    if isinstance(found, str) or isinstance(bed.medium, HalfSpace):
-        return found
-    for share in RADIUS_SHARES[:-1]:  # in layers the stress need not grow with the load
-        earlier = flat + share * (found[0] - flat)
-        if stress(earlier, fine=False).value >= strength:
-            return _crossing(stress, strength, flat, earlier, 0.5 * (flat + earlier))
-    return found
-
-
-def _crossing(
-    stress: Callable[..., GreatestStress], strength: float, flat: float, end: float, a: float
-) -> tuple[float, GreatestStress] | str:
-    """Return where the stress reaches the strength between two radii [m], from one of them on; or why it does not."""
-    low, high, fine = flat, end, False
-    last: tuple[float, float] | None = None
-    for _ in range(MOST_STEPS):
-        place = stress(a, fine)
-        miss = math.log(place.value / strength)
-        if not fine and abs(miss) < ROUGH_MISS:
-            fine, place = True, stress(a, fine=True)
-            miss = math.log(place.value / strength)
-        if abs(miss) < 1e-10:
-            return a, place
-        if last is not None and abs(miss - last[1]) < 1e-8 * abs(math.log(a - flat) - last[0]):
-            return _the_same(place.value, strength)
-        low, high = (a, high) if miss < 0.0 else (low, a)
-        # secant in logarithms: exact for power laws, whose stress is a power of the radius
-        power = 1.0 if last is None else (miss - last[1]) / (math.log(a - flat) - last[0])
-        last = (math.log(a - flat), miss)
-        new = flat + (a - flat) * math.exp(max(-20.0, min(20.0, -miss / power))) if power > 0.0 else math.nan
-        if not low < new < high:
-            new = 0.5 * (low + high) if math.isfinite(high) else 2.0 * a
-        if abs(new - a) <= 1e-14 * a:
-            return a, place
-        a = new
-    raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {MOST_STEPS} steps.")
-
-
-def _stress(bed: Bed, part: StrongPart, radius: float, fine: bool) -> GreatestStress:
-    """Return the greatest stress in a part at a contact radius."""
-    return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part, fine=fine)
 
 
 def _radius(onset: tuple[float, GreatestStress, StrongPart]) -> float:
     return onset[0]
 
 
-def _too_wide(part: StrongPart, widest: float) -> str:
-    return (
-        f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the "
-        f"uppermost layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of "
-        "wider contacts on layers are not computed."
-    )
-
-
-def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
-    """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength."""
-    assert isinstance(bed.medium, HalfSpace | CoatedHalfSpace)
-    wanted = strength / bed.medium.modulus
-    if isinstance(bed.medium, HalfSpace) and math.isfinite(end):
-        return 0.5 * (flat + end)
-    a, before = 0.5 * (flat + end) if math.isfinite(end) else 2.0 * flat or 1.0, math.nan
-    for _ in range(OCTAVES):
-        slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
-        if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before:
-            break
-        if math.isfinite(end) and slope < wanted:
-            break
-        a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
-    return a
-
-
-def _refuse_first_touch(bed: Bed, part: StrongPart, a: float, flat: float, sharp: list[float]) -> None:
-    """Refuse a profile that is sharp where it touches first."""
-    advice = "yielding begins at the first touch; give a rounded profile."
-    if bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
-        raise OutsideValidity(f"YieldOnset: the rim is sharp, so the stress is infinite there and {advice}")
-    if flat in sharp:
-        if part.solid.poisson == 0.5:
-            raise OutsideValidity(
-                "YieldOnset: the slope of the profile jumps; in an incompressible body the greatest von Mises stress "
-                "next to the edge is finite, but is not resolved at the first touch; give a rounded profile."
-            )
-        raise OutsideValidity(
-            f"YieldOnset: the slope of the profile jumps, so the stress is infinite there and {advice}"
-        )
-    pressed = PressedSprings(bed, float(bed.gap(np.array([a]))[0]), a)
-    if any(place == 0.0 for place, _ in sharp_places(pressed, part.solid.poisson, 0.0)):
-        raise OutsideValidity(f"YieldOnset: the apex is pointed, so the stress is infinite there and {advice}")
-
-
-def _pinned(bed: Bed, part: StrongPart) -> str:
-    return (
-        f"YieldOnset: the {part.name} stays elastic until the contact is pinned at its rim ({bed.rim:.6g} m), beyond "
-        "which the onset below layers is not sought; give a wider profile, or read the validity of an Indentation."
-    )
-
-
-def _the_same(stress: float, strength: float) -> str:
-    """Return what it means that the greatest stress does not depend on the load."""
-    if stress < strength:
-        verdict = "does not reach the strength, {:.6g} Pa: the body does not yield."
-    else:
-        verdict = "is more than the strength, {:.6g} Pa: yielding begins at the first touch."
-    return f"YieldOnset: the greatest von Mises stress is {stress:.6g} Pa under every load, and {verdict}".format(
-        strength
-    )
+def part_that_yields(solution: YieldOnsetSolution) -> StrongPart:
+    """Return the body, layer or base that yields first."""
+    parts = [part for part in strong_parts(solution.problem.bed.medium) if part.first == (solution.z >= 0.0)]
+    depth = abs(solution.z)
+    return min(parts, key=lambda part: max(part.top - depth, depth - part.bottom, 0.0))

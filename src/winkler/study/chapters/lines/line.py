@@ -103,6 +103,13 @@ def line_formulas(problem: Any) -> tuple[Equation, ...]:
     return (MODULUS, LOAD_PROFILE, LOAD, PRESSURE)
 
 
+def line_yield_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a line contact that begins to yield on the bodies of a problem."""
+    if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
+        return (*line_formulas(problem), PLANE_STRAIN, ONSET)
+    return (MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET)
+
+
 def line_adhesion_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a strip that sticks under the law of a problem."""
     law = (RANGED, RANGE_END) if is_a(problem.law, "winkler.laws.adhesion:Dugdale") else (STICKING, STRETCHED)
@@ -227,7 +234,7 @@ LINE = Chapter(
             friction={"kind": "coulomb", "coefficient": 0.1},
             picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET),
+            formulas=line_yield_formulas,
         ),
         "line_shakedown": answer(
             "winkler.problems.line.shakedown:LineShakedown",

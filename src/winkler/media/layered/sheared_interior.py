@@ -1,0 +1,206 @@
+r"""Stresses and displacements inside a stack of bonded layers whose surface is dragged along x, by Hankel integrals.
+
+The traction :math:`p(r)` along x is a superposition of waves in all directions.  A wave that runs at the angle
+:math:`\varphi` to x has the part :math:`\cos\varphi` along its direction, which moves depth and surface together (as a
+pressure does, `winkler.media.layered.climb`), and :math:`-\sin\varphi` across it, which shears alone.  With the
+amplitudes U, W, T, S of the former per traction of one, V and Q (displacement times :math:`\xi`, traction) of the
+latter, :math:`A=nS+cU` the stress along and :math:`B=A-2C_{66}U` across the wave, :math:`D=C_{66}V`, the average over
+:math:`\varphi` is
+
+.. math::
+
+    \sigma_{rr} &= -\big[A J_1 - (A-B-2D)J_2/x\big]\cos\theta, &
+    \sigma_{\theta\theta} &= -\big[B J_1 + (A-B-2D)J_2/x\big]\cos\theta, \\
+    \sigma_{r\theta} &= \big[D J_1 + (A-B-2D)J_2/x\big]\sin\theta, & \sigma_{zz} &= -S J_1\cos\theta, \\
+    \sigma_{rz} &= \tfrac12\big[(T+Q)J_0+(Q-T)J_2\big]\cos\theta, &
+    \sigma_{\theta z} &= -\tfrac12\big[(T+Q)J_0+(T-Q)J_2\big]\sin\theta,
+
+of :math:`x=\xi r`, and so for the displacements.  In the uppermost layer the field of a homogeneous half-space under
+the same traction is known otherwise (`winkler.media.interior.shear_field`), and only what the interfaces add is
+integrated, as in `winkler.media.layered.coated_interior`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.media.interior import shear_field
+from winkler.media.interior.shear_field_punch import ShearField
+from winkler.media.layered.climb import AnyLayer
+from winkler.media.layered.coated_interior import (
+    PAIRS_PER_CHUNK,
+    HankelWaves,
+    WaveState,
+    reach_of,
+    refuse_unknown_places,
+    wave_states,
+    waves_of,
+)
+from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.shear_responses import across_layer
+from winkler.media.layered.wave_constants import Body, constants_of
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
+from winkler.numerics.types import Array
+
+__all__ = ["field"]
+
+SHORT_ARGUMENT = 1e-2
+"""Up to this J_2(x)/x is taken from its series."""
+
+
+class _AcrossState(NamedTuple):
+    """At one depth per traction of 1 across the wave: displacement times xi, traction."""
+
+    moved: Array
+    loaded: Array
+
+
+def field(
+    load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: float, x: Array, y: Array, z: Array
+) -> ShearField:
+    """Return stresses and displacements inside a stack of bonded layers that is dragged along +x.
+
+    Parameters
+    ----------
+    load : CarriedLoad
+        The pressure; the traction is equal to it.
+    layers, on
+        The stack; no layer slides.
+    modulus : float
+        E* of the uppermost layer and the counterpart [Pa].
+    x, y, z : ndarray
+        Of one shape [m]; a point on an interface belongs to the upper layer.
+
+    Raises
+    ------
+    OutsideValidity
+        As of `winkler.media.layered.coated_interior.field`.
+    """
+    shape = np.shape(x)
+    x, y, z = (np.ravel(np.asarray(part, dtype=float)) for part in (x, y, z))
+    bottoms = np.cumsum([layer.thickness for layer in layers])
+    refuse_unknown_places(layers, on, bottoms, z)
+    result = np.zeros((9, x.size))
+    if load.radius > 0.0 and x.size:
+        top, upper, r = layers[0].solid, z <= bottoms[0], np.hypot(x, y)
+        waves = waves_of(load, modulus, reach_of(load, r), 2.0 * DECAY_SPAN / load.response.length)
+        if isinstance(top, Elastic) and upper.any():
+            own = shear_field.field(
+                load, x[upper], y[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear
+            )
+            result[:, upper] = own
+        depths = np.unique(z)
+        along = wave_states(layers, on, bottoms, depths, waves.xi, dragged=True)
+        across = _across_states(layers, on, bottoms, depths, waves.xi)
+        for (depth, state, end), beside in zip(along, across, strict=True):
+            (members,) = np.nonzero(z == depth)
+            part = HankelWaves(waves.xi[:end], waves.weights[:end])
+            result[:, members] += _superposed(state, beside, part, x[members], y[members])
+    return ShearField(*(part.reshape(shape) for part in result))
+
+
+def _impedance(solid: Elastic | TransverselyIsotropic) -> tuple[float, float]:
+    """Return sqrt(C44 C66) [Pa] and how much faster than an isotropic one's its waves across fall with the depth."""
+    constants = constants_of(solid)
+    steep = math.sqrt(constants.twist)
+    return constants.shear * steep, steep
+
+
+def _across_states(
+    layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array
+) -> Iterator[_AcrossState]:
+    """Yield, depth by depth, the amplitudes of waves across; in the uppermost layer without those of a half-space."""
+    below = np.full(xi.shape, 0.0 if isinstance(on, Rigid) else 1.0 / _impedance(on)[0])
+    reflected = []
+    for layer in reversed(layers):
+        own, steep = _impedance(layer.solid)
+        reflected.append((below * own - 1.0) / (below * own + 1.0))
+        below, _ = across_layer(below, 1.0 / own, xi * (layer.thickness * steep))
+    reflected.reverse()
+    arrived = [np.full(xi.shape, -1.0)]
+    for layer, echo in zip(layers, reflected, strict=True):
+        x = xi * (layer.thickness * _impedance(layer.solid)[1])
+        arrived.append(arrived[-1] * np.exp(-x) * (1.0 - echo) / _share(echo, x))
+    tops = np.concatenate([[0.0], bottoms])
+    for depth in depths:
+        index = int(np.searchsorted(bottoms, depth))
+        if index == len(layers):
+            assert not isinstance(on, Rigid)
+            own, steep = _impedance(on)
+            loaded = arrived[index] * np.exp(-xi * ((depth - tops[index]) * steep))
+            yield _AcrossState(-loaded / own, loaded)
+            continue
+        own, steep = _impedance(layers[index].solid)
+        echo, x = reflected[index], xi * (layers[index].thickness * steep)
+        start = xi * ((depth - tops[index]) * steep)
+        rising = echo * np.exp(start - 2.0 * x)
+        falling = (echo * np.exp(-2.0 * x) if index == 0 else 1.0) * np.exp(-start)
+        scale = -arrived[index] / _share(echo, x)
+        yield _AcrossState(scale * (falling + rising) / own, scale * (rising - falling))
+
+
+def _share(echo: Array, x: Array) -> Array:
+    """Return 1 - echo exp(-2 x) without a difference of nearly equal numbers."""
+    return np.asarray((1.0 - echo) - echo * np.expm1(-2.0 * x))
+
+
+def _superposed(state: WaveState, beside: _AcrossState, waves: HankelWaves, x: Array, y: Array) -> Array:
+    """Return the nine parts of a `ShearField` at one depth."""
+    from scipy.special import j0, j1
+
+    end, r = waves.xi.size, np.hypot(x, y)
+    constants = constants_of(state.solid)
+    plane, twice = constants.shear * constants.plane, 2.0 * constants.shear * constants.twist
+    strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
+    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
+    aside, turn = beside.moved[:end] * waves.weights, beside.loaded[:end] * waves.weights
+    lengthwise = constants.lateral * axial + plane * strain
+    crosswise, bend = lengthwise - twice * strain, twice * (strain - aside)
+    polar = np.empty((9, r.size))
+    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
+    for start in range(0, r.size, step):
+        part = slice(start, start + step)
+        phase = np.outer(r[part], waves.xi)
+        zeroth, first = j0(phase), j1(phase)
+        short = phase < SHORT_ARGUMENT
+        divisor = np.where(short, 1.0, phase)
+        second = np.where(short, phase**2 / 8.0 * (1.0 - phase**2 / 12.0), 2.0 * first / divisor - zeroth)
+        ratio = np.where(short, phase / 8.0 * (1.0 - phase**2 / 12.0 * (1.0 - phase**2 / 32.0)), second / divisor)
+        bent = ratio @ bend
+        polar[:, part] = (
+            bent - first @ lengthwise,
+            -(first @ crosswise) - bent,
+            -(first @ axial),
+            first @ (0.5 * twice * aside) + bent,
+            0.5 * (zeroth @ (shear + turn) + second @ (turn - shear)),
+            -0.5 * (zeroth @ (shear + turn) + second @ (shear - turn)),
+            0.5 * (zeroth @ ((strain + aside) / waves.xi) + second @ ((aside - strain) / waves.xi)),
+            -0.5 * (zeroth @ ((strain + aside) / waves.xi) + second @ ((strain - aside) / waves.xi)),
+            -(first @ (lift / waves.xi)),
+        )
+    return _cartesian(polar, x, y, r)
+
+
+def _cartesian(polar: Array, x: Array, y: Array, r: Array) -> Array:
+    """Turn amplitudes of cos and sin of the angle in polar axes into the parts of a `ShearField`."""
+    c, s = np.where(r > 0.0, x, 1.0) / np.where(r > 0.0, r, 1.0), y / np.where(r > 0.0, r, 1.0)
+    rr, tt, zz, rt, rz, tz, u_r, u_t, u_z = polar
+    rr, tt, zz, rz, u_r, u_z = rr * c, tt * c, zz * c, rz * c, u_r * c, u_z * c
+    rt, tz, u_t = rt * s, tz * s, u_t * s
+    parts = {
+        "xx_stress": rr * c * c + tt * s * s - 2.0 * rt * s * c,
+        "yy_stress": rr * s * s + tt * c * c + 2.0 * rt * s * c,
+        "zz_stress": zz,
+        "xy_stress": (rr - tt) * s * c + rt * (c * c - s * s),
+        "xz_stress": rz * c - tz * s,
+        "yz_stress": rz * s + tz * c,
+        "x_displacement": u_r * c - u_t * s,
+        "y_displacement": u_r * s + u_t * c,
+        "z_displacement": u_z,
+    }
+    return np.array([parts[name] for name in ShearField._fields])

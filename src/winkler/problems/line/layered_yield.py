@@ -1,0 +1,117 @@
+"""The half-width of a strip on layers at which a layer, or a body beside them, reaches its strength."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.numerics.equations.roots import between, rough_root
+from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import Placed, sought, von_mises
+from winkler.problems.line.half_width import refuse_unless_strips
+from winkler.problems.line.layered_stress import REFINEMENTS, WIDTHS_SEARCHED, greatest_within, waves_below
+from winkler.problems.line.stress import LineContact
+from winkler.problems.line.strip import Strip
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+
+__all__ = ["first_on_layers"]
+
+MOST_STEPS = 60
+NEAREST_END = 1e-3
+"""How near to the end of the profile the strength is sought, over its reach."""
+WIDEST_START = 100.0
+"""Widest strip with which the search begins, over half of the thickness of the uppermost layer."""
+OVERSHOT, LEAST_STEP, LONGEST_STEP = 1.2, 0.02, 2.0
+"""Steps of the logarithm of the half-width, over that of the stress, while the strength is bracketed."""
+COARSE, COARSE_TOLERANCE = 4, 1e-4
+"""Refinements while the half-width is sought, and to which part; two full secant steps follow."""
+FAR = 0.8
+"""Parts of which the first grid shows less than this share of the greatest are not refined."""
+
+
+def first_on_layers(bed: LayeredLineFoundation, name: str) -> tuple[float, Placed]:
+    """Return the half-width [m] at which a part first reaches its strength, and where; z < 0 in the second body.
+
+    Parameters
+    ----------
+    bed : LayeredLineFoundation
+        Without a sharp tip, kink or rim; at least one of its parts has a strength.
+    name : str
+        Of the problem, for its refusals.
+    """
+    parts = strong_parts(bed.medium)
+
+    def excess(logarithm: float, refinements: int = COARSE) -> float:
+        return math.log(_nearest(bed, bed.flat + math.exp(logarithm), parts, refinements)[0])
+
+    low, high, slope = _bracket(bed, excess, _start(bed, parts), name)
+    coarse = between(excess, low, high, absolute=COARSE_TOLERANCE)
+    first = excess(coarse, REFINEMENTS)
+    near = coarse - first / slope
+    second = excess(near, REFINEMENTS)
+    if second != first:
+        near -= second * (near - coarse) / (second - first)
+    a = bed.flat + math.exp(near)
+    refuse_unless_strips(bed, np.array([a]))
+    return a, _nearest(bed, a, parts, REFINEMENTS)[1]
+
+
+def _start(bed: LayeredLineFoundation, parts: tuple[StrongPart, ...]) -> float:
+    """Return where the search begins, beside what is flat [m]."""
+    flat, end = bed.flat, min(bed.reach, bed.rim)
+    if math.isfinite(end):
+        return 0.01 * (end - flat)
+
+    def mean(beside: Array) -> Array:
+        return np.asarray(0.5 * bed.half_plane.load_profile(flat + beside) / (flat + beside))
+
+    weakest = min(part.solid.strength for part in parts)
+    return min(rough_root(mean, weakest / bed.medium.modulus), WIDEST_START * bed.trial)
+
+
+def _bracket(
+    bed: LayeredLineFoundation, excess: Callable[[float], float], start: float, name: str
+) -> tuple[float, float, float]:
+    """Return logarithms of lengths [m] beside what is flat, between which the strength is reached, and the slope."""
+    width = min(bed.reach, bed.rim) - bed.flat
+    here, level = math.log(start), excess(math.log(start))
+    for _ in range(MOST_STEPS):
+        step = min(OVERSHOT * abs(level) + LEAST_STEP, LONGEST_STEP)
+        there = here + (step if level < 0.0 else -step)
+        if level < 0.0 and math.isfinite(width):
+            if math.exp(here) >= (1.0 - NEAREST_END) * width:
+                break
+            there = min(there, math.log(0.5 * (math.exp(here) + width)))  # at the end itself it may be upright
+        beyond = excess(there)
+        if (beyond < 0.0) != (level < 0.0):
+            return min(here, there), max(here, there), (beyond - level) / (there - here)
+        here, level = there, beyond
+    raise OutsideValidity(
+        f"{name}: within the reach of the profile ({bed.flat + width:.6g} m) the strength is not reached; give a "
+        "lower strength or a profile that is known farther."
+    )
+
+
+def _nearest(
+    bed: LayeredLineFoundation, half_width: float, parts: tuple[StrongPart, ...], refinements: int
+) -> tuple[float, Placed]:
+    """Return the greatest von Mises stress over the strength of its part, and the place."""
+    strip = Strip(half_width, 0.0)
+    waves = waves_below(bed, strip, WIDTHS_SEARCHED * half_width)
+
+    def found(part: StrongPart, times: int) -> tuple[float, Placed]:
+        if part.first:
+            place = Placed(*greatest_within(bed, strip, part.top, part.bottom, waves, times))
+        else:
+            place = sought(LineContact(bed, half_width, 0.0, part.solid.poisson, 0.0), von_mises)
+            place = place._replace(z=-place.z)
+        return place.value / part.solid.strength, place
+
+    rough = [found(part, 0) for part in parts]
+    most = max(share for share, _ in rough)
+    near = [part for (share, _), part in zip(rough, parts, strict=True) if share >= FAR * most]
+    return max((found(part, refinements) for part in near), key=lambda one: one[0])
