@@ -33,6 +33,7 @@ def ball(count=64, side=0.9):
     return wk.Topography(-0.5 * (x[:, None] ** 2 + x**2), [side, side])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("periodic", [False, True])
 def test_without_poissons_ratio_a_rough_joint_is_as_stiff_along_as_across(periodic):
     joint = wk.JointStiffness(waves(periodic=periodic), pair(0.0), LAW, wk.Force(np.array([0.003, 0.01]))).solve()
@@ -44,6 +45,7 @@ def test_without_poissons_ratio_a_rough_joint_is_as_stiff_along_as_across(period
     assert joint.loss_error < 2e-2
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("force", [0.002, 0.05])
 def test_a_ball_on_a_coating_is_as_stiff_as_rings(force):
     """Across and along, of the disc by the ring solvers; what turns with the angle is of the second order."""
@@ -54,6 +56,7 @@ def test_a_ball_on_a_coating_is_as_stiff_as_rings(force):
     assert joint.ratio_x == pytest.approx(joint.disc_ratio, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_thin_and_thick_coatings_are_their_solids():
     top, base, other = wk.Elastic(1.5, 0.3), wk.Elastic(1.0, 0.4), wk.Elastic(3.0, 0.2)
     rough, load, share = waves(24), wk.Force(0.01), np.array([0.5])
@@ -68,6 +71,7 @@ def test_thin_and_thick_coatings_are_their_solids():
             assert getattr(coated, name) == pytest.approx(getattr(alone, name), rel=4e-3), name
 
 
+@pytest.mark.slow
 def test_a_map_laid_beside_itself_is_the_same_joint():
     one, share = waves(32), np.array([0.3, 0.8])
     two = wk.Topography(np.tile(one.heights, (2, 1)), [2.0, 1.0], periodic=True)
@@ -101,6 +105,7 @@ def test_loops_of_a_power_law_are_in_closed_form(power):
     assert found.loss == pytest.approx(4.0 * share * most * shift - 8.0 * inside, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_drawn_loop_encloses_the_loss():
     joint = wk.JointStiffness(ball(48), pair(0.0), LAW, wk.Force(0.02), share=np.array([0.4, 0.9])).solve()
     for amplitude in range(2):

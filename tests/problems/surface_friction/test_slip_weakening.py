@@ -128,6 +128,7 @@ def ring_forces(law, shifts, rings: int = 120) -> tuple[np.ndarray, np.ndarray]:
     return np.array(forces), np.array(at_edge)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("law", LAWS)
 def test_partial_slip_as_on_rings(law):
     """A ring slips, the more the farther out: by dense equations of 120 rings."""
@@ -141,6 +142,7 @@ def test_partial_slip_as_on_rings(law):
     assert np.max(done.last.slip_path) == pytest.approx(at_edge[-1], rel=3e-2)
 
 
+@pytest.mark.slow
 def test_more_steps_meet_the_work():
     """The work of the force, by trapezoids, becomes what is stored and lost, with the square of the steps."""
     law, missing = wk.ExponentialSlipWeakening(STATIC, KINETIC, FAR), []
@@ -154,6 +156,7 @@ def test_more_steps_meet_the_work():
     assert missing[0] > 3.0 * missing[1] > 9.0 * missing[2]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("law", LAWS)
 def test_energy_is_lost_and_slip_is_not_forgotten(law):
     rng = np.random.default_rng(8)
@@ -182,6 +185,7 @@ def test_apart_it_does_not_heal():
     assert states[3].shear_force[0] == pytest.approx(KINETIC * states[3].force, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_dissimilar_bodies_weaken_too():
     """Pressed and slid: where all has slipped far the kinetic coefficient is left, whatever the coupling."""
     medium = wk.HalfSpace.between(wk.Elastic(1.0, 0.2))
@@ -195,6 +199,7 @@ def test_dissimilar_bodies_weaken_too():
 SHARP, GENTLE = (wk.LinearSlipWeakening(STATIC, KINETIC, part * FAR) for part in (0.3, 1.0))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("law", "lateral", "sentence"),
     [

@@ -26,6 +26,7 @@ def ball(count: int = 65, radius: float = BALL) -> wk.SampledProfile:
     return wk.SampledProfile([SIDE, SIDE], wk.Paraboloid(radius), (count, count))
 
 
+@pytest.mark.slow
 def test_cattaneo_and_mindlin():
     """On 129 x 129 pixels, from a tenth of the friction on to nearly all of it."""
     part = np.array([0.1, 0.5, 0.875, 0.99])
@@ -91,6 +92,7 @@ def test_there_and_back_as_a_round_body_remembers():
     np.testing.assert_allclose(found.stored_energy, exact.stored_energy, atol=2e-4 * np.max(exact.stored_energy))
 
 
+@pytest.mark.slow
 def test_a_normal_load_that_changes_too():
     turn = np.linspace(0.0, 2.0 * np.pi, 21)
     path = wk.Path.through(wk.Depth(DEPTH * (0.7 + 0.3 * np.sin(turn))), wk.Shift(0.6 * FAR * np.sin(2.0 * turn + 0.5)))
@@ -191,6 +193,7 @@ def test_a_ball_that_slips_while_it_is_pressed(monkeypatch):
     assert left == pytest.approx(right, rel=2e-2)
 
 
+@pytest.mark.slow
 def test_dissimilar_bodies_are_solved_together():
     medium = wk.HalfSpace.between(wk.Elastic(1.0, 0.2))
     force = FORCE * medium.modulus / DULL.modulus

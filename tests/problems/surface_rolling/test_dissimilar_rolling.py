@@ -54,6 +54,7 @@ def test_a_ball_creeps_without_a_force():
     assert again.longitudinal_creepage == pytest.approx(-done.longitudinal_creepage, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_long_roller_of_bentall_and_johnson(shared_data):
     """Freely rolling with friction 0.05, as CONTACT has it in plane strain; the ends bear five per cent of the load."""
     file = shared_data / "reference" / "contact" / "bentall_line.toml"
@@ -109,6 +110,7 @@ def influence(shape, pixel, kernel):
     ]  # fmt: skip
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("drive", [
     wk.CreepForce(2e-8, -1e-8, wk.Spin(3.0)), wk.CreepForce(0.0, 0.0, wk.Torque(0.0)), wk.Creepage(2e-3, 1e-3),
 ])  # fmt: skip
@@ -156,6 +158,7 @@ def test_contact_and_friction_by_own_influence_numbers(drive):
     assert np.all(np.hypot(*done.last.traction) <= bound * (1.0 + 1e-9))
 
 
+@pytest.mark.slow
 def test_friction_takes_the_work_of_creepage_and_of_the_resistance_to_rolling():
     medium, force = wk.HalfSpace.between(STEEL, RUBBER), 2e-7
     left = []

@@ -48,6 +48,7 @@ def test_full_slip(direction):
     np.testing.assert_allclose(done.saturation, mu / STATIC, rtol=1e-4)
 
 
+@pytest.mark.slow
 def test_the_creep_curve_has_a_maximum_and_falls():
     creep = np.geomspace(1e-4, 0.3, 12)
     done, coulomb = (rolled(law, wk.Creepage(longitudinal=creep), 30.0) for law in (FALLING, wk.Coulomb(STATIC)))

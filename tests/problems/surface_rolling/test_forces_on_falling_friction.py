@@ -42,6 +42,7 @@ def test_forces_lead_back_to_the_creepages_of_the_rising_branch(medium, by_momen
     assert power == pytest.approx(np.sum(mu * last.pressure * np.hypot(*last.creep)), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_dissimilar_bodies_under_friction_that_does_not_fall():
     drive = wk.CreepForce(20e3, 5e3, wk.Torque(20.0))
     flat = rolled(drive, DISSIMILAR, wk.FallingFriction(STATIC, STATIC, 1.0))
@@ -75,6 +76,7 @@ def test_forces_after_one_near_the_maximum_of_the_creep_curve():
     np.testing.assert_array_equal(together, [float(rolled(wk.CreepForce(one)).longitudinal_creepage) for one in push])
 
 
+@pytest.mark.slow
 def test_a_force_that_nearly_slides_after_its_opposite():
     """While all slides the distance from a force stays as it is: that is no sign that friction does not bear it."""
     push = STATIC * NORMAL * np.array([0.99999, -0.99999, 0.01])
@@ -82,6 +84,7 @@ def test_a_force_that_nearly_slides_after_its_opposite():
     np.testing.assert_allclose(done.longitudinal_force, push, atol=1e-7 * STATIC * NORMAL)
 
 
+@pytest.mark.slow
 def test_a_force_and_a_moment_of_which_friction_bears_each_alone():
     with pytest.raises(NotConverged, match=r"after [24]1 rolls; .* together they may be more than friction bears"):
         rolled(wk.CreepForce(0.95 * STATIC * NORMAL, 0.0, wk.Torque(100.0)), friction=wk.Coulomb(STATIC))

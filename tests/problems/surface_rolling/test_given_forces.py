@@ -50,6 +50,7 @@ def test_the_creep_curve_of_contact_turned_round(shared_data):
     np.testing.assert_allclose(done.lateral_creepage, 0.0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_few_rolls_find_them(monkeypatch):
     """A curve of forces takes some six rolls each, with no spin and with spin."""
     counted = []
@@ -98,6 +99,7 @@ def test_a_spin_without_forces_drives_the_pair_aside():
     np.testing.assert_allclose(done.longitudinal_creepage, 0.0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_forms_of_the_same_force():
     """A shear force is a creep force without spin; F_y mirrored mirrors the creepage."""
     push = 0.5 * MU * NORMAL
@@ -109,6 +111,7 @@ def test_forms_of_the_same_force():
     assert mirrored.lateral_creepage == pytest.approx(-long.lateral_creepage, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_friction_takes_what_forces_and_creepages_give():
     """The power of forces over creepages is that which the slip of all pixels takes, but for their size."""
     most, lost = MU * NORMAL, []
@@ -120,6 +123,7 @@ def test_friction_takes_what_forces_and_creepages_give():
     assert 0.0 < lost[1] < 0.6 * lost[0] < 0.06
 
 
+@pytest.mark.slow
 def test_from_rest_under_a_force_and_a_spin():
     """Rolled far enough, the start is the steady state, which takes the slip of a spin a quarter of a pixel ahead."""
     most = MU * NORMAL
@@ -133,6 +137,7 @@ def test_from_rest_under_a_force_and_a_spin():
     assert begun.lateral_creepage[-1] == pytest.approx(steady.lateral_creepage + ahead, rel=3e-2)
 
 
+@pytest.mark.slow
 def test_from_rest_under_a_moment():
     """Without a force across there is no arm of a quarter of a pixel: the spin is that of steady rolling."""
     most = MU * NORMAL

@@ -32,6 +32,7 @@ def rolled(count: int, creepage: tuple[float, float, float], **more: float) -> r
 CREEPAGES = {"along": (1.5e-3, 0.0, 0.0), "across": (0.0, 3e-3, 0.0), "spin": (5e-4, -5e-4, 2e-3)}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("creepage", CREEPAGES.values(), ids=CREEPAGES)
 def test_coarser_grids_only_begin(creepage, monkeypatch):
     begun, rounds = rolled(64, creepage, tolerance=1e-11), rolled(64, creepage).rounds

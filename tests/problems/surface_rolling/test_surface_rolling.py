@@ -83,6 +83,7 @@ def test_the_creep_curve_of_contact(shared_data):
     np.testing.assert_allclose(done.loss_per_distance, creep * done.longitudinal_force, rtol=1e-12)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("mode", "name"), [("long", "longitudinal"), ("lat", "lateral"), ("spin", "spin")])
 def test_curves_of_a_circle(shared_data, mode, name):
     with (shared_data / "reference" / "rolling_creep_curves_circle.csv").open(encoding="utf-8") as file:
@@ -179,6 +180,7 @@ def test_too_few_rounds_are_not_converged(monkeypatch):
         rolled(pair(0.0), 1.0, 1.0, 1e-2, wk.Creepage(2e-3))
 
 
+@pytest.mark.slow
 def test_from_rest_to_rolling_under_a_force(shared_data):
     """A ball under 0.657 of the friction, on the pixels of CONTACT, whose steps and pixels err by 1 to 2 %."""
     folder = shared_data / "reference" / "contact"
@@ -203,6 +205,7 @@ def test_from_rest_to_rolling_under_a_force(shared_data):
     assert steady.stick_share == pytest.approx(begun.stick_share[-1], abs=0.01)
 
 
+@pytest.mark.slow
 def test_from_rest_to_rolling_with_creepage_and_spin():
     medium = pair(0.3)
     force = 4.0 / 3.0 * medium.modulus / RADIUS

@@ -228,7 +228,8 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage) -> None:
     if not isinstance(bed.medium, HomogeneousMedium):
         raise InvalidInput(
             f"{owner}: the medium is a {type(bed.medium).__name__}; give a homogeneous one: a spring that rolls "
-            "through the contact keeps its stiffness."
+            "through the contact keeps its stiffness, and on layers and gradings springs differ between middle and "
+            "edge; SurfaceRolling takes layers."
         )
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(

@@ -6,11 +6,14 @@ from typing import cast
 
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import TurningDepthResponse, solid_at
 from winkler.media.layered.tangential_response import TurningResponse
 from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.stacked.turning import StackTurning
+from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
@@ -29,7 +32,7 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     Raises
     ------
     OutsideValidity
-        If the modulus follows a power of the depth, or layers may slide on each other.
+        If the modulus follows a power of the depth, or a layer slides.
     """
     if isinstance(medium, HomogeneousMedium):
         pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
@@ -42,18 +45,26 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     elif isinstance(medium, DepthGradedHalfSpace):
         top, turning = solid_at(medium.grading), TurningDepthResponse(medium.grading, medium.second, medium.tolerance)
     elif isinstance(medium, SlidingStack):
-        raise OutsideValidity(
-            f"The tractions of a height map on a {type(medium).__name__} are not known to winkler, pressures are (a "
-            "layer that slides bears none, for others the response to a push in one point is not built in); give a "
-            "CoatedHalfSpace of bonded, isotropic layers."
-        )
+        if not all(is_bonded(layer) for layer in medium.stack):
+            raise OutsideValidity(
+                f"The layer of a {type(medium).__name__} that slides bears no tractions of a height map: under a push "
+                "it slides away; give layers that are bonded."
+            )
+        turning = StackTurning(medium.stack, medium.on, medium.second)
+        return _on_layers(TransverselyIsotropicHalfSpace(medium.stack[0].solid, medium.second), medium, turning)
     else:
         raise OutsideValidity(
             "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "
             "known to winkler (the response to a push in one point is not built in); give a DepthGradedHalfSpace, "
             "or a Foundation(profile, medium)."
         )
-    surface = HalfSpace(top, medium.second)
+    return _on_layers(HalfSpace(top, medium.second), medium, turning)
+
+
+def _on_layers(
+    surface: HomogeneousMedium, medium: CoatedHalfSpace | DepthGradedHalfSpace | SlidingStack, turning: WaveResponse
+) -> Compliance:
+    """Return those of layers, from those of their surface as a half-space."""
     even, unit = in_own_lengths(medium.tangential_response)
     layers = LayeredShear(
         cast(ShearResponse, even), in_own_lengths(turning)[0], unit, surface.modulus / surface.shear_modulus

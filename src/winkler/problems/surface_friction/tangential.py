@@ -51,7 +51,7 @@ class SurfaceTangential:
     topography : Topography
         Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
         ball, an ellipse or another profile.
-    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
         Both bodies.  Of layers the displacements across the surface under tractions along it are left out.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction; each pixel has the coefficient that belongs to its own path of slip.

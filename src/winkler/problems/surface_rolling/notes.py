@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+from typing import cast
 
 import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
-from winkler.media.halfspace import HalfSpace
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Medium
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.coupling import solved_together_note
 from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
 from winkler.problems.surface_friction.by_turns import COUPLED_TOLERANCE
+from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 
@@ -26,7 +29,7 @@ PRESSED_TOLERANCE = 1e-6
 
 def surface_rolling_notes(
     rough: Topography,
-    medium: HalfSpace,
+    medium: MappedMedium,
     friction: Coulomb | FallingFriction,
     pressure: Array,
     misfit: Quantity,
@@ -38,7 +41,7 @@ def surface_rolling_notes(
     ----------
     rough : Topography
         The map.
-    medium : HalfSpace
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     friction : Coulomb or FallingFriction
         Friction.
@@ -53,10 +56,11 @@ def surface_rolling_notes(
     area, error = contact_area(touching, rough.pixel, False)
     across = int(np.max(np.count_nonzero(touching, axis=0)))
     met = "; given forces are met to as much of the friction. Along" if forced else "; along"
+    bodies = "Half-spaces" if isinstance(medium, HomogeneousMedium) else "Layered or graded bodies"
     law = Note(
         Assumption.SLIP,
         Standing.ASYMPTOTIC,
-        f"Half-spaces that roll, {_named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
+        f"{bodies} that roll, {_named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
         f"would lose if all slipped{met} the rolling there are {across} pixels: forces err in proportion to their "
         "size, by about 0.5 % of mu F_N with 40.",
         KALKER,
@@ -67,9 +71,11 @@ def surface_rolling_notes(
         "Steady rolling, after some lengths of the contact; the heights stay with the contact and do not pass.",
         KALKER,
     )
-    pressed = surface_notes(rough, math.inf, error / area, PRESSED_TOLERANCE, PRESSED_TOLERANCE)
+    pressed = medium_notes(medium, rough, math.inf, error / area, PRESSED_TOLERANCE, PRESSED_TOLERANCE)
+    if not isinstance(medium, HomogeneousMedium):
+        return (*pressed, law, steady, UNCOUPLED_LAYERS)
     turns = f"They agree to {COUPLED_TOLERANCE:.0e} of the depth; forces err in proportion to the pixels."
-    return (*pressed, law, steady, solved_together_note(medium, greatest_coefficient(friction), turns))
+    return (*pressed, law, steady, solved_together_note(cast(Medium, medium), greatest_coefficient(friction), turns))
 
 
 def _named(friction: Coulomb | FallingFriction) -> str:

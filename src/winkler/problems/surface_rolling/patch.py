@@ -11,13 +11,13 @@ from winkler.checks.number_checks import affordable
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.problems.surface_friction.by_turns import Found, by_turns, press_from
 from winkler.profiles.rough.topography import Topography
 
@@ -127,7 +127,7 @@ def refuse_map(who: str, rough: Topography) -> None:
         )
 
 
-def rolling_patch(who: str, rough: Topography, medium: HalfSpace, load: Force | Depth) -> RollingPatch:
+def rolling_patch(who: str, rough: Topography, medium: MappedMedium, load: Force | Depth) -> RollingPatch:
     """Press a map.
 
     Raises
@@ -141,13 +141,13 @@ def rolling_patch(who: str, rough: Topography, medium: HalfSpace, load: Force | 
     unit = medium.modulus * pixel[0] * pixel[1]
     number = float(numbers_of(load))
     drive = ByDepth(number) if isinstance(load, Depth) else ByLoad(number / unit)
-    pressed = press(rough.gaps, pixel, drive, periodic=False)
+    pressed = press(rough.gaps, pixel, drive, periodic=False, layers=layers_of(medium))
     touching = pressed.pressure > 0.0
     try:
         _refuse_border(touching)
     except OutsideValidity as error:
         raise OutsideValidity(f"{who}: {error}.") from None
-    compliance = compliance_of(medium)
+    compliance = compliance_of(medium).in_units_of(pixel[0])
     coupled = compliance.coupling != 0.0
     box = (slice(None), slice(None)) if coupled else box_around(touching)
     p, (nx, ny) = pressed.pressure[box], touching.shape

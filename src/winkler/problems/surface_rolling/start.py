@@ -21,18 +21,19 @@ from winkler.checks.number_checks import Advice, Positive, affordable, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Sliding
 from winkler.limits import PATH_POINTS
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_rolling.creep_force import OneRollingDrive, given_of
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
+from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingStartState
 from winkler.profiles.rough.topography import Topography
@@ -47,11 +48,11 @@ MOST_PIXELS = 1e12
 
 @value
 class SurfaceRollingStart:
-    """A height map pressed on an elastic half-space that begins to roll towards +x.
+    """A height map pressed on an elastic half-space, or on layers, that begins to roll towards +x.
 
     Parameters
     ----------
-    topography, medium, load, friction : Topography, HalfSpace, Force or Depth, Coulomb
+    topography, medium, load, friction : Topography, MappedMedium, Force or Depth, Coulomb
         As of `SurfaceRolling`.
     drive : ShearForce, CreepForce or Creepage
         What stays as it is while the bodies roll: a force F_x, or (F_x, F_y), which pushes the bodies before they roll,
@@ -77,6 +78,7 @@ class SurfaceRollingStart:
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.profiles.rough.sampled_profile import SampledProfile
     >>> steel = HalfSpace.between(Elastic(210e9, 0.28), Elastic(210e9, 0.28))
@@ -89,7 +91,7 @@ class SurfaceRollingStart:
     __words__ = words(drive=("", None, "forces or creepages that stay as they are while the bodies roll"))
 
     topography: Topography
-    medium: Annotated[HalfSpace, Advice("rolling is computed on homogeneous, isotropic bodies")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     load: OnePositiveNormal
     friction: Sliding
     drive: OneRollingDrive
@@ -101,6 +103,7 @@ class SurfaceRollingStart:
 
     def __post_init__(self) -> None:
         refuse_map("SurfaceRollingStart", self.topography)
+        compliance_of(self.medium)  # refuses bodies whose tractions are not known
         affordable("SurfaceRollingStart", "pixels to roll", self.total, PATH_POINTS)
 
     @property
@@ -189,7 +192,7 @@ class SurfaceRollingStart:
 
 
 @value
-class SurfaceRollingStartSolution(LastMap):
+class SurfaceRollingStartSolution(RolledMap):
     """The solution of a `SurfaceRollingStart`, pixel by pixel; all arrays ``(points,)``.
 
     Parameters

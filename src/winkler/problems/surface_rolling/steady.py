@@ -1,4 +1,4 @@
-r"""A height map that rolls steadily on an elastic half-space: creep forces and the zones of stick and slip.
+r"""A height map that rolls steadily on a half-space or on layers: creep forces and the zones of stick and slip.
 
 Material that passes the contact towards -x slips, while the bodies roll by one pixel, by the rigid slip of the creepage
 less what the displacement under the tractions grows meanwhile (`winkler.numerics.surfaces.rolled_surface`).  This is
@@ -20,11 +20,11 @@ import numpy as np
 from winkler.checks.number_checks import Advice, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.subsurface.last_map import LastMap
+from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.creep_force import RollingDrive, first_of, given_of
@@ -32,6 +32,7 @@ from winkler.problems.surface_rolling.creepages import CreepSearch, CreptPatch
 from winkler.problems.surface_rolling.falling import refuse_rest
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
+from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
@@ -43,15 +44,16 @@ __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 
 @value
 class SurfaceRolling:
-    """A height map pressed on an elastic half-space that rolls steadily towards +x, with creepages or under forces.
+    """A height map pressed on a half-space or on layers that rolls steadily towards +x, with creepages or under forces.
 
     Parameters
     ----------
     topography : Topography
         Heights of both bodies together, up towards the other one, as seen from the contact: they do not pass with the
         material.  It stands alone; `SampledProfile` makes one of curved bodies.
-    medium : HalfSpace
-        Both bodies; of dissimilar ones pressures draw the surface along, and tractions sink it.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
+        Both bodies; of dissimilar half-spaces pressures draw the surface along, and tractions sink it.  Of layers the
+        displacements across the surface under tractions along it are left out.
     load : Force or Depth
         One positive number.
     friction : Coulomb or FallingFriction
@@ -81,6 +83,7 @@ class SurfaceRolling:
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.problems.rolling.creepage import Creepage
     >>> from winkler.profiles.ellipse import CurvedBodies
     >>> from winkler.profiles.rough.sampled_profile import SampledProfile
@@ -98,7 +101,7 @@ class SurfaceRolling:
     """
 
     topography: Topography
-    medium: Annotated[HalfSpace, Advice("rolling is computed on homogeneous, isotropic bodies")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     load: OnePositiveNormal
     friction: Rolled
     drive: RollingDrive
@@ -115,6 +118,7 @@ class SurfaceRolling:
 
     def __post_init__(self) -> None:
         refuse_map("SurfaceRolling", self.topography)
+        compliance_of(self.medium)  # refuses bodies whose tractions are not known
         refuse_rest("SurfaceRolling", self.friction, self.speed)
 
     @property
@@ -202,7 +206,7 @@ def _stated(given: Array, by_force: Array) -> str:
 
 
 @value
-class SurfaceRollingSolution(LastMap):
+class SurfaceRollingSolution(RolledMap):
     """The solution of a `SurfaceRolling`; quantities have the shape of what was prescribed.
 
     Parameters
