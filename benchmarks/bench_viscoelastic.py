@@ -63,13 +63,13 @@ def bench_forces(benchmark, below):
 
 
 def bench_film(benchmark, below):
-    """A film that relaxes on a body that does not, in, held and back: 1,000 points, 300 cells."""
+    """A film that relaxes on a body that does not, in, held and back: 1,000 points, 500 cells."""
     solid = Prony(1e3, [2e3, 2e3], [0.1, 2.0], poisson=0.48)
     film = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(solid, 20e-6)], on=wk.Elastic(1e4, 0.3))
     bed = wk.Foundation(wk.Paraboloid(1e-3), film)
     t = np.linspace(0.0, 4.0, 1000)
     path = Path(t, wk.Depth(2e-6 * np.interp(t, [0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.2])))
-    problem = ViscoelasticIndentation(bed, path, count=300)
+    problem = ViscoelasticIndentation(bed, path, count=500)
     problem.solve()
     assert benchmark.pedantic(problem.solve, rounds=3, iterations=1).dissipation[-1] > 0.0
     below(2.0, "1000 points on a film that relaxes")

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
-from winkler.media.layered import coated_load, depth_recursion, depth_response, flat_punch, punch_facts, smooth_moments
+from winkler.media.layered import (
+    coated_interior,
+    coated_load,
+    depth_recursion,
+    depth_response,
+    flat_punch,
+    punch_facts,
+    smooth_moments,
+)
 from winkler.numerics.transforms import cosine_transform, fredholm, kernel_matrix, punch_tables
-from winkler.problems.normal import single_contact
+from winkler.problems.normal import greatest_stress, single_contact
 
 PAGES = (
     cosine_transform,
@@ -14,9 +22,11 @@ PAGES = (
     smooth_moments,
     flat_punch,
     punch_facts,
+    coated_interior,
     coated_load,
     depth_recursion,
     depth_response,
+    greatest_stress,
     single_contact,
 )
 

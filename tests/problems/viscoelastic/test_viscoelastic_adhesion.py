@@ -157,6 +157,7 @@ def test_a_hold_lets_the_edge_come_to_rest():
     assert again.crack_speed[-1] == 0.0
 
 
+@pytest.mark.slow
 def test_a_flat_punch():
     """Kendall's force with the work of its speed: the edge starts where G = w_0, and then runs in."""
     b = 1e-4
@@ -168,6 +169,7 @@ def test_a_flat_punch():
     assert fast.lowest_force[-1] < -1.5 * kendall
 
 
+@pytest.mark.slow
 def test_a_relaxed_solid_and_its_steps():
     solid = StandardSolid(YOUNG / 3.0, 5e6, 1e-4)
     relaxed = pulled(1e-7, bed=wk.Foundation(wk.Paraboloid(R), ViscoelasticHalfSpace(solid)), count=3)
@@ -192,6 +194,7 @@ def test_a_work_that_comes_to_an_end():
     assert fast.radius[-1] == 0.0
 
 
+@pytest.mark.slow
 def test_pulled_at_once():
     """An edge that has no time rests; held, it runs then."""
     result = ViscoelasticAdhesion(BALL, LAW, Path([0.0, 0.0, 1e-12, 1e5], Depth([5e-6, -5e-6, -5e-6, -5e-6]))).solve()

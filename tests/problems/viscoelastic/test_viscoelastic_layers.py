@@ -32,6 +32,7 @@ def bed(medium, shape=BALL):
     return wk.Foundation(shape, medium)
 
 
+@pytest.mark.slow
 def test_before_and_after_all_relaxation_the_stack_is_elastic():
     """The elastic stacks are solved by Fredholm equations, the relaxing one by cells."""
     for load, held in ((Depth(1e-2), Depth([1e-2, 1e-2])), (Force(0.02), Force([0.02, 0.02]))):
@@ -59,6 +60,7 @@ def test_layers_of_the_solid_of_the_base_are_the_half_space_of_ting():
         _ = moment.pressed
 
 
+@pytest.mark.slow
 def test_a_film_on_a_rigid_base_relaxes_in_proportion():
     film = ViscoelasticCoatedHalfSpace([ViscoelasticLayer(FILM, 0.05)], on=wk.Rigid())
     elastic = wk.CoatedHalfSpace([Layer(wk.Elastic(2.0 * 1.4, 0.4), 0.05)], on=wk.Rigid())
@@ -196,8 +198,9 @@ def test_what_is_refused():
         wk.ViscoelasticImpact(bed(ViscoelasticCoatedHalfSpace([layer], on=BASE)), mass=1.0, velocity=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])
-    skin = ViscoelasticCoatedHalfSpace([ViscoelasticLayer(FILM, 1e-6)], on=BASE)
-    with pytest.raises(NotConverged, match="too wide against the uppermost layer: .* leave so thin a layer out"):
+    rubber = StandardSolid(1.0, 4.0, 1.0, poisson=0.5)
+    skin = ViscoelasticCoatedHalfSpace([ViscoelasticLayer(rubber, 1e-7)], on=wk.Rigid())
+    with pytest.raises(NotConverged, match="lost in rounding: the contact is too wide against them"):
         RelaxationTest(bed(skin), 1e-2, [1.0]).solve()
     with pytest.raises(InvalidInput, match="at most 2000 cells"):
         ViscoelasticIndentation(bed(COATED), IN_AND_OUT, count=2001)

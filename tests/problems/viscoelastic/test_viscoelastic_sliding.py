@@ -101,6 +101,7 @@ def test_a_ball_at_low_speed():
     assert any(note.standing is Standing.APPROXIMATE and "twice" in note.statement for note in slow.validity)
 
 
+@pytest.mark.slow
 def test_force_and_depth_give_the_same_solution():
     v = np.logspace(-6, 6, 13)
     for solid in (RUBBER, VOIGT, Maxwell(0.25, 0.3)):
@@ -114,6 +115,7 @@ def test_force_and_depth_give_the_same_solution():
     assert SlidingResistance(bed(RUBBER), Force(1e-3), v[None, :]).solve().depth.shape == (1, 13)
 
 
+@pytest.mark.slow
 def test_a_depth_that_rounding_hides():
     """Warm rubber at low speed is pressed by Hertz's depth, which the search begins at: no sign changes above it."""
     prony = Prony(1e6, [1e6, 2e6, 4e6], [0.1, 0.01, 0.001])
@@ -125,6 +127,7 @@ def test_a_depth_that_rounding_hides():
     np.testing.assert_allclose(rolling.depth[:9], hertz, rtol=1e-8)
 
 
+@pytest.mark.slow
 def test_the_friction_of_rubber_has_one_peak():
     v = np.logspace(-5, 5, 41)
     rubber = SlidingResistance(bed(StandardSolid(0.05, 0.45, 1.0)), Force(1e-3), v).solve()

@@ -160,6 +160,7 @@ def test_a_step_far_longer_than_the_relaxation_stays_accurate():
     assert ours.shear_force[2] == pytest.approx(true.solve().shear_force[2], rel=1e-3)
 
 
+@pytest.mark.slow
 def test_prescribed_forces():
     normal = Force(1e-3 * (1.2 - np.cos(2.0 * np.pi * TIME)))
     free = wk.ViscoelasticIndentation(bed(STANDARD), Path(TIME, normal)).solve()
@@ -177,6 +178,7 @@ def test_prescribed_forces():
     assert back.shear_force == pytest.approx(pull.shear_force, abs=1e-4 * np.max(pull.shear_force))
 
 
+@pytest.mark.slow
 def test_creep_under_a_shear_force_in_full_stick():
     """U = F_x (1/G*)(t) / (2 a), at a depth that is held."""
     time = np.array([0.0, 100.0, 100.0, 100.1, 100.5, 120.0])

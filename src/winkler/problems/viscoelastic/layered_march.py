@@ -11,7 +11,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
-from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, CoupledCells, LoadedCells
+from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, BorneCells, CoupledCells, LoadedCells
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "cells_of"]
@@ -77,10 +77,10 @@ class LayeredMarch:
     def go(self, time: float, normal: Depth | Force, start: float, end: float) -> MarchedPoint:
         """Carry the contact on to a time [s], while depths or forces go from one to another, and return it there."""
         by_depth, span = isinstance(normal, Depth), time - self.time
-        full = self._step(self.state, span, by_depth, end)
         if span > 0.0:
-            self._through(span, by_depth, start, end, full, 0)
+            self._through(span, by_depth, start, end, self._borne(span, by_depth, end), 0)
         else:
+            full = self._step(self.state, span, by_depth, end)
             self.work += self.cells.stored(full) - self.cells.stored(self.state)
             self.state = full
             self._scaled(full, by_depth)
@@ -88,7 +88,9 @@ class LayeredMarch:
         self._examine()
         return MarchedPoint(time, self.state, self.work, self.cells.stored(self.state), self.lost)
 
-    def _through(self, span: float, by_depth: bool, start: float, end: float, full: LoadedCells, level: int) -> None:
+    def _through(
+        self, span: float, by_depth: bool, start: float, end: float, full: BorneCells | LoadedCells, level: int
+    ) -> None:
         """Make a step of which the result at once is known, in two halves, or in smaller ones."""
         half, middle = 0.5 * span, 0.5 * (start + end)
         one = self._step(self.state, half, by_depth, middle)
@@ -105,16 +107,25 @@ class LayeredMarch:
                 self.state = after
             return
         self._through(half, by_depth, start, middle, one, level + 1)
-        self._through(half, by_depth, middle, end, self._step(self.state, half, by_depth, end), level + 1)
+        self._through(half, by_depth, middle, end, self._borne(half, by_depth, end), level + 1)
 
     def _scaled(self, state: LoadedCells, by_depth: bool) -> None:
         self.scale = max(self.scale, abs(state.force if by_depth else state.depth))
 
+    def _borne(self, span: float, by_depth: bool, end: float) -> BorneCells:
+        """Return what is borne after a step in one, with which its halves are compared."""
+        after = self.cells.borne(self.state, span, end if by_depth else None, None if by_depth else end)
+        self._wide_enough(after.held)
+        return after
+
     def _step(self, state: LoadedCells, span: float, by_depth: bool, end: float) -> LoadedCells:
         after = self.cells.step(state, span, end if by_depth else None, None if by_depth else end)
-        if after.held == self.cells.count and not self.pinned:
-            raise TooNarrow
+        self._wide_enough(after.held)
         return after
+
+    def _wide_enough(self, held: int) -> None:
+        if held == self.cells.count and not self.pinned:
+            raise TooNarrow
 
     def _examine(self) -> None:
         """Refuse a contact that is no disc: touched around a dent, pulled inside, or overlapping outside."""
