@@ -221,6 +221,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None, derandomize=True)
 @given(
     name=st.sampled_from(sorted(SHAPES)),
@@ -311,6 +312,7 @@ def brute_force(depths, grid):
     return np.array(radii)
 
 
+@pytest.mark.slow
 def test_guduru_waves_against_brute_force():
     """Number and place of all jumps of a wavy ball, approaching and retracting, against a search on a grid."""
     bed = wk.Foundation(wk.Paraboloid(1.0) + wk.Wavy(HEIGHT, WAVE), wk.HalfSpace(wk.Elastic(1.0, 0.0)))

@@ -94,6 +94,7 @@ def follow(case, machine, reach, count=50_001):
         at = lower
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("machine", [GRIPS, 0.0])
 def test_wavy_jumps(machine):
     case = Guduru(1e-4, 0.02, 1e-4)

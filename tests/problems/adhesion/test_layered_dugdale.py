@@ -1,6 +1,7 @@
 """Dugdale's law on layers, against a half-space, attraction without range, and a solution without springs."""
 
 import functools
+import itertools
 
 import numpy as np
 import pytest
@@ -100,6 +101,7 @@ def test_far_attraction_of_a_hard_pair_is_twice_pi_w_r():
     assert touching.force == pytest.approx(-2.0 * np.pi * WORK * RADIUS, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_a_ring_far_wider_than_a_hard_layer_is_refused():
     with pytest.raises(NotConverged, match="is too wide against the layers"):
         wk.AdhesiveIndentation(bed_of(STIFF, GEL), wk.Dugdale(WORK, 3e2), wk.Radius(1e-9)).solve()
@@ -126,3 +128,67 @@ def test_the_restored_pressure_pulls_with_the_strength():
     contact = wk.AdhesiveIndentation(bed_of(NETWORK, GEL), wk.Dugdale(WORK, strength), wk.Force(1e-4)).solve()
     r = contact.radius * np.array([1.001, 1.01, 1.02])
     np.testing.assert_allclose(wk.restore(contact, r).pressure, -strength, rtol=1e-6)
+
+
+def graded(base):
+    return wk.ExponentialGrading(1e6, base, depth_scale=THICKNESS, poisson=0.4)
+
+
+@pytest.mark.parametrize("radius", [pytest.param(0.0, marks=pytest.mark.slow), 4e-5])
+def test_a_body_that_is_hardly_graded_is_a_half_space(radius):
+    law = wk.Dugdale(WORK, 2e4)
+    media = (wk.DepthGradedHalfSpace(graded(1e6 * (1.0 + 1e-9))), wk.HalfSpace(GEL))
+    ours, theirs = (
+        wk.AdhesiveIndentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), law, wk.Radius(radius)).solve()
+        for medium in media
+    )
+    assert ours.force == pytest.approx(theirs.force, rel=2e-9)
+    assert ours.depth == pytest.approx(theirs.depth, rel=1e-8)
+
+
+@pytest.mark.slow
+def test_a_graded_body_is_the_limit_of_stacks_of_layers():
+    """Layers of the mean modulus over equal steps of the modulus; the error falls with the square of their number."""
+    grading, law = graded(3e6), wk.Dugdale(WORK, 4e4)
+
+    def solved(medium):
+        solution = wk.AdhesiveIndentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), law, wk.Radius(4e-5)).solve()
+        return np.array([solution.depth, solution.force])
+
+    def stack(count):
+        share = np.linspace(0.0, 1.0, count + 1)
+        depth = -THICKNESS * np.log1p(-share * (1.0 - 1e-4))
+        young = [np.mean(grading.young_at(np.linspace(*ends, 21))) for ends in itertools.pairwise(depth)]
+        layers = [
+            wk.Layer(wk.Elastic(float(modulus), 0.4), float(thickness))
+            for modulus, thickness in zip(young, np.diff(depth), strict=True)
+        ]
+        return solved(wk.CoatedHalfSpace(layers, on=wk.Elastic(3e6, 0.4)))
+
+    few, many = stack(8), stack(16)
+    wanted, found = (4.0 * many - few) / 3.0, solved(wk.DepthGradedHalfSpace(grading))
+    assert found[0] == pytest.approx(wanted[0], abs=3e-4 * 4e-5**2 / RADIUS)
+    assert found[1] == pytest.approx(wanted[1], rel=3e-4)
+
+
+@pytest.mark.slow
+def test_great_strength_on_a_graded_body_is_attraction_without_range():
+    bed, at = wk.Foundation(wk.Paraboloid(RADIUS), wk.DepthGradedHalfSpace(graded(3e6))), wk.Radius(6e-5)
+    short = wk.AdhesiveIndentation(bed, wk.ShortRange(WORK), at).solve().force
+    forces = [wk.AdhesiveIndentation(bed, wk.Dugdale(WORK, strength), at).solve().force for strength in (1e6, 4e6)]
+    errors = [abs(force / short - 1.0) for force in forces]
+    assert errors[1] < errors[0] / 8.0
+    assert errors[1] < 1e-3
+
+
+@pytest.mark.slow
+def test_a_cycle_on_a_weak_grading_is_that_on_a_half_space():
+    law, path = wk.Dugdale(0.01, 2e4), wk.Depth([-1e-6, 1e-7, -1e-6])
+    weak = wk.ExponentialGrading(1e6, 1e6 * (1.0 + 1e-9), depth_scale=1e-5, poisson=0.3)
+    media = (wk.HalfSpace(wk.Elastic(1e6, 0.3)), wk.DepthGradedHalfSpace(weak))
+    plain, graded = (
+        wk.AdhesiveCycle(wk.Foundation(wk.Paraboloid(1e-5), medium), law, path).solve() for medium in media
+    )
+    assert graded.dissipation[-1] == pytest.approx(plain.dissipation[-1], rel=1e-8)
+    assert graded.force[1] == pytest.approx(plain.force[1], rel=1e-8)
+    assert [jump.snap_in for jump in graded.jumps] == [True, False]

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.media.layered.depth_response import NormalDepthResponse
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms import fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
@@ -31,14 +32,16 @@ __all__ = ["LayeredRing", "layered_ring", "read"]
 
 PLACES_PER_BLOCK = 400_000
 """Places at which the tables of the medium are read at once."""
+LOGARITHMIC_NODES, LOGARITHMIC_POWER = 2, 3
+"""Nodes for every angle, and the power of the part that makes them dense, where the kernel has a logarithm."""
 
 
 class AngleRule(NamedTuple):
-    """Collocation at `angles` ``(n,)``; integrals from each of them to zero at `places`, with `weights`, ``(n, n)``.
+    """Collocation at `angles` ``(n,)``; integrals from each of them to zero at `places`, with `weights`, ``(n, q)``.
 
     Angles are parts of that of the contact radius, which is the first; the last one is zero, at the end of the ring.
 
-    `spread` ``(n, n, n)`` takes values at the angles to the places, `series` ``(n, n)`` to Chebyshev coefficients.
+    `spread` ``(n, q, n)`` takes values at the angles to the places, `series` ``(n, n)`` to Chebyshev coefficients.
     """
 
     angles: Array
@@ -78,24 +81,43 @@ class LayeredRing(NamedTuple):
     share: Array
 
 
-@functools.lru_cache(maxsize=16)
-def _rule(count: int) -> AngleRule:
+@functools.lru_cache(maxsize=32)
+def _rule(count: int, logarithmic: bool) -> AngleRule:
     cheb = np.polynomial.chebyshev
     points = -np.cos(np.pi * np.arange(count) / (count - 1))
     series = np.linalg.inv(cheb.chebvander(points, count - 1))
-    nodes, weights = gauss_legendre(count)
+    if not logarithmic:
+        nodes, weights = gauss_legendre(count)
+        places = points[:, None] + (1.0 - points[:, None]) * nodes
+        spread = cheb.chebvander(places, count - 1) @ series
+        return AngleRule(
+            0.5 * (1.0 - points), 0.5 * (1.0 - places), 0.5 * (1.0 - points[:, None]) * weights, spread, series
+        )
+    # rho has a logarithm where the integral begins, and what follows has weaker ones at both ends of the ring
+    nodes, weights = gauss_legendre(LOGARITHMIC_NODES * count)
+    nodes, weights = nodes**LOGARITHMIC_POWER, LOGARITHMIC_POWER * nodes ** (LOGARITHMIC_POWER - 1) * weights
     places = points[:, None] + (1.0 - points[:, None]) * nodes
     spread = cheb.chebvander(places, count - 1) @ series
-    return AngleRule(
-        0.5 * (1.0 - points), 0.5 * (1.0 - places), 0.5 * (1.0 - points[:, None]) * weights, spread, series
-    )
+    turned, turn = _dense(0.5 * (1.0 - points)), 0.25 * np.pi * np.sin(0.5 * np.pi * (1.0 - places))
+    return AngleRule(turned, _dense(0.5 * (1.0 - places)), (1.0 - points[:, None]) * weights * turn, spread, series)
+
+
+def _logarithmic(response: WaveResponse) -> bool:
+    """Whether the kernel has a logarithm at zero distance: where moduli change at the very surface."""
+    return isinstance(response, NormalDepthResponse)
+
+
+def _dense(part: Array) -> Array:
+    """Return parts of an angle, dense at both ends."""
+    return np.asarray(np.sin(0.5 * np.pi * part) ** 2)
 
 
 def layered_ring(response: WaveResponse, radius: Array, span: Array, count: int) -> LayeredRing:
     """Return the rings of contacts of radii a `(m,)` and of spans s = sqrt(c^2 - a^2) `(m,)` [m], by `count` angles."""
-    step = max(1, PLACES_PER_BLOCK // count**2)
+    rule = _rule(count, _logarithmic(response))
+    step = max(1, PLACES_PER_BLOCK // rule.places.size)
     parts = [
-        _block(response, radius[start : start + step], span[start : start + step], _rule(count))
+        _block(response, radius[start : start + step], span[start : start + step], rule)
         for start in range(0, radius.size, step)
     ]
     return LayeredRing(*(np.concatenate(fields) for fields in zip(*parts, strict=True)))
@@ -136,8 +158,10 @@ def _block(response: WaveResponse, radius: Array, span: Array, rule: AngleRule) 
     )
 
 
-def read(series: Array, share: Array) -> Array:
+def read(response: WaveResponse, series: Array, share: Array) -> Array:
     """Return series ``(m, n)`` at angles ``(m, q)``, parts of that of the contact radius: from one, there, to zero."""
+    if _logarithmic(response):
+        share = np.arcsin(np.sqrt(share)) * (2.0 / np.pi)
     variable = 1.0 - 2.0 * share
     double = 2.0 * variable
     last, current = np.zeros_like(variable), np.zeros_like(variable)

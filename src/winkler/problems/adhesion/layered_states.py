@@ -52,7 +52,7 @@ class LayeredStates:
     Parameters
     ----------
     bed : Bed
-        On bonded layers or a film that slides.
+        On bonded layers, a film that slides, or a body graded in depth.
     law : Dugdale
     """
 
@@ -133,7 +133,7 @@ class LayeredStates:
 
         def share(x: Array) -> Array:
             angle = np.arctan2(np.sqrt(np.maximum((outer - x) * (outer + x), 0.0)), x) / math.atan2(span, radius)
-            return read(solved.ring.share, np.minimum(angle, 1.0).reshape(1, -1)).reshape(x.shape)
+            return read(zones.response, solved.ring.share, np.minimum(angle, 1.0).reshape(1, -1)).reshape(x.shape)
 
         if width <= CLOSEST_OTHERWISE * np.finfo(float).eps * outer:
             raise OutsideValidity(
@@ -273,6 +273,6 @@ def _octave(states: LayeredStates, octave: int) -> RootPanels:
         return np.array([solved.span, solved.ring.stretch, solved.ring.pull])
 
     def tolerances(values: Array) -> Array:
-        return np.asarray(TABLE_TOLERANCE * np.max(np.abs(values), axis=1))
+        return np.asarray(max(TABLE_TOLERANCE, states.zones().response.precision) * np.max(np.abs(values), axis=1))
 
     return fit(rows, np.unique(np.concatenate([[low, high], kinks[kinks > low]])), kinks, tolerances)

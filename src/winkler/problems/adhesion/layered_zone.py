@@ -67,7 +67,7 @@ class RingOnLayers(NamedTuple):
         whole = np.arctan2(span, radius)
 
         def weight(owner: Array, x: Array, rest: Array) -> Array:
-            return read(series[owner], np.minimum(np.arctan2(rest, x) / whole[owner, None], 1.0))
+            return read(self.response, series[owner], np.minimum(np.arctan2(rest, x) / whole[owner, None], 1.0))
 
         return profile_moment(self.springs, radius, span, rule, weight)
 
@@ -75,7 +75,7 @@ class RingOnLayers(NamedTuple):
         """Return by which part the surfaces at the end are too far apart [-], and the rings."""
         count, rule = RULES[level]
         ring = layered_ring(self.response, radius, span, count)
-        lag = read(ring.lagging, np.ones((radius.size, 1)))[:, 0]
+        lag = read(self.response, ring.lagging, np.ones((radius.size, 1)))[:, 0]
         opened = self.profile(radius, span, rule, ring.lagging) + self.amplitude * (ring.stretch * lag - ring.raised)
         return 2.0 / (math.pi * self.distance) * opened - 1.0, ring
 
@@ -116,7 +116,7 @@ def layered_zone(zones: RingOnLayers, radius: Array, refuse: Callable[[Array], N
         excess = zones.apart(radius[waiting], span[waiting], level)[0]
         span[waiting] *= np.exp(-np.log1p(np.clip(excess, -0.5, 1.0)) / power[waiting])
         moved = np.abs(excess)
-        done = moved <= SETTLED
+        done = moved <= max(SETTLED, zones.response.precision)
         if done.any():
             settled = waiting[done]
             parts.append((settled, zones.apart(radius[settled], span[settled], level)[1]))

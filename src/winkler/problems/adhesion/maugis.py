@@ -58,8 +58,8 @@ class CohesiveStates:
         if not isinstance(medium, HomogeneousMedium | GradedHalfSpace):
             raise OutsideValidity(
                 f"Dugdale: what a constant stress does to a {type(medium).__name__} is not known; use "
-                "ShortRange(work), or a HalfSpace, GradedHalfSpace, CoatedHalfSpace or SlidingFilm, for a body graded "
-                "in depth a stack of layers."
+                "ShortRange(work), or a HalfSpace, GradedHalfSpace, CoatedHalfSpace, SlidingFilm or "
+                "DepthGradedHalfSpace."
             )
         if isinstance(medium, GradedHalfSpace) and medium.exponent >= 1.0:
             raise OutsideValidity(
