@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Scale", "middle_scale", "pretty_unit", "scale_of", "with_unit"]
+__all__ = ["Scale", "middle_scale", "pretty_unit", "scale_of", "with_readable_numbers", "with_unit"]
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
@@ -22,6 +22,8 @@ POWERS = {"m^2": (2, 1e-2), "m^3": (3, 1e-3)}
 
 WHOLE_BELOW = 1e6
 """Largest number whose rounded digits are written as zeros."""
+RAW_NUMBER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?e[+-]?\d+|0\.000\d+)(?: (m|N|Pa|J|W|s|V|A|K)(?![\w/^*]| [mNJs]\b))?")
+"""A number with a power of ten, or with zeros behind the point, and its unit if a prefix fits that."""
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
@@ -129,3 +131,23 @@ def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
         power = str(int(exponent.replace("−", "-"))).translate(SUPERSCRIPT)
         text = f"{mantissa}·10{power}"
     return f"{text}{'' if scale.unit == '°' else ' '}{scale.unit}".rstrip()
+
+
+def with_readable_numbers(sentence: str) -> str:
+    """Return a sentence whose numbers with a power of ten have the prefix of a unit, or few digits, in its place.
+
+    Examples
+    --------
+    >>> with_readable_numbers("stretched by 3.55e-09 m, a strength of 1.67e+08 Pa, up to 4.1e+02 per cent")
+    'stretched by 3.55 nm, a strength of 167 MPa, up to 410 per cent'
+    >>> with_readable_numbers("0.000201 m below, with 2e-05 of it; E1e-3 and 1.5 m stay")
+    '201 µm below, with 2·10⁻⁵ of it; E1e-3 and 1.5 m stay'
+    """
+
+    def readable(found: re.Match[str]) -> str:
+        digits = len(found[1].partition("e")[0].replace(".", "").lstrip("0"))
+        if "e" not in found[1] and not found[2]:
+            return found[0]
+        return with_unit(float(found[1]), found[2] or "", max(digits, 1))
+
+    return RAW_NUMBER.sub(readable, sentence)

@@ -17,6 +17,8 @@ from pathlib import Path
 
 import pytest
 
+from winkler.web.form.link import code_of
+
 SHOTS = os.environ.get("WINKLER_SCREENSHOTS", "")
 """Folder for screenshots, to be looked at; none are taken without it."""
 
@@ -103,9 +105,10 @@ def browser():
 class AppPage:
     """One page of the app, as a person uses it."""
 
-    def __init__(self, browser, address, width=1400, height=950):
+    def __init__(self, browser, address, width=1400, height=950, scale=1):
         self.left_machine, self.mistakes = [], []  # requests to elsewhere; exceptions, and what the policy forbids
-        self.context = browser.new_context(viewport={"width": width, "height": height}, accept_downloads=True)
+        size = {"width": width, "height": height}
+        self.context = browser.new_context(viewport=size, device_scale_factor=scale, accept_downloads=True)
         self.context.set_default_timeout(90_000)  # the machine may be busy with other tests
         self.page = self.context.new_page()
         self.page.route("**/*", self._only_here(address))
@@ -135,6 +138,17 @@ class AppPage:
     def busy(self):
         """Wait until something was requested."""
         self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=60_000)
+
+    def show(self, text):
+        """Show another study by its address; wait for its numbers, also for those below the pictures."""
+        both = """before => {
+          const [head, tail] = ['.head', '.tail'].map(name => document.querySelector(name).innerHTML);
+          const wrong = document.querySelector('.answer-side').dataset.state === 'wrong';
+          return wrong || (head !== before && tail !== '' && head.includes(tail));
+        }"""
+        before = self.page.locator(".head").inner_html()
+        self.page.evaluate("code => { location.hash = `study=${code}`; }", code_of(text))
+        self.page.wait_for_function(both, arg=before, timeout=90_000)
 
     def answered(self, before):
         """Wait until other numbers stand on the page, and below their pictures too, which come after them."""
@@ -179,17 +193,6 @@ def app_page(browser, app):
     """A page that is open all the time: nobody starts anew for every problem."""
     page = AppPage(browser, app)
     yield page
-    assert page.left_machine == []
-    assert page.mistakes == []
-    page.context.close()
-
-
-@pytest.fixture(scope="module")
-def phone(browser, app):
-    """A page as wide as a phone that stays open, and what was said on its console."""
-    page, said = AppPage(browser, app, width=390, height=800), []
-    page.page.on("console", lambda message: said.append(message.text))
-    yield page, said
     assert page.left_machine == []
     assert page.mistakes == []
     page.context.close()

@@ -167,6 +167,8 @@ def test_a_history_plays(fresh):
     app_page.settled()
     counter = app_page.page.locator(".counter")
     before = counter.inner_text()
+    assert "t = " in before  # a time with its unit
+    assert before.endswith("s")
     app_page.page.get_by_role("button", name="play the history").click()
     app_page.page.wait_for_function("text => document.querySelector('.counter').innerText !== text", arg=before)
     app_page.page.get_by_role("button", name="play the history").click()

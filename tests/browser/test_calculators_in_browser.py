@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from winkler.web.form.link import study_of
 
 pytestmark = pytest.mark.browser
 POINTS = 4
+AUDIT = Path(__file__).parent / "access.js"
 READ_OFF = """
 [problem]
 kind = "indentation"
@@ -118,6 +120,7 @@ def test_a_slider_a_link_and_a_study(opened):
     slider.focus()
     page.keyboard.press("End")
     page.wait_for_function("() => document.querySelector('[data-field=work]').value === '10000'")
+    page.evaluate("() => new Promise(shown => requestAnimationFrame(() => setTimeout(shown)))")  # numbers: next frame
     assert at.numbers()["pull_off"] == pytest.approx(before * 10_000 / 80, rel=1e-12)
     page.keyboard.press("Home")
     page.locator('[data-field="young"]').fill("2,5")  # a decimal comma
@@ -156,10 +159,14 @@ def test_a_curve_is_read_off_and_narrow_pages_fit(opened):
     at.go(calculator("normal"), {"force": force})
     page.wait_for_function("force => document.querySelector('[data-field=force]').value === String(force)", arg=force)
     assert at.numbers()["depth"] * 1e6 == pytest.approx(depth, rel=1e-4)
+    audit = f"() =>{AUDIT.read_text(encoding='utf-8').partition(chr(10) + '() =>')[2]}"
     for one in CALCULATORS:
         at.go(one)
         assert page.evaluate("() => document.documentElement.scrollWidth") <= 390, one.name
         assert page.locator("[data-number]").count() == len(one.numbers)
+        for colours in ("dark", "light"):
+            page.emulate_media(color_scheme=colours)
+            assert page.evaluate(audit) == [], (one.name, colours)
 
 
 def test_the_curves_of_a_report_are_read_off(browser, tmp_path):

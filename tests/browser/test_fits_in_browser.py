@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 import tomllib
 import zipfile
 from pathlib import Path
 
 import pytest
 
+from winkler.cli import main
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import read_fit_study
 from winkler.web.form.sample_folder import sample_folder
@@ -20,6 +22,8 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 GEL = EXAMPLES / "data" / "gel_bead.csv"
 YOUNG = "problem.bed.medium.first.young"
 
+OWN = re.compile(r"(study\.toml|made in Python|\d{4}-\d\d-\d\dT[\d:+]+|[\d.]+ (ms|s))</code>")
+"""Where, when and how fast a report was made."""
 NO_CURVE = """[problem]
 kind = "indentation"
 [problem.bed]
@@ -63,6 +67,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     turned(app_page)
     assert app_page.card("Young's modulus").startswith("4.0")
     assert app_page.page.get_by_text("A made curve, not a measurement").is_visible()
+    assert app_page.page.get_by_text("is a guess: enter that of your tip").is_visible()
     app_page.shot("fit_begun")
     uploaded(app_page, GEL)
     shown(app_page, GEL)
@@ -88,7 +93,11 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
         pack.extractall(tmp_path)
     again = fit_study(read_fit_study(tmp_path / "study.toml")).fitted[0].fit
     assert again.value(gel_study.free[0].path) == fit.value(gel_study.free[0].path)
-    assert "Fitted numbers" in app_page.taken("report").decode("utf-8")
+    report = app_page.taken("report").decode("utf-8")
+    assert "Fitted numbers" in report
+    assert main(["fit", str(tmp_path / "study.toml"), "--output", str(tmp_path / "by_command")]) == 0
+    by_command = (tmp_path / "by_command" / "report.html").read_text(encoding="utf-8")
+    assert OWN.sub("", report) == OWN.sub("", by_command)
     with zipfile.ZipFile(io.BytesIO(app_page.taken("png"))) as pack:
         assert pack.namelist() == ["curve_1.png", "measured_1.png", "noise.png"]
 

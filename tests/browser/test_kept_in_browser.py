@@ -63,6 +63,16 @@ def test_reload_back_undo_and_a_link(fresh):
     assert number(other, FORCE) == "200 N"
     assert "paraboloid" in other.page.locator('[data-choice="problem.bed.profile"]').inner_text()
 
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.locator('[data-kept="copy-link"]').click()
+    page.get_by_text("The link to this study is copied.").wait_for()
+    assert page.evaluate("navigator.clipboard.readText()") == page.url
+    plain = page.url.partition("#")[0]
+    page.goto("about:blank")
+    page.goto(plain)  # without a study in it: the tab has kept its own
+    app_page.settled()
+    assert number(app_page, FORCE) == "200 N"
+
 
 def test_named_studies_and_a_link_that_was_cut(fresh):
     app_page = fresh()

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from winkler.study.language.template import whole_text
+
 pytestmark = pytest.mark.browser
 
 FORCE, PLOT = "problem.load.force", '[data-picture="force"]'
@@ -59,3 +61,73 @@ def test_a_against_b_zoom_and_one_picture(fresh):
     assert saved(page, "pressure", "PNG").startswith(b"\x89PNG")
     assert saved(page, "pressure", "SVG").startswith(b"<svg")
     assert saved(page, "shape", "PNG").startswith(b"\x89PNG")
+
+
+def test_numbers_beside_the_mouse_and_decades_along_an_axis(fresh):
+    app_page = fresh()
+    page = app_page.page
+    page.locator('[data-picture="pressure"]').scroll_into_view_if_needed()
+    ground = page.locator('[data-picture="pressure"] .nsewdrag').bounding_box()
+    said = page.locator('[data-picture="pressure"] .hoverlayer .hovertext')
+    for step in range(20):  # down across the curve
+        page.mouse.move(ground["x"] + 0.55 * ground["width"], ground["y"] + step / 20 * ground["height"])
+        page.wait_for_timeout(100)
+        if said.count():
+            break
+    assert any(unit in said.first.text_content() for unit in ("MPa", "GPa"))
+    app_page.show(whole_text("relaxation_test"))  # its times stand in equal ratios
+    axis = page.locator('[data-picture="force_over_time"]').evaluate("plot => plot.layout.xaxis.type")
+    assert axis == "log"
+
+
+ANEW = """async names => {
+  const { Plotly } = await import("nicegui-plotly");
+  const number = /-?\\d+\\.?\\d*(e-?\\d+)?/g;
+  const rounded = text => (text ?? "").replace(number, one => Math.round(10 * one) / 10 || 0);
+  const marks = ".scatterlayer path, .contourfill path, .xtick text, .ytick text";
+  const moving = ".annotation text, .annotation-arrow-g path, .shapelayer path";
+  const look = plot => [...plot.querySelectorAll(marks)].map(
+    one => [one.textContent, rounded(one.getAttribute("transform")), rounded(one.getAttribute("d"))].join());
+  const notes = plot => [...plot.querySelectorAll(moving)].map(one => {
+    const box = one.getBoundingClientRect();
+    return [box.x + 0.5 * box.width, box.y + 0.5 * box.height, one.textContent];
+  });
+  const result = {};
+  for (const name of names) {
+    const plot = document.querySelector(`[data-picture="${name}"]`);
+    const [moved, before] = [look(plot), notes(plot)];
+    const figure = JSON.parse(JSON.stringify({ data: plot.data, layout: plot.layout }));
+    await Plotly.newPlot(plot, figure.data, figure.layout, { displayModeBar: false });
+    const after = notes(plot), apart = after.map(([x, y, text], k) =>
+      text === before[k][2] ? Math.hypot(x - before[k][0], y - before[k][1]) : Infinity);
+    result[name] = [moved.length, look(plot).filter((one, k) => one !== moved[k]).length, Math.max(0, ...apart)];
+  }
+  return result;
+}"""
+"""How many marks each picture has, how many of them differ in a drawing from nothing, and how far its notes are off."""
+
+COUNTED = """async () => {
+  const { Plotly } = await import("nicegui-plotly");
+  const react = Plotly.react;
+  window.whole = 0;
+  Plotly.react = (...figure) => (window.whole++, react(...figure));
+}"""
+"""Counts whole drawings."""
+KEYS = ("ArrowRight", "ArrowRight", "ArrowLeft", "ArrowRight", "ArrowLeft", "ArrowLeft")
+
+
+def test_pictures_that_followed_a_slider_are_those_drawn_anew(fresh):
+    """Data are exchanged within a figure, and notes moved: both are where a whole drawing puts them, axes included."""
+    app_page = fresh()
+    page, names = app_page.page, ["springs", "line_load", "pressure", "force", "stress"]
+    page.evaluate(COUNTED)
+    slider = page.locator(f'[data-slide="{FORCE}"] [tabindex="0"]')
+    for key in KEYS:
+        before = page.locator(".head").inner_html()
+        slider.press(key)
+        app_page.answered(before)
+        app_page.settled()
+    assert page.evaluate("window.whole") < len(KEYS) * len(names) / 2  # the others have followed
+    for name, (count, other, off) in page.evaluate(ANEW, names).items():
+        assert count > 5, name
+        assert (other, off < 2.5) == (0, True), name

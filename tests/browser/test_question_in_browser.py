@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from winkler.web.form.front_examples import FRONT_EXAMPLES
+
 pytestmark = pytest.mark.browser
 
 FORCE = "problem.load.force"
+OTHER_SENTENCE = """before => {
+  const one = document.querySelector('.head .sought-line');
+  return document.querySelector('.answer-side').dataset.state === 'wrong' || (one && one.innerText !== before);
+}"""
 
 
 def test_another_question_for_the_same_bodies(fresh):
@@ -44,6 +50,15 @@ def test_the_page_begins_with_examples(fresh):
     app_page = fresh()
     page = app_page.page
     assert page.locator(".front-card").count() == 10
+    words = page.locator(".study-side").inner_text()
+    for slot in (
+        "profile: what presses",
+        "first: into what",
+        "load: how hard",
+        "second: of what the pressing body is made",
+    ):
+        assert slot in words
+    assert page.locator('[data-choice="problem.bed.medium.second"]').inner_text() == "elastic"  # steel on steel
     page.get_by_role("button", name="Ball bearing").click()
     page.locator(".head .sought-line", has_text="The peak pressure is 1.791 GPa under a force of 500 N").wait_for()
     assert not page.locator(".front").is_visible()
@@ -57,6 +72,13 @@ def test_the_page_begins_with_examples(fresh):
     page.locator(".head .sought-line", has_text="under a force of 500 N").wait_for(timeout=30_000)
     app_page.choose("problem", "line_indentation")
     page.get_by_text("Kept: medium (half space).").wait_for(timeout=30_000)
+    titles = [one.title for one in FRONT_EXAMPLES]
+    for title in titles:  # the last one is a fit
+        before = page.locator(".head .sought-line").inner_text()
+        page.locator('[data-kept="examples"]').click()
+        page.get_by_role("button", name=title).click()
+        page.wait_for_function(OTHER_SENTENCE, arg=before, timeout=60_000)
+        assert not page.locator(".refused").is_visible(), title
 
 
 def test_a_kind_is_found_by_its_name_or_chapter(fresh):

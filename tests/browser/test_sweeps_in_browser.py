@@ -109,6 +109,7 @@ def test_points_come_in_and_can_be_stopped(fresh):
 def test_a_study_that_takes_too_long_is_stopped_and_says_so(impatient):
     app_page = impatient
     app_page.choose("problem", "viscoelastic_adhesion")
+    app_page.page.locator('input[data-path="problem.law.work"]').wait_for()  # a form of this kind, still folded
     unfolded(app_page)
     app_page.page.locator('[data-choice="sweep"]').click()
     app_page.page.get_by_role("option", name="law › work", exact=True).click()

@@ -87,6 +87,7 @@ def test_another_shape_ends_the_remark(entered):
     assert entered.carried_remark == ""
 
 
+@pytest.mark.slow
 def test_every_kind_takes_what_fits_and_stays_sound(entered):
     """Its checks pass, and a part of the same path whose kind is allowed is there unless the checks forbid it."""
     before = dict(entered.table)

@@ -250,6 +250,7 @@ ALL_KEYS = {
     "frame_stiffness": "1 MN/m",
     "correct": ["baseline"],
     "noise": "10 pN",
+    "noise_spectrum": "white",
     "time_limit": "2 min",
     "spring_constant_error": "8 %",
     "sensitivity_error": 0.02,

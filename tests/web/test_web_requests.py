@@ -86,6 +86,7 @@ def test_every_file_is_requested(queue, sent):
     assert sent == ["csv", "png"]
 
 
+@pytest.mark.slow
 def test_sheets_come_although_one_looks_and_takes_a_file(tmp_path):
     """In the worker itself: what is sent in the pause before the sheets gets a reply, and they still come."""
     mine, theirs = multiprocessing.Pipe()

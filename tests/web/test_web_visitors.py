@@ -15,10 +15,12 @@ from nicegui import Client, core, ui
 from starlette.testclient import TestClient, WebSocketDisconnect
 
 from winkler.web.page import assembly
+from winkler.web.page import visitors as visitors_module
 from winkler.web.page.visitors import Visitors
 from winkler.web.session import solver
 from winkler.web.session.security import origin_of
 from winkler.web.session.solver import Worker
+from winkler.web.session.standby import Standby
 
 HOME = "http://127.0.0.1:8765"
 MOST = 3
@@ -47,6 +49,9 @@ class Workers:
         def kill(self):
             self.alive.remove(self)
 
+        def is_alive(self):
+            return self in self.alive
+
         def join(self, timeout):
             pass
 
@@ -60,7 +65,7 @@ def workers():
 def browser(workers, tmp_path_factory):
     """What sends requests to the app."""
     folder = tmp_path_factory.mktemp("uploads")
-    visitors = Visitors(60.0, MOST, folder)
+    visitors = Visitors(60.0, MOST, folder, Standby())
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(assembly, "LARGEST", LARGEST)
         assembly.assemble(visitors, (HOME, origin_of("http://localhost:8765")))
@@ -71,6 +76,7 @@ def browser(workers, tmp_path_factory):
     )  # fmt: skip
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(solver, "started", workers.started)
+        patch.setattr(visitors_module, "REST", 1e6)  # workers are counted here; those in reserve below
         with TestClient(core.app, base_url=HOME) as client:
             client.folder, client.visitors = folder, visitors
             yield client
@@ -282,3 +288,35 @@ def test_unknown_paths(path, browser):
     assert answer.headers["content-type"].startswith("text/plain")
     assert "script" not in answer.text
     assert answer.headers["content-security-policy"].startswith("default-src 'none'; ")
+
+
+def test_a_worker_in_reserve_is_taken_once_and_replaced_if_it_died(monkeypatch):
+    workers = Workers()
+    monkeypatch.setattr(solver, "started", workers.started)
+    standby = Standby()
+    standby.prepare()
+    standby.prepare()
+    (waiting,) = workers.alive
+    assert standby.take().process is waiting
+    assert standby.take().process is not waiting  # a new one, as none waits
+    assert len(workers.alive) == 2
+
+    standby.prepare()
+    died = workers.alive[-1]
+    died.kill()
+    assert standby.take().process not in (waiting, died)
+    standby.prepare()
+    standby.close()
+    standby.close()
+    assert len(workers.alive) == 3  # those that were taken
+
+
+def test_a_worker_in_reserve_that_cannot_be_started_is_reported_to_the_page_that_takes_it(monkeypatch):
+    def refuse():
+        raise OSError(errno.EAGAIN, "no process")
+
+    monkeypatch.setattr(solver, "started", refuse)
+    standby = Standby()
+    standby.prepare()
+    with pytest.raises(OSError, match="no process"):
+        standby.take()

@@ -79,6 +79,7 @@ def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, count
     assert [type(found[place][0]) for place in range(4)] == [Fitted, Refused, Fitted, Fitted]
 
 
+@pytest.mark.slow
 def test_a_fit_with_adhesion_and_corrections_comes_back(root, tmp_path):
     """Fits of bodies that relax do, too: test_relaxing_fit_study.py."""
     study = read_fit_study(root / "examples" / "studies" / "fitting" / "fit_sticky.toml")

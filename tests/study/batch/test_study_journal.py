@@ -238,6 +238,7 @@ def test_of_long_sweeps_solutions_are_not_stored(monkeypatch, tmp_path):
         np.testing.assert_array_equal(mine.content, theirs.content)
 
 
+@pytest.mark.slow
 def test_a_pool_writes_the_same_journal(tmp_path):
     path = tmp_path / "x.journal"
     with Journal(path, STUDY) as journal:

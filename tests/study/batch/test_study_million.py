@@ -78,6 +78,7 @@ def test_a_journal_of_a_million_points_goes_on_in_little_memory(tmp_path):
     assert len({point.index for point in again}) == known + 5
 
 
+@pytest.mark.slow
 def test_drawn_points_go_on_from_a_journal_too(tmp_path):
     lines = (Range("problem.load.force", 1.0, 10.0), Range("problem.bed.profile.curvature_radius", 1e-3, 2e-3))
     study = Study("drawn", PROBLEM, sweep=lines, design=LatinHypercube(50_000, seed=3))
@@ -107,6 +108,7 @@ def test_places_and_indices():
     assert [task.index for task in todo.without(done)] == [(0, 7), (123, 456)]
 
 
+@pytest.mark.slow
 def test_a_point_between_those_that_were_looked_at_fails_when_its_turn_comes(tmp_path):
     """Of 5000 points every second or third is looked at; number 3 is not."""
     ratios = np.full(5000, 0.3)

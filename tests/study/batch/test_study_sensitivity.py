@@ -66,6 +66,7 @@ def test_what_was_given_has_no_indices(outcome):
     assert "force" not in [one.answer for one in outcome.indices]
 
 
+@pytest.mark.slow
 def test_pairs_with_a_failed_point_are_left_out():
     half = Range("problem.load.force", -1.0, 3.0)  # a quarter of the forces is tensile
     found = run(Study("x", PROBLEM, sweep=(half, KEYS[1]), design=Sensitivity(32)))

@@ -177,6 +177,7 @@ def test_points_are_a_stream():
     assert forces == [1.0, 2.0]
 
 
+@pytest.mark.slow
 def test_a_pool_gives_the_same_numbers():
     study = Study(
         "x",
@@ -189,6 +190,7 @@ def test_a_pool_gives_the_same_numbers():
     assert serial.provenance.hash == pooled.provenance.hash
 
 
+@pytest.mark.slow
 def test_a_pool_keeps_failures_and_leaves_the_environment_alone():
     before = {name: os.environ.get(name) for name in THREAD_VARIABLES}
     study = Study("x", PROBLEM, sweep=(Axis("problem.load.force", (1.0, -1.0, 2.0, 3.0)),))
@@ -206,6 +208,7 @@ run(study, workers=2)
 """
 
 
+@pytest.mark.slow
 def test_a_script_without_a_guard_is_refused_in_a_sentence(tmp_path):
     """Pools start Python anew and read the script again; without a guard they would do so for ever."""
     (tmp_path / "script.py").write_text(SCRIPT)
@@ -237,6 +240,7 @@ def test_workers_have_one_thread_and_are_deaf_to_interrupts_from_the_start(tmp_p
     assert json.loads(answer.stdout) == ["1"] * len(THREAD_VARIABLES) + [True]
 
 
+@pytest.mark.slow
 def test_the_machine_takes_over_when_a_sweep_lasts():
     """The numbers are those of one process, in the same order, wherever the others come in."""
     study = Study("x", PROBLEM, sweep=(Axis("problem.load.force", (1.0, 2.0, 3.0, 4.0, 5.0)),))

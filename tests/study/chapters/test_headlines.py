@@ -27,6 +27,7 @@ def test_every_kind_has_a_headline_of_its_answers():
     assert wrong == {}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("kind", "sought", "value"),
     [

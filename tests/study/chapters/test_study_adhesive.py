@@ -131,6 +131,7 @@ def test_curves_of_different_lengths_stand_side_by_side():
     assert rows["radius"].size == sum(lengths)
 
 
+@pytest.mark.slow
 def test_jumps_branches_and_limits_are_stored(tmp_path):
     import xarray
 
@@ -186,6 +187,7 @@ def quiet(monkeypatch):
     )
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_figures_of_a_report(name, monkeypatch):
     quiet(monkeypatch)

@@ -204,6 +204,7 @@ def test_nothing_is_stored_of_a_march_that_did_not_begin():
         solve_march(first)
 
 
+@pytest.mark.slow
 def test_the_command_line_writes_what_was_reached(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     study = Study("Too much", PULLED)
@@ -271,6 +272,7 @@ def test_the_inputs_of_a_path_are_its_steps():
     assert not any(name in ("time", "normal") for _, name, _ in message)
 
 
+@pytest.mark.slow
 def test_figures_of_a_sweep_lay_loops_side_by_side(monkeypatch):
     monkeypatch.setattr(figures, "pictures_of", lambda contact: ("springs",))  # those of the method: one of them
     outcome = run(Study("", RUBBED, sweep=(Axis("problem.law.coefficient", (0.1, 0.2)),)))
@@ -279,6 +281,7 @@ def test_figures_of_a_sweep_lay_loops_side_by_side(monkeypatch):
     assert all(shown.picture is not None for shown in drawn if not shown.of_method)
 
 
+@pytest.mark.slow
 def test_stages_of_an_impact_are_a_table(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     problem = build(example_study("impact")["problem"])

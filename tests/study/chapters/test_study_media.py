@@ -71,6 +71,7 @@ def test_a_grading_in_a_file_with_one_poissons_ratio(here):
     assert build(unbuild(found), "grading") == found
 
 
+@pytest.mark.slow
 def test_a_thickness_of_one_layer_and_the_solid_of_another_can_be_swept():
     text = (
         study_text(Study("x", ball_on(STACK)))
@@ -165,6 +166,7 @@ def test_layers_are_listed_in_words_and_rows():
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["soil", "measured"])
 def test_a_report_says_what_cannot_be_shown(name):
     outcome = run(Study(name, PROBLEMS[name], output=Output(figures=())))
@@ -175,6 +177,7 @@ def test_a_report_says_what_cannot_be_shown(name):
     assert "The formulas" in text
 
 
+@pytest.mark.slow
 def test_the_study_of_three_layers_lies_between_its_layer_and_its_stiffest_part(root):
     study = dataclasses.replace(read_study(root / "examples/studies/normal/three_layers.toml"), fields=Fields())
     outcome = run(study)

@@ -66,6 +66,7 @@ def here(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_measured_surface_ends_in_a_report(here, capsys):
     (here / "study.toml").write_text(TEXT, encoding="utf-8")
     assert main(["run", "study.toml", "--quiet", "--output", "first"]) == 0
@@ -98,6 +99,7 @@ def test_a_measured_surface_ends_in_a_report(here, capsys):
     capsys.readouterr()
 
 
+@pytest.mark.slow
 def test_the_map_is_drawn_by_itself(here, capsys):
     (here / "study.toml").write_text(TEXT, encoding="utf-8")
     assert main(["draw", "study.toml", "--part", "profile"]) == 0

@@ -210,6 +210,7 @@ def unprinted(monkeypatch):
     monkeypatch.setattr("winkler.study.report.figures.drawn", plain)
 
 
+@pytest.mark.slow
 def test_figures_of_a_march():
     single = run(Study("", PRESSED))
     assert [shown.name for shown in figures_of(single)] == ["answer_relaxing"]
@@ -233,6 +234,7 @@ def test_restitution_is_drawn_over_what_was_varied(unprinted):
     assert all(one.picture is not None for one in shown.values())
 
 
+@pytest.mark.slow
 def test_an_oscillation_has_its_frequencies_as_rows(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     problem = wk.HarmonicIndentation(BED, wk.Depth(1e-4), [1.0, 10.0, 100.0])

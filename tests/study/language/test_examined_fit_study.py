@@ -105,6 +105,7 @@ def test_calibration_widens_the_interval(here):
     assert f"young and contact point are correlated by {found.correlation[at]:.2f}." in said
 
 
+@pytest.mark.slow
 def test_depths_are_written(here, tmp_path):
     asked = study(here, "over_depth = 4", "curve3.csv")
     outcome = fit_study(dataclasses.replace(asked, output=dataclasses.replace(asked.output, report=True)))
@@ -118,6 +119,7 @@ def test_depths_are_written(here, tmp_path):
     assert "young over depth: constant" in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_models_are_compared(here, tmp_path):
     asked = study(here, 'model = "ball"', "curve[23].csv", CONE + STICKY)
     assert [one.name for one in asked.models] == ["cone", "sticky"]
@@ -145,6 +147,7 @@ def test_a_comparison_goes_on_beside_a_curve_without_contact(here):
     assert "Not compared, as no model could be fitted: curve31.csv (no_contact)." in said
 
 
+@pytest.mark.slow
 def test_shared_numbers_are_those_of_all_curves(here, tmp_path):
     outcome = fit_study(study(here, f'shared = ["{YOUNG}"]'))
     (joint,) = outcome.joint
@@ -166,6 +169,7 @@ def test_one_curve_shares_nothing_and_says_so(here):
     assert any("not fitted together" in sentence for sentence in further_sentences(outcome))
 
 
+@pytest.mark.slow
 def test_mean_and_folders(tmp_path):
     for number in range(4):
         scatter = math.exp(0.05 * math.sin(9.0 * number))
@@ -179,6 +183,7 @@ def test_mean_and_folders(tmp_path):
     assert "they differ" in said
 
 
+@pytest.mark.slow
 def test_an_interrupted_batch_goes_on_with_all_that_was_examined(here, tmp_path):
     asked = study(here, 'over_depth = 3\nspring_constant_error = "5 %"', "*.csv", CONE)
     todo, path = pieces(asked), tmp_path / "x.journal"

@@ -37,6 +37,7 @@ def comes_back(outcome):
     assert again.steps == result.steps
 
 
+@pytest.mark.slow
 def test_the_loop_gives_what_is_known(studies, tmp_path):
     study = read_fit_study(studies / "fit_cell_loop.toml")
     outcome = fit_study(study)
@@ -148,6 +149,7 @@ def test_segments_of_a_table_give_the_hold(tmp_path):
     assert steady.tolist() == [0, 0, 0]
 
 
+@pytest.mark.slow
 def test_fits_are_drawn_with_labels_and_units(studies):
     for name, labels in (
         ("fit_cell_loop", ("force $F_N$ [nN]", "residual [pN]", "depth $d$ [µm]", "relaxation $E^*(t)$ [kPa]")),

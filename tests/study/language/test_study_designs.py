@@ -69,6 +69,7 @@ def test_ranges_are_covered_evenly_in_their_scale():
     assert [axes[2].values.count(shape) for shape in SHAPE.values] == [4, 4]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("study", DRAWN.values(), ids=DRAWN)
 def test_drawn_points_are_solved_and_laid_out(study, tmp_path):
     outcome = run(study)

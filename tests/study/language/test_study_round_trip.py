@@ -26,6 +26,7 @@ positive = st.floats(1e-12, 1e12)
 angle = st.floats(0.01, 1.56)
 
 
+@pytest.mark.slow
 def test_every_kind_comes_back():
     for name in kinds():
         value = build(completed({"kind": name}), slot_of(name))

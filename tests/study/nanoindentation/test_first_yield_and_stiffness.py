@@ -62,6 +62,7 @@ def study(folder, more="", end=QUIET):
     return str(path)
 
 
+@pytest.mark.slow
 def test_first_yield_of_a_batch(tmp_path, capsys):
     """tau = 0.31 (6 F E*^2/(pi^3 R^2))^(1/3) at the forces of the steps, with the modulus that the curves give."""
     (tmp_path / "curves").mkdir()

@@ -45,6 +45,7 @@ indenter = "tip/indenter.toml"
 """
 
 
+@pytest.mark.slow
 def test_a_calibration_is_read_by_an_evaluation(tmp_path, capsys):
     """The data are made with A = 24.5 h^2 + 1.1 um h, 0.4 um/N, and a steel of 210 GPa."""
     for number in (1, 2):
@@ -82,6 +83,7 @@ tolerance = 0.1
 """
 
 
+@pytest.mark.slow
 def test_the_iso_table_has_one_row_for_each_quantity_and_few_columns(tmp_path):
     """Six curves stand in two tables, each at most four curves wide; every quantity of the CSV file is in both."""
     shutil.copy(DATA / "berkovich.toml", tmp_path)
@@ -100,6 +102,7 @@ def test_the_iso_table_has_one_row_for_each_quantity_and_few_columns(tmp_path):
         assert any(key.split(" ")[0] == name.replace("*", "_star") for key in names)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("told", "missed"), [(7.0, 0), (9.0, 1)])
 def test_expected_numbers(tmp_path, capsys, told, missed):
     """The steel of the data has 210 GPa, and a hardness of 7 GPa."""
@@ -125,6 +128,7 @@ def test_expected_numbers(tmp_path, capsys, told, missed):
     assert "steel_1.csv" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_calibration_expects_its_frame(tmp_path):
     for number in (1, 2):
         shutil.copy(DATA / f"silica_{number}.csv", tmp_path)
@@ -150,6 +154,7 @@ def test_wrong_expectations_are_refused(tmp_path, entry, words):
         read_nanoindentation_study(path)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("quantity", "words"),
     [

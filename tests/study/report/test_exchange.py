@@ -87,6 +87,7 @@ def test_places_that_follow_each_other_are_coordinates():
     assert float(level.z) == 0.5 * A
 
 
+@pytest.mark.slow
 def test_fields_of_sheared_and_heated_bodies():
     state = rubbed().states[1]
     surface = wk.restore(state, np.linspace(0.0, A, 4))

@@ -50,6 +50,7 @@ def outcome(tmp_path):
     return fit_study(parse_fit_study(STUDY.replace("RADIUS", "5"), file="gel.toml", folder=tmp_path))
 
 
+@pytest.mark.slow
 def test_a_page_states_everything_behind_its_numbers(outcome, tmp_path):
     target = tmp_path / "results"
     target.mkdir()
@@ -72,6 +73,7 @@ def test_a_page_states_everything_behind_its_numbers(outcome, tmp_path):
     assert not re.search(r'(src|href)="https?://(?!doi\.org)', page)
 
 
+@pytest.mark.slow
 def test_the_report_of_one_curve_shows_once_what_was_done(outcome, tmp_path):
     study = parse_fit_study(STUDY.replace("RADIUS", "5").replace('"gel"', '"gel/c1.csv"'), folder=tmp_path)
     drawn = [figure.name for figure in figures_of(fit_study(study))]

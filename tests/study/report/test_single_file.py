@@ -60,6 +60,7 @@ def test_a_link_stays_a_link(tmp_path):
     assert (tmp_path / "study.toml").read_bytes() == b"whole"
 
 
+@pytest.mark.slow
 def test_commands_that_write_one_file_keep_the_older_one_on_a_full_disk(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["new", "-o", "ball.toml"]) == 0

@@ -59,6 +59,7 @@ def how_fitted(study: FitStudy) -> dict[str, Any]:
         "numbers": [
             str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
         ],
+        **({"noise_spectrum": study.noise_spectrum} if study.noise_spectrum != "unknown" else {}),
         **_examined(study),
     }
 

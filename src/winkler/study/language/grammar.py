@@ -53,6 +53,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "frame_stiffness": "of the frame of the machine, which deforms too",
         "correct": "corrections in their order: a list of baseline, drift, drag, saturation, interference, clock",
         "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
+        "noise_spectrum": "white, if the noise is known to be independent from point to point; unknown if left out",
         "time_limit": "the longest that the fit of one curve may take; without end if left out",
         "spring_constant_error": 'standard error of the spring constant as a part, 0.1 or "10 %"',
         "sensitivity_error": "standard error of the sensitivity, as a part",

@@ -172,6 +172,8 @@ def _in_words(study: FitStudy) -> str:
             facts.append(f"The standard error of the {word} is {error:.2%}.")
     if study.noise:
         facts.append(f"The noise {with_unit(study.noise, study.spread.unit)} was given.")
+    if study.noise_spectrum == "white":
+        facts.append("The noise was stated to be white; intervals do not allow for slow noise.")
     return " ".join(facts)
 
 
@@ -229,19 +231,21 @@ RELAXING_FORMULAS = {
 """The fitted quantity of a body that relaxes, as a formula and in words."""
 
 
+def _noise(study: FitStudy) -> str:
+    return "white noise" if study.noise_spectrum == "white" else "white and slow noise"
+
+
 def _formulas(study: FitStudy) -> str:
     if isinstance(study.problem, ViscoelasticIndentation):
         layered = isinstance(study.problem.bed.medium, ViscoelasticCoatedHalfSpace)
         latex, words = RELAXING_FORMULAS["layers" if layered else study.fitted]
-        tail = (
-            "Generalised least squares make the residuals e small; the uncertainty is that under white and slow noise."
-        )
+        tail = f"Generalised least squares make the residuals e small; the uncertainty is that under {_noise(study)}."
         return section("The formulas", f"<p>{words} {tail}</p>", formula(latex))
     formulas = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
     lead = formula(r"d = D - D_0 - \frac{F}{k_m}, \quad F_i = F(d_i) + F_0 + t\,(D_i-D_0) + e_i")
     text = (
         "<p>The machine of the stiffness k<sub>m</sub> deforms; generalised least squares make the residuals e small, "
-        "and the uncertainty is that under white and slow noise.</p>"
+        f"and the uncertainty is that under {_noise(study)}.</p>"
     )
     return section("The formulas", text, lead, parts.formula_list(formulas))
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import html
 import re
 
+from winkler.readable import with_readable_numbers
+
 __all__ = ["number", "safe", "section", "table", "with_fixed_units"]
 
 
@@ -20,8 +22,9 @@ def safe(text: object) -> str:
 
 
 def with_fixed_units(sentence: str) -> str:
-    """Return a sentence, escaped, with no line break between a number and its unit."""
-    return re.sub(r"(\d) (?=[µa-zA-Z°⁰-⁹/]{1,6}[,.;) ])", "\\1\u00a0", safe(sentence))
+    """Return a sentence, escaped, with readable numbers and no line break between a number and its unit."""
+    readable = with_readable_numbers(sentence)
+    return re.sub(r"(\d) (?=[µa-zA-Z°⁰-⁹/]{1,6}[,.;) ])", "\\1\u00a0", safe(readable))
 
 
 def section(title: str, *parts: str) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from winkler.readable import with_readable_numbers
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
 from winkler.study.report.citing import cite
@@ -99,7 +100,7 @@ def trust(notes: tuple[Note, ...]) -> str:
     order = list(Standing)
     ranked = sorted(notes, key=lambda note: -order.index(note.standing))
     items = "".join(
-        f"<li><div>{badge(note.standing)}</div><div>{safe(note.statement)}"
+        f"<li><div>{badge(note.standing)}</div><div>{safe(with_readable_numbers(note.statement))}"
         f'<div class="source">{safe(note.assumption.value)}; {safe(note.source)}</div></div></li>'
         for note in ranked
     )

@@ -13,6 +13,7 @@ from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.vocabulary import Word
 from winkler.web.fields.field_actions import FieldActions
+from winkler.web.fields.live_fields import LiveInput, PlaceSlider
 from winkler.web.fields.material_field import draw_material
 from winkler.web.fields.number_field import UnitMenu
 from winkler.web.fields.range_field import draw_range_boxes
@@ -148,7 +149,7 @@ class FormFields:
             self._range(entry)
             return
         with ui.element("div").classes("entry"):
-            field = ui.input(value=entry.text, placeholder="" if entry.required else "left out")
+            field = LiveInput(value=entry.text, placeholder="" if entry.required else "left out")
             menu = UnitMenu(entry, field, self.actions)
             unit = "" if menu.button else entry.unit
             with field.add_slot("label"):
@@ -188,7 +189,7 @@ class FormFields:
 
     def _slider(self, entry: FormEntry, field: Any) -> Any:
         """Return a slider beside a number, hidden if the content has none."""
-        slider: Any = ui.slider(min=-STEPS, max=STEPS, step=1, value=0).classes("slide")
+        slider: Any = PlaceSlider(STEPS).classes("slide")
         slider.props["aria-label"] = f"{entry.label}, slider"
         slider.props["data-slide"] = entry.path
         slider.span = span_of(entry.path.rpartition(".")[2], entry.text) if _may_slide(entry) else None
@@ -276,7 +277,8 @@ def _unit(unit: str | None) -> str:
 
 
 def _title(label: str, word: Word) -> str:
-    return f"{safe(label)} {symbol_html(word.symbol)}{_unit(word.unit)}"
+    name = "" if label == word.symbol else f"{safe(label)} "
+    return f"{name}{symbol_html(word.symbol)}{_unit(word.unit)}"
 
 
 def _close(label: str, drop: Callable[[], None]) -> None:

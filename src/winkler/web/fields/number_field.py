@@ -55,7 +55,9 @@ class UnitMenu:
             return
         bare = bool(self.units) and not shown_unit(str(self.field.value or ""), "")
         self.button.text = _pretty(self.unit) if bare else ""
-        self.button.props["aria-label"] = f"unit of {self.entry.label}: {self.unit}" if self.units else "a range"
+        spoken = f"unit of {self.entry.label}: {self.unit}" if self.units else "a range"
+        if self.button.props.get("aria-label") != spoken:  # setting it makes the whole page look for what has changed
+            self.button.props["aria-label"] = spoken
 
     def completed(self, text: str) -> str:
         """Return a typed text with its unit and decimal points, and show its unit from now on."""

@@ -148,6 +148,8 @@ def part_of(table: dict[str, Any], path: str = "problem") -> FormPart:
         where, content = f"{path}.{key.name}", inside.get(key.name)
         hint = declared.get(key.name)
         name_ = name_in_words(key.name) if hint is None or len(key.name) > 1 else key.name
+        if key.name == "radius" and key.word.symbol != "a":
+            name_ = "radius"  # of a body, not of the contact
         if hint is not None and allowed_kinds(hint):
             part = part_of(table, where) if isinstance(content, dict) else None
             default = defaults.get(key.name)

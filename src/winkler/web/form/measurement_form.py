@@ -21,6 +21,7 @@ CURVE_PARTS = {
 }
 DRIVEN = {"force": "forces along the measured motion", "position": "positions under the measured forces"}
 CALIBRATED = {"": "\u2014", "thermal": "thermal noise, with this sensitivity", "other": "another way"}
+NOISE_SPECTRA = {"": "\u2014", "unknown": "unknown", "white": "white"}
 CALIBRATION = {
     "spring_constant": "quantity [N/m]",
     "spring_constant_error": "text",
@@ -95,8 +96,15 @@ def groups(table: dict[str, Any]) -> tuple[FormGroup, ...]:
         )
         for name in KINDS
     )
+    spectrum = Choice(
+        "fit.noise_spectrum",
+        "spectrum of the noise",
+        SECTIONS["fit"]["noise_spectrum"],
+        NOISE_SPECTRA,
+        str(form.at(table, "fit.noise_spectrum") or ""),
+    )
     return (
-        FormGroup("Calibration", _entries(table, CALIBRATION), (by,)),
+        FormGroup("Calibration", _entries(table, CALIBRATION), (by, spectrum)),
         FormGroup("Units of columns", units),
         FormGroup("What was done", _entries(table, CURVE_KEYS)),
         FormGroup("Depths and models", _entries(table, QUESTIONS)),

@@ -6,11 +6,18 @@ export default {
   mounted() {
     this.show(this.newest ?? this.first ?? "");
     if (this.word) this.mark(this.word);
+    if (this.around) this.showAround(...this.around);
   },
   methods: {
     show(html) {
       this.newest = html;
       if (this.$el) this.$el.innerHTML = html;
+    },
+    showAround(visible, button) {
+      this.around = [visible, button];
+      const place = this.$el?.parentElement;
+      place?.classList.toggle("hidden", !visible);
+      place?.querySelector("button")?.classList.toggle("hidden", !button);
     },
     // State of the enclosing answer: busy, done or wrong.
     mark(word) {

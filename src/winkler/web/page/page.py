@@ -29,7 +29,7 @@ from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePictu
 from winkler.web.session.export import File
 from winkler.web.session.files import Files
 from winkler.web.session.requests import RequestQueue
-from winkler.web.session.solver import Solver, no_process
+from winkler.web.session.solver import Solver, Worker, no_process
 from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong
 
@@ -56,6 +56,8 @@ class Page:
         The longest that a study may take [s].
     folder
         Parent of the folder for its uploads.
+    take
+        Gives the process that solves for it.
 
     Raises
     ------
@@ -63,13 +65,13 @@ class Page:
         If no folder can be made, or no process started.
     """
 
-    def __init__(self, limit: float, folder: Path) -> None:
+    def __init__(self, limit: float, folder: Path, take: Callable[[], Worker]) -> None:
         self.limit = limit
         self.client = context.client
         self.uploads = UploadFolder(folder)
         self.entered = StudyForm(self.changed, self.solve, self.uploads.folder)
         try:
-            self.solver = Solver(self.receive, self.worker_ended)
+            self.solver = Solver(self.receive, self.worker_ended, take)
         except OSError:
             self.uploads.close()
             raise
@@ -214,9 +216,13 @@ class Page:
     def solve(self) -> None:
         """Request the results of the current study; while another request runs, the newest one waits."""
         table = self.entered.table
-        text = tomli_w.dumps(table)
+        text, only_value = tomli_w.dumps(table), not self.anew
+        self._request(table, text)  # first, so that it is solved while the rest is kept and shown
         self.text.show()
-        self.kept.keep(table, text, value=not self.anew)
+        self.kept.keep(table, text, value=only_value)
+
+    def _request(self, table: dict[str, Any], text: str) -> None:
+        """Send a study to the worker, or show which of its files are missing."""
         try:
             self.uploads.check(table)
         except WinklerError as error:

@@ -1,7 +1,7 @@
 // One interactive picture.  Numbers come as text and stay plain objects: plotly reads them many times, and every
 // look through the watched objects of the page would take longer than drawing.
 const PINNED = { color: "#6b5b00", width: 2, dash: "2px,3px" };
-const PAUSE = 120; // without another change, until pictures outside the window are drawn [ms]
+const PAUSE = 120; // without another change, until pictures outside the window get another frame [ms]
 const MOUSE = "(hover: hover) and (pointer: fine)";
 
 const plain = (html) => (html ?? "").replace(/<sub>/g, "_").replace(/<[^>]*>/g, "");
@@ -11,9 +11,10 @@ export default {
   template: "<div></div>",
   props: { first: String, pinned: String },
   async mounted() {
-    const { Plotly } = await import("nicegui-plotly");
+    const [{ Plotly }, redraw] = await Promise.all([import("nicegui-plotly"), import("winkler-redraw")]);
     if (!this.$el?.isConnected) return;
     this.Plotly = Plotly;
+    this.fast = redraw;
     this.newest ??= this.first;
     this.under ??= this.pinned ? JSON.parse(this.pinned) : null;
     this.redraw();
@@ -37,8 +38,8 @@ export default {
     this.Plotly?.purge(this.$el);
   },
   methods: {
-    // All pictures that come before the next frame are drawn in it, so that the page is laid out once.
-    // One outside the window waits for a pause, so that those in sight follow the slider.
+    // All pictures that come before the next frame are drawn in it, so that the page is laid out once; those outside
+    // the window behind it, or after a pause if they need another frame, so that those in sight follow the slider.
     draw(text) {
       this.newest = text;
       this.request();
@@ -46,22 +47,28 @@ export default {
     request() {
       clearTimeout(this.later);
       this.later = undefined;
-      if (this.unseen) this.later = setTimeout(() => this.redraw(), PAUSE);
-      else this.requested ??= requestAnimationFrame(() => this.redraw());
+      this.requested ??= requestAnimationFrame(() => (this.unseen ? setTimeout(() => this.redraw(true)) : this.redraw()));
     },
     // Draw the curves of a pinned answer below all that come; an empty text takes them away.
     pin(text) {
       this.under = text ? JSON.parse(text) : null;
       this.request();
     },
-    redraw() {
+    redraw(patient = false) {
       clearTimeout(this.later);
       this.requested = this.later = undefined;
       if (!this.Plotly || !this.$el?.isConnected) return;
       const { data, layout, config } = JSON.parse(this.newest);
       const under = this.under ? this.curvesBelow(layout) : [];
       if (matchMedia(MOUSE).matches) this.zoom(layout, config); // a finger scrolls the page
-      this.Plotly.react(this.$el, [...data, ...under], layout, config);
+      const figure = { data: [...data, ...under], layout };
+      if (this.moves(figure)) return;
+      if (patient) {
+        this.later = setTimeout(() => this.redraw(), PAUSE);
+        return;
+      }
+      this.fast.remember(this.$el, figure);
+      this.Plotly.react(this.$el, figure.data, layout, config);
       if (this.watched) return;
       this.watched = true;
       this.$el.on("plotly_relayout", (change) => this.note(change));
@@ -71,8 +78,18 @@ export default {
       });
       this.$el.on("plotly_doubleclick", () => {
         this.zoomed = {};
+        this.fast.forget(this.$el);
         this.redraw();
       });
+    },
+    // Whether the figure that is there could take the new data.
+    moves(figure) {
+      try {
+        return this.fast.redrawn(this.$el, figure);
+      } catch (error) {
+        console.debug(error);
+        return false;
+      }
     },
     // What the mouse has zoomed to stays when new numbers come, as long as the axis has the same title and unit.
     zoom(layout, config) {

@@ -9,7 +9,7 @@ from nicegui import ui
 from winkler.study.report.markup import safe
 from winkler.web.pictures.answer import InteractivePicture
 
-__all__ = ["Card", "caption"]
+__all__ = ["Card", "PictureLoader", "caption"]
 
 PLOTLY = ui.plotly
 """Loads plotly.js, which the script of the drawing imports by name."""
@@ -18,7 +18,11 @@ BODY_PICTURE = "shape"
 """Name of the three-dimensional picture."""
 
 
-class PlotlyFigure(ui.element, component="picture.js"):
+class PictureLoader(ui.element, component="loader.js"):
+    """Loads what draws pictures, while the first ones are computed."""
+
+
+class PlotlyFigure(ui.element, component="picture.js", esm={"winkler-redraw": "redraw"}):
     """A figure: ``data``, ``layout`` and ``config`` for plotly.js, as JSON."""
 
 

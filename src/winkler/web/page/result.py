@@ -9,7 +9,7 @@ from nicegui import ui
 
 from winkler.study.report.markup import safe
 from winkler.web.page.live import LiveHtml
-from winkler.web.page.picture import Card, caption
+from winkler.web.page.picture import Card, PictureLoader, caption
 from winkler.web.page.pinned import PinnedAnswer
 from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.batch import Progress
@@ -20,6 +20,7 @@ STEP = 0.12
 """Time between two frames of an animation [s]."""
 FRAMES = 60
 """Most frames of an animation."""
+GETTING_READY = "Getting ready …"
 
 
 CHOSEN_ROW = """event => {
@@ -49,9 +50,10 @@ class Result:
         self.received = 0
         self.sheets = 0
         self.points = ""
-        with ui.element("div").classes("status") as self.status:
-            self.clock = ui.label("Getting ready …").props('role="status"')
-            self.stop_button = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
+        with ui.element("div").classes("status"):
+            self.clock = LiveHtml().props('role="status"')
+            self.clock.set_content(GETTING_READY)
+            ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
         self.wrong = ui.element("div").classes("refused").props('role="alert"')
         self.wrong.set_visibility(False)
         ui.html("The answer", sanitize=False, tag="h2").classes("spoken")
@@ -63,6 +65,7 @@ class Result:
         self._film()
         self.remark = ui.label().classes("meaning")
         ui.html("Pictures", sanitize=False, tag="h2").classes("spoken")
+        PictureLoader()
         self.grid = ui.element("div").classes("pictures")
         self.drawn = ui.element("div").classes("paper sheets")
         self.tail = [LiveHtml().classes("paper tail") for _ in range(3)]
@@ -219,13 +222,13 @@ class Result:
     def show_elapsed(self, seconds: float, *, ready: bool) -> None:
         """Show the elapsed time."""
         busy = not ready or seconds > 0.4
-        self.status.set_visibility(busy)
+        self.clock.show_around(visible=busy, button=ready)
         if busy:
-            self.clock.text = f"Solving and drawing, {seconds:.0f} s{self.points}" if ready else "Getting ready …"
-            self.stop_button.set_visibility(ready)
+            running = f"Solving and drawing, {seconds:.0f} s{safe(self.points)}"
+            self.clock.set_content(running if ready else GETTING_READY)
 
     def finish(self) -> None:
         """Set the state to complete."""
-        self.status.set_visibility(False)
+        self.clock.show_around(visible=False, button=True)
         if self.answer is not None:
             self.state("done")

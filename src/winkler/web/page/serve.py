@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import socket
 from asyncio import CancelledError
@@ -9,6 +10,7 @@ from collections.abc import Sequence
 
 from winkler.errors import InvalidInput
 from winkler.web.session.security import origin_of
+from winkler.web.session.standby import Standby
 from winkler.web.session.uploads import uploads
 
 __all__ = ["HOST", "WithoutCancelled", "serve"]
@@ -47,22 +49,26 @@ def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequ
     InvalidInput
         If the extra ``app`` is not installed, the port is taken, or an address is none.
     """
-    try:
-        from nicegui import ui
-    except ImportError:
-        message = 'the app needs NiceGUI, which is not installed; install it with: pip install "winkler[app]"'
-        raise InvalidInput(message) from None
     if not limit > 0.0:
         raise InvalidInput(f"the time limit is {limit:g} s; give a positive number of seconds.")
     origins = [origin_of(f"http://{name}:{port}") for name in (HOST, "localhost")]
     origins += [origin_of(address) for address in addresses]
     _free(port)
-    from winkler.web.page.assembly import assemble
-    from winkler.web.page.visitors import Visitors
-
     logging.getLogger("uvicorn.error").addFilter(WithoutCancelled())
-    with uploads() as folder:
-        visitors = Visitors(limit, pages, folder)
+    standby = Standby()
+    with contextlib.ExitStack() as stack:
+        folder = stack.enter_context(uploads())
+        stack.callback(standby.close)
+        standby.prepare()  # it gets ready while the app is imported
+        try:
+            from nicegui import ui
+        except ImportError:
+            message = 'the app needs NiceGUI, which is not installed; install it with: pip install "winkler[app]"'
+            raise InvalidInput(message) from None
+        from winkler.web.page.assembly import assemble
+        from winkler.web.page.visitors import Visitors
+
+        visitors = Visitors(limit, pages, folder, standby)
         assemble(visitors, tuple(origins))
         print(f"The app runs at http://{HOST}:{port}; stop it with Ctrl-C.", flush=True)
         try:

@@ -2,19 +2,24 @@
 
 A request without a connection (a preview, a port scan) gets an empty page and starts no process.  A page whose
 connection is lost is kept for half a minute; it ends at once when its tab loads the app again, or when another page
-needs its process.
+needs its process.  The process of the next page is started before it is asked for.
 """
 
 from __future__ import annotations
 
+import asyncio
 from pathlib import Path
 from typing import NamedTuple
 
 from nicegui import Client, context, ui
 
 from winkler.web.page.page import Page, style
+from winkler.web.session.standby import Standby
 
 __all__ = ["Visitors"]
+
+REST = 3.0
+"""Time after a page was made until the process of the next one is started [s]."""
 
 
 class Visitors:
@@ -28,10 +33,12 @@ class Visitors:
         Greatest number of pages.
     folder
         Folder of the uploads.
+    standby
+        Gives the processes.
     """
 
-    def __init__(self, limit: float, most: int, folder: Path) -> None:
-        self.limit, self.most, self.folder = limit, most, folder
+    def __init__(self, limit: float, most: int, folder: Path, standby: Standby) -> None:
+        self.limit, self.most, self.folder, self.standby = limit, most, folder, standby
         self._open: dict[Client, _Visit] = {}
 
     async def visit(self) -> None:
@@ -49,7 +56,7 @@ class Visitors:
             )
             return
         try:
-            page = Page(self.limit, self.folder)
+            page = Page(self.limit, self.folder, self.standby.take)
         except OSError as error:
             why = (error.strerror or type(error).__name__).lower()
             _refuse(f"This page gets no folder or no process ({why}); close other programs, then reload it.")
@@ -58,6 +65,12 @@ class Visitors:
         client.on_delete(lambda: self._end(client))
         client.on_connect(lambda: None if client in self._open else ui.navigate.reload())
         page.build()
+        asyncio.get_running_loop().call_later(REST, self._prepare)
+
+    def _prepare(self) -> None:
+        """Start the process of the next page, if there may be one."""
+        if self._open and len(self._open) < self.most:
+            self.standby.prepare()
 
     def _free_place(self, tab: str | None) -> None:
         """End disconnected pages: that of a reloaded tab, or the oldest one if the limit is reached."""
@@ -75,6 +88,7 @@ class Visitors:
         """End all pages."""
         for client in list(self._open):
             self._end(client)
+        self.standby.close()
 
 
 def _refuse(sentence: str) -> None:

@@ -32,7 +32,7 @@ from winkler.web.pictures.moments import Moments, contact_at, labels_of
 from winkler.web.pictures.packing import packed
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
-from winkler.web.pictures.view import NO_VIEW, View, fitting
+from winkler.web.pictures.view import NO_VIEW, View, fitting, of_history
 
 __all__ = [
     "AnswerText",
@@ -198,7 +198,8 @@ def scene(outcome: Outcome, moments: Moments, moment: int, previous: View, *, st
     if is_recovering(contact):
         view = previous if still and previous != NO_VIEW else _recovering(contact)
     elif contact is not None:
-        view = previous if still and previous != NO_VIEW else fitting(contact.pressed, previous)
+        is_moment = still and previous != NO_VIEW
+        view = (of_history if is_moment else fitting)(contact.pressed, previous)
         which = answer_of(point.problem).contact_shown
         if not here and which:
             remark = f"The pictures of the method show {which}."
@@ -266,7 +267,7 @@ def method_pictures(contact: Any, view: View) -> Iterator[InteractivePicture]:
         "line_load": lambda: chart(method.line_load(contact, view.extent)),
         "pressure": lambda: chart(method.pressure(contact, view.extent)),
         "force": lambda: chart(method.force(contact)),
-        "stress": lambda: chart(method.stress(contact, view.extent, coarse=True)),
+        "stress": lambda: chart(method.stress(contact, view.extent, scale=view.radius)),
     }
     for name, make in makers.items():
         yield _made(name, make, sticks=sticks)

@@ -17,7 +17,7 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_tables import counts, curve_texts
 from winkler.study.report.fit_writing import map_grid
-from winkler.study.report.markup import safe
+from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.web.form.fit_form import key_in_words
 from winkler.web.pictures.chart import Chart, chart
@@ -44,17 +44,18 @@ def curve_names(outcome: FitOutcome) -> tuple[str, ...]:
 
 
 def cards_of_many(outcome: FitOutcome) -> str:
-    """Return the medians of the fitted numbers as cards."""
-    cards = []
+    """Return the medians of the fitted numbers as cards, and the first one in a sentence."""
+    cards, lead = [], ""
     for free in _shown(outcome)[:MOST_COLUMNS]:
         word, numbers = outcome.study.word(free.key), outcome.numbers(free)
         low, middle, high = (with_unit(one, word.unit) for one in np.nanquantile(numbers, (0.25, 0.5, 0.75)))
         name = key_in_words(free.key).rpartition("› ")[2]
+        lead = lead or f"The median of {name} is {middle}, of {len(outcome.fitted)} curves."
         cards.append(
             f'<div class="card"><div class="value">{safe(middle)}</div><div class="name">{safe(name)} '
             f"{symbol(word.symbol)}, median<br>middle half: {safe(low)} … {safe(high)}</div></div>"
         )
-    return f'<div class="cards">{"".join(cards)}</div>'
+    return f'<p class="lead sought-line">{with_fixed_units(lead)}</p><div class="cards">{"".join(cards)}</div>'
 
 
 def curve_list(outcome: FitOutcome) -> str:

@@ -17,6 +17,7 @@ from winkler.plot.viscoelastic.fits import relaxing_loop
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.report import fit_tables
 from winkler.study.report.examined.sections import further_figures, further_section
+from winkler.study.report.figure import capital
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.headline.advice import worst_doubt
 from winkler.study.report.headline.section import doubt_line
@@ -79,19 +80,21 @@ def _numbers(outcome: FitOutcome) -> tuple[NamedNumber, ...]:
 
 
 def _cards(outcome: FitOutcome) -> str:
-    """Return the fitted parameters with their intervals as cards."""
-    (result,), cards = outcome.fitted, []
+    """Return the fitted parameters with their intervals as cards, and the first one in a sentence."""
+    (result,), cards, lead = outcome.fitted, [], ""
     fit = result.fit
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
         low, high = (number_text(end, word.unit) for end in interval_of(result, free))
         name = key_in_words(free.key).rpartition("› ")[2]
+        found = number_text(fit.value(free.path), word.unit)
+        lead = lead or f"{capital(name)} is {found}, with 95 % between {low} and {high}."
         cards.append(
-            f'<div class="card"><div class="value">{safe(number_text(fit.value(free.path), word.unit))}</div>'
+            f'<div class="card"><div class="value">{safe(found)}</div>'
             f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>'
             f"95 %: {with_fixed_units(f'{low} … {high}')}</div></div>"
         )
-    return f'<div class="cards">{"".join(cards)}</div>'
+    return f'<p class="lead sought-line">{with_fixed_units(lead)}</p><div class="cards">{"".join(cards)}</div>'
 
 
 def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[InteractivePicture], str]:

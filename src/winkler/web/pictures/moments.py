@@ -76,13 +76,14 @@ def initial_moment(point: SolvedPoint, moments: Moments) -> int:
 
 
 def labels_of(outcome: Outcome, point: SolvedPoint, moments: Moments) -> tuple[str, ...]:
-    """Return what each moment is, as ``t = 0.5 s``: its time, or what its curves are drawn over; empty if unknown."""
+    """Return what each moment is, as ``t = 0.5 s`` or ``force = 2 N``; empty if unknown."""
     over = (*ALONG_HISTORIES, *(pair[0] for pair in answer_of(point.problem).curves), *ALONG, "force")
     for name in over:
         content = np.atleast_1d(point.answers.get(name, np.zeros(0)))
         if moments.total and content.size == moments.total:
             word = outcome.word(name)
-            lead = plain_symbol(word.symbol) or name_in_words(name)
+            letter = plain_symbol(word.symbol)
+            lead = name_in_words(name) if not letter or "_" in letter else letter
             return tuple(f"{lead} = {with_unit(float(one), word.unit)}" for one in content)
     return ()
 

@@ -16,11 +16,16 @@ def symbol_html(symbol: str) -> str:
     --------
     >>> symbol_html("F_N"), symbol_html("E^*"), symbol_html(r"\sigma_{vM}")
     ('<i>F</i><sub>N</sub>', '<i>E</i><sup>*</sup>', '<i>σ</i><sub>vM</sub>')
+    >>> symbol_html(r"h_\mathrm{rms}"), symbol_html("x_0, y_0")
+    ('<i>h</i><sub>rms</sub>', '<i>x</i><sub>0</sub>, <i>y</i><sub>0</sub>')
     >>> symbol_html(r"\bar T") == "<i>T\u0304</i>"
     True
     """
     if not symbol:
         return ""
+    if ", " in symbol:
+        return ", ".join(map(symbol_html, symbol.split(", ")))
+    symbol = symbol.replace(r"\mathrm{", "{")
     match = re.fullmatch(
         r"(\\?[A-Za-z]+|\\[A-Za-z]+ ?[A-Za-z])('*)(?:_(\{[^{}]*\}|\\?\w+))?(?:\^(\{[^{}]*\}|\*))?", symbol
     )

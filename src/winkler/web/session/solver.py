@@ -64,6 +64,8 @@ class Solver:
         Called, in the event loop of the page, with the replies to the newest request and the newest study.
     on_exit
         Called there when the worker has ended by itself, with whether it was ready.
+    take
+        Gives a worker; by default a new one.
 
     Raises
     ------
@@ -71,8 +73,10 @@ class Solver:
         If no process can be started; also by `send` and `stop`, after which the next request tries again.
     """
 
-    def __init__(self, on_reply: ReplyReceiver, on_exit: Callable[[bool], None]) -> None:
-        self.on_reply, self.on_exit = on_reply, on_exit
+    def __init__(
+        self, on_reply: ReplyReceiver, on_exit: Callable[[bool], None], take: Callable[[], Worker] | None = None
+    ) -> None:
+        self.on_reply, self.on_exit, self.take = on_reply, on_exit, take
         self.loop = asyncio.get_running_loop()
         self.number = self.study = 0
         self.started_at = 0.0
@@ -83,7 +87,7 @@ class Solver:
 
     def _begin(self) -> None:
         self.ready = False
-        self.process, self.pipe = started()
+        self.process, self.pipe = (self.take or started)()
         try:
             threading.Thread(target=self._listen, args=(self.pipe,), daemon=True).start()
         except RuntimeError as error:

@@ -69,7 +69,7 @@ def doubt_line(doubt: Doubt) -> str:
     """Return the worst statement and what to do about it as a line of a page; nothing where nothing is doubtful."""
     if not doubt.statement:
         return ""
-    return f'<p class="doubt">{with_fixed_units(doubt.statement)} <strong>{safe(doubt.advice)}</strong></p>'
+    return f'<p class="doubt">{with_fixed_units(capital(doubt.statement))} <strong>{safe(doubt.advice)}</strong></p>'
 
 
 def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
