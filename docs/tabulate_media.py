@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import winkler as wk
+from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study, table_at
@@ -33,7 +34,7 @@ OF_METHOD = {
     Assumption.WEAR,
     Assumption.ROUGHNESS,
 }
-"""What belongs to a method on a medium; the other assumptions depend on the numbers of a case."""
+"""What belongs to a method on a medium, as coupling does for maps on layers; others depend on the numbers of a case."""
 SHORT = tomllib.loads((PAGE.parent / "media" / "examples.toml").read_text(encoding="utf-8"))
 """How examples differ from those of the catalogue, to be short; why kinds of problems have no place for media."""
 TAKEN = "taken"
@@ -103,7 +104,7 @@ def reason_of_no_place(kind: str, medium: str) -> str:
 def of_method(note: Note) -> bool:
     """Return whether a note is on the method, not on the numbers of the example."""
     ranged = note.assumption is Assumption.ADHESION and "Tabor" in note.statement
-    return note.assumption in OF_METHOD and not ranged
+    return (note.assumption in OF_METHOD or note == UNCOUPLED_LAYERS) and not ranged
 
 
 def reason(sentence: str, medium: str) -> str:

@@ -47,9 +47,9 @@ def _spread(members: list[pytest.Item], count: int) -> list[pytest.Item]:
     width = len(members).bit_length()
     left = sorted(range(len(members)), key=lambda place: f"{place:0{width}b}"[::-1])  # van der Corput's order
     chosen: list[pytest.Item] = []
-    seen: set[tuple[str, int]] = set()
+    seen: set[tuple[str, int]] = set()  # a parameter and its value, which its members share
     while left and len(chosen) < count:
-        values = [set(members[place].callspec.indices.items()) for place in left]
+        values = [{(name, id(value)) for name, value in members[place].callspec.params.items()} for place in left]
         best = max(range(len(left)), key=lambda place: len(values[place] - seen))
         seen |= values[best]
         chosen.append(members[left.pop(best)])

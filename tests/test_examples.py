@@ -79,6 +79,7 @@ def when(script: Path) -> list[pytest.MarkDecorator]:
     return [pytest.mark.manual if (script.parent / "GALLERY_HEADER.rst").exists() else pytest.mark.slow]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     "script", [pytest.param(script, marks=when(script)) for script in SCRIPTS], ids=map(name, SCRIPTS)
 )

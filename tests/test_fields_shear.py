@@ -215,6 +215,7 @@ def test_second_body_feels_the_reaction():
     np.testing.assert_array_equal(two.z, -z)
 
 
+@pytest.mark.slow
 def test_peak_of_a_sliding_ball():
     """With much friction at the trailing edge: Hamilton's closed form there.  With little below: a search on a grid."""
     nu, mu = 0.3, 0.6

@@ -300,6 +300,7 @@ def test_any_text_is_read_or_refused(text, unit):
     assert math.isfinite(number)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("written", "loaded"), [("1 mm", "False"), ("1 kN/GPa/mm", "False"), ("1 inch", "True")])
 def test_pint_is_loaded_only_for_names_that_the_table_lacks(written, loaded):
     request = f"u.quantity({written!r}, 'm', what='x')"

@@ -71,6 +71,7 @@ def names(folder: Path) -> list[str]:
 CURVES = ["curves/gel_curve1.csv", "curves/gel_curve2.csv", "curves/gel_curve3.csv"]
 
 
+@pytest.mark.slow
 def test_segments_on_the_command_line_are_those_of_the_study(here, capsys):
     """They overrule the file's, and the study that is stored with the results states them."""
     stated = STUDY.replace('part = "approach"', 'part = "approach"\nsegments = ["loading 0", "hold 90"]')
@@ -86,6 +87,7 @@ def test_segments_on_the_command_line_are_those_of_the_study(here, capsys):
     capsys.readouterr()
 
 
+@pytest.mark.slow
 def test_a_batch(here, capsys):
     assert main(["fit", "gel.toml"]) == 0
     folder = here / "results" / "gel"
@@ -104,6 +106,7 @@ def test_a_batch(here, capsys):
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.slow
 def test_the_hash_knows_the_curves(here, capsys):
     hashes = []
     for seed in (3, 4):
@@ -132,6 +135,7 @@ def test_nothing_is_left_of_a_fit_without_an_answer(here, capsys):
     assert not (here / "results").exists()
 
 
+@pytest.mark.slow
 def test_the_report_holds_what_made_the_numbers(here):
     text = STUDY.replace("report = false", "report = true").replace('"gel"\npart', '"gel/curve1.csv"\npart')
     (here / "gel.toml").write_text(text, encoding="utf-8")
@@ -143,6 +147,7 @@ def test_the_report_holds_what_made_the_numbers(here):
     assert "http" not in re.sub(r"https://doi\.org/|http://www\.w3\.org/", "", page)
 
 
+@pytest.mark.slow
 def test_the_first_line_is_the_number_with_its_interval(here, capsys):
     (here / "gel.toml").write_text(STUDY.replace('"gel"\npart', '"gel/curve1.csv"\npart'), encoding="utf-8")
     assert main(["fit", "gel.toml", "--pages", "1"]) == 0
@@ -186,6 +191,7 @@ def interrupt():
     raise KeyboardInterrupt
 
 
+@pytest.mark.slow
 def test_what_was_fitted_before_a_stop_is_stored_and_the_same_command_goes_on(here, monkeypatch, capsys):
     assert main(["fit", "gel.toml", "--quiet", "--output", "whole"]) == 0
     with monkeypatch.context() as patch:
@@ -221,6 +227,7 @@ def test_a_stop_before_a_curve_has_an_answer(here, monkeypatch, capsys):
     assert "1 of 3 files were known from the run before." in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_another_fit_is_refused_without_anew(here, monkeypatch, capsys):
     with monkeypatch.context() as patch:
         stopping(patch, "curve3.csv", interrupt)
@@ -371,6 +378,7 @@ def test_a_bar_shows_how_far_the_fit_has_come(here, monkeypatch):
     assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", message[-2])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("told", "workers"), [([], Machine()), (["--workers", "1"], 1)])
 def test_a_batch_takes_all_processors_unless_told(here, monkeypatch, told, workers):
     asked, real = [], fit_run.fit_curves

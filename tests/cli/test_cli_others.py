@@ -200,6 +200,7 @@ def pairs():
                 yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
@@ -219,6 +220,7 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
         assert not re.match(r"^\w+ = .*[^ ]$", line) or "#" in line or line.startswith(("kind", "title"))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("option", "kind"),
     [("--medium", name) for name in CATALOGUE["medium"]]
@@ -254,6 +256,7 @@ def test_an_optional_number_in_a_template_is_allowed():
     assert parse_study(text).problem.elements == 64
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("load", list(CATALOGUE["load"]))
 def test_what_is_commented_out_is_valid_too(load):
     """Sweep, fields and output of the template are right when their marks are taken away."""
@@ -340,6 +343,7 @@ def test_inline_values_are_toml():
 STUDY = template("indentation").replace("# [fields]", "[fields]").replace("# r = ", "r = ").replace("# z = ", "z = ")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("part", ["contact", "profile", "bed", "surface", "stress", "staircase"])
 def test_draw(part, here, capsys):
     (here / "ball.toml").write_text(STUDY, encoding="utf-8")
@@ -377,6 +381,7 @@ def test_draw_no_profile_of_a_measured_bed_and_no_makeup_of_an_even_medium(here,
     assert "draw: there is no picture of a HalfSpace" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_draw_a_curve_as_svg(here):
     text = STUDY.replace('force = "100 N"', 'force = { from = "1 N", to = "9 N", count = 5 }')
     (here / "ball.toml").write_text(text, encoding="utf-8")
@@ -384,6 +389,7 @@ def test_draw_a_curve_as_svg(here):
     assert "<svg" in (here / "curve.svg").read_text(encoding="utf-8")
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
@@ -415,6 +421,7 @@ def test_draw_needs_the_fields_it_shows(here, capsys):
     assert "the study restores no such fields; add [fields] with r and z." in capsys.readouterr().err
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("part", ["contact", "profile", "curve"])
 def test_draw_a_line_contact(here, part):
     (here / "roller.toml").write_text(template("line_limiting_profile"), encoding="utf-8")
@@ -555,6 +562,7 @@ def test_version(capsys):
     assert capsys.readouterr().out == f"winkler {wk.__version__}\n"
 
 
+@pytest.mark.slow
 def test_help_and_wrong_words_load_nothing_heavy():
     """The command line answers at once because it imports what a command needs only when that command is called."""
     code = (
@@ -567,6 +575,7 @@ def test_help_and_wrong_words_load_nothing_heavy():
     assert heavy & loaded == set()
 
 
+@pytest.mark.slow
 def test_the_module_is_the_command(here):
     command = [sys.executable, "-m", "winkler"]
     answer = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
@@ -595,6 +604,7 @@ def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
     assert {"[fit]", "[app]", "[s]"} <= set(listed)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("words", "suggested"),
     [("winkler show sph", "sphere"), ("winkler new --profile rounded_c", "rounded_cone"), ("winkler dr", "draw")],

@@ -63,6 +63,7 @@ def test_results_go_where_the_study_is_named_after(here, capsys):
     assert str(Path("results") / "ball") in message.out
 
 
+@pytest.mark.slow
 def test_figures_and_report(here):
     text = STUDY.replace("figures = []\nreport = false", 'figures = ["svg"]\nreport = true')
     (here / "ball.toml").write_text(text + '\n[fields]\nr = ["0 a", "1 a", "2 a"]\n', encoding="utf-8")
@@ -116,6 +117,7 @@ def test_figures_are_files_in_the_formats_of_the_option(words, endings, here):
     assert {path.suffix[1:] for path in (here / "results/ball/figures").iterdir()} == endings
 
 
+@pytest.mark.slow
 def test_no_figures_but_a_report(here):
     (here / "ball.toml").write_text(STUDY.partition("[output]")[0], encoding="utf-8")
     assert main(["run", "ball.toml", "--quiet", "--figures", "none"]) == 0
@@ -397,6 +399,7 @@ def test_traceback_is_shown_on_demand(here, monkeypatch):
 LONG = STUDY + '\n[sweep]\n"problem.load.force" = { from = "1 N", to = "2 N", count = 100000 }\n'
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="signals are sent differently there")
 @pytest.mark.parametrize(
     ("sign", "code", "message"),

@@ -24,6 +24,7 @@ def here(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_map_as_json(here, capsys):
     """Two crossed waves of amplitude A: Sq = A, Sku = 9/4."""
     command = ["show", "waves.npy", "--unit", "nm", "--lengths", "10 um", "--periodic", "--json", "-o", "waves.png"]
@@ -54,6 +55,7 @@ def test_a_bad_map_says_so(here, capsys):
     assert "takes" not in clean
 
 
+@pytest.mark.slow
 def test_a_scan(here, capsys):
     assert main(["show", "scan.csv", "-o", "scan.svg"]) == 0
     text = capsys.readouterr().out

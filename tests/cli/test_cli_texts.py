@@ -140,6 +140,7 @@ def test_a_stream_that_knows_few_characters_does_not_raise(encoding, here, monke
     assert "?.toml" in err
 
 
+@pytest.mark.slow
 def test_what_is_infinite_is_written_in_words(here, capsys):
     """The resistance without contact: in the table, in JSON, and on the page."""
     (here / "c.toml").write_text(SPHERE.format(title="5 µm", report="true"), encoding="utf-8")

@@ -31,6 +31,7 @@ def error(reached, exact) -> float:
     return float(np.max(np.abs(reached - exact)) / np.max(np.abs(exact)))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", SHAPES)
 def test_plane_profile_and_force_are_of_third_order_at_least(name):
     shape, reach = SHAPES[name]

@@ -51,6 +51,7 @@ def test_depth_is_exact_and_force_of_second_order(name):
     assert 1.9 < order(COUNTS, [abs(one.force - contact.force) for one in punches]) < 2.1
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", SHAPES)
 def test_displacement_is_of_second_order_outside_and_of_order_three_halves_inside(name):
     contact = press(name)
@@ -64,6 +65,7 @@ def test_displacement_is_of_second_order_outside_and_of_order_three_halves_insid
     assert 1.4 < order(COUNTS, [rms(one.displacement(inside), exact) for one in punches]) < 1.6
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", SHAPES)
 def test_force_within_a_circle_goes_to_that_of_the_restored_pressure(name):
     """The pressure of a staircase has poles; summed up over circles it has none."""

@@ -57,6 +57,7 @@ PAIRS = [(name, "steel on glass") for name in CASES] + [
 ]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("name", "medium"), PAIRS)
 def test_point_forces_move_the_surface_as_the_springs_say(name, medium):
     contact, edge = press(name, MEDIA[medium]), CASES[name][2]
@@ -81,6 +82,7 @@ def test_far_away_the_contact_is_one_point_force(name):
     np.testing.assert_allclose(wk.restore(contact, r).displacement / point - 1.0, left, rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_a_coarse_sum_of_point_forces_goes_to_the_same_displacement():
     """Eq. (2) taken at its word: squares of a grid, each a point force; no transform of any kind."""
     contact = press("sphere", MEDIA["steel on glass"])

@@ -34,6 +34,7 @@ def law(problem, count=32, tolerance=1e-6):
     return law_of(problem, tolerance=tolerance, count=count)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_a_compiled_law_agrees_with_the_trace_it_holds(tmp_path, name):
     write_export(export(PROBLEMS[name], "c", name=name, count=8), tmp_path)
@@ -42,6 +43,7 @@ def test_a_compiled_law_agrees_with_the_trace_it_holds(tmp_path, name):
     assert re.match(rf"{name}: \d+ steps agree with winkler to [\de.+-]+\n", text)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["sheared", "powder"])
 def test_in_single_precision_a_law_states_how_far_it_is_off(tmp_path, name):
     exported = export(PROBLEMS[name], "c", name=name, count=8, precision="float")
@@ -54,6 +56,7 @@ def test_in_single_precision_a_law_states_how_far_it_is_off(tmp_path, name):
     assert 1e-8 < float(text.split()[-1]) < 3.0 * stated < 1e-4
 
 
+@pytest.mark.slow
 def test_a_law_of_a_coated_body_has_no_shear_stiffness_and_is_standard_c(tmp_path):
     """Its table of one ratio is empty, and arrays without elements are an extension of some compilers."""
     coated = CoatedHalfSpace([Layer(Elastic(600e9, 0.2), 1e-5)], on=Elastic(210e9, 0.3))
@@ -73,12 +76,14 @@ def test_a_wrong_law_fails_its_own_test(tmp_path):
     assert "shear_stiffness" in text
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["sheared", "beads", "powder"])
 def test_the_same_file_is_cpp(tmp_path, name):
     write_export(export(PROBLEMS[name], "c", name=name, count=8), tmp_path)
     assert ran(built(tmp_path, name, language="c++"))[0] == 0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_python_file_agrees_away_from_winkler(tmp_path, name):
     write_export(export(PROBLEMS[name], "python", name=name, count=8), tmp_path)
@@ -96,6 +101,7 @@ def test_a_ball_is_hertz_to_the_last_digits():
     np.testing.assert_allclose(shear / stiffness, STEEL.shear_modulus / STEEL.modulus, rtol=1e-13)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("power", [4.0, 1.3])
 def test_the_stiffness_of_a_table_never_falls_and_its_energy_is_the_integral(power):
     """On a coating, where the force is no power of the depth."""
@@ -214,6 +220,7 @@ def test_beyond_the_greatest_depth_nothing_is_said(name):
     assert np.all(np.isnan(own.trace(motion)))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_heading_states_units_and_validity(name):
     text = export(PROBLEMS[name], "c", name=name, count=6).text

@@ -84,6 +84,7 @@ class Master:
         return self.get(range(n, n + self.outputs)), status
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("version", [2, 3])
 def test_an_oscillator_on_a_unit_keeps_its_energy(tmp_path, version):
     """A mass that hangs between a spring and a contact; the force of the unit against the energy that it states."""
@@ -104,6 +105,7 @@ def test_an_oscillator_on_a_unit_keeps_its_energy(tmp_path, version):
     assert np.max(np.abs(total - total[0])) < 1e-10 * (np.max(kinetic) + np.max(stored))
 
 
+@pytest.mark.slow
 def test_a_unit_of_fmi_3_does_what_the_law_does(tmp_path):
     master = Master(tmp_path, "beads", 3)
     law = master.law

@@ -91,6 +91,7 @@ def test_bodies_of_unlike_curvatures_have_the_force_of_their_ellipse():
     np.testing.assert_allclose(own.trace(depth[:, None])[:, 0], solved.force, rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_one_load_and_an_impact_are_laws_up_to_their_depth():
     jkr = law(AdhesiveIndentation(RUBBER, ShortRange(0.05), Depth(10e-6)))
     cycle = law(AdhesiveCycle(RUBBER, ShortRange(0.05), Depth([10e-6, 0.0])))

@@ -24,6 +24,7 @@ from winkler.exporting.targets.fmu_description import fmu_inputs
 NAMES = ["beads", "gel"]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_module_in_fortran_agrees_with_the_trace(tmp_path, name):
     gfortran = shutil.which("gfortran")
@@ -98,6 +99,7 @@ def test_a_unit_describes_its_numbers():
     assert root.attrib["guid"].encode() in archive.read("sources/beads_fmu.c")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["beads", "gel"])
 def test_a_unit_does_what_the_law_does(tmp_path, monkeypatch, name):
     """By its own functions, which a master of FMI calls; with saving and restoring in between."""

@@ -158,6 +158,7 @@ def test_a_plane_parabola_on_a_graded_half_space():
     np.testing.assert_allclose(plane.slope(r), r / big, rtol=1e-9, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_a_plane_parabola_on_a_coating():
     """The force by a rule for Int k' g; the restored surface follows the body that belongs to g."""
     bed = wk.PlaneFoundation(wk.Paraboloid(0.5), COATED)

@@ -31,6 +31,7 @@ def curve(profile):
     return wk.Indentation(wk.Foundation(profile, GLASS), wk.Depth(DEPTH)).solve()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("profile", "tolerance"),
     [
@@ -258,6 +259,7 @@ def test_where_unloading_begins_is_stated():
         MeasuredBed.from_curve(DEPTH, HERTZ * there_and_back**1.5, GLASS.modulus)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("count", [200, 10_000])
 @pytest.mark.parametrize("noise", [1e-3, 1e-2])
 def test_the_scatter_is_what_was_added(count, noise):

@@ -30,6 +30,7 @@ def test_a_case_that_was_found(file):
     assert fault(tried, Case(**content)) == ""
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("problem", ["indentation", "pull_off", "tangential", "thermal_constriction", "rolling"])
 def test_a_few_studies_are_solved(problem, tmp_path, monkeypatch):
     monkeypatch.setenv("WINKLER_FUZZ_SEED", "of every run")

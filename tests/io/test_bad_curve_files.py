@@ -80,6 +80,7 @@ DMA = "nanoDMA Text Export Version 1.00\n\n Test Time (s)\t Indent Disp. (nm)\t 
 FILES = {"a.hld": hld(), "b.txt": FISCHER, "c.txt": FEMTO, "d 1 2 3.txt": MICRO, "e.txt": DMA, "f.csv": TABLE}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", FILES)
 def test_files_cut_off_or_garbled_anywhere(tmp_path, name):
     """Read or refused by one sentence, for each of 60 cuts and 120 changed letters."""

@@ -14,6 +14,7 @@ FRETTING = wk.FrettingWear(
 SLIDING = wk.SlidingWear(BED, wk.Archard(0.1), wk.Force(1e-3), np.array([0.0, 1.0, 10.0, 50.0]), count=30)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("problem", [FRETTING, SLIDING], ids=["fretting", "sliding"])
 def test_a_march_goes_on_from_a_file_with_the_same_numbers(problem, tmp_path):
     whole = list(problem.steps())

@@ -82,6 +82,7 @@ def test_the_two_stiffnesses_belong_together(sample: Sample, radius: float):
     assert 2.0 * float(weight @ medium.normal_stiffness(x)) == pytest.approx(punch, rel=1e-10)
 
 
+@pytest.mark.few(1)
 @over_stacks(1, quick=("film", "three_layers"))
 def test_force_energy_and_stiffness_belong_together(sample: Sample, radius: float):
     """F = dU/dd and k = dF/dd."""
@@ -97,6 +98,7 @@ def test_force_energy_and_stiffness_belong_together(sample: Sample, radius: floa
         assert SLOPE @ curve.stiffness / depth == pytest.approx(float(steeper[0]), rel=1e-7)
 
 
+@pytest.mark.few(1)
 @over_stacks(1, quick=("film", "three_layers"))
 def test_depth_to_force_to_radius_to_depth(sample: Sample, radius: float):
     medium = sample.make(1.0, 1.0)
@@ -125,6 +127,7 @@ def test_pressure_and_surface(sample: Sample, radius: float):
     assert np.all(fields.gap[4:] > 0.0)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", LAYERED)
 @examples(1)
 @given(data=st.data())
@@ -152,6 +155,7 @@ def test_equal_layers_are_no_layers(body, other, heights):
     np.testing.assert_allclose(springs(medium, a), springs(wk.HalfSpace(solid, second), a), rtol=1e-10)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("young", [0.2, 5.0])
 @pytest.mark.parametrize("poisson", [0.0, 0.5])
 def test_a_coating_goes_over_into_its_substrate_and_a_thick_one_into_itself(young, poisson):
@@ -182,6 +186,7 @@ def sampled(k: float, poisson: float, reach: tuple[float, float], count: int) ->
     return wk.CoatedHalfSpace(layers, wk.Elastic(float(edges[-1] ** k), poisson))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("k", "poisson"), [(0.3, 0.3), (-0.2, 0.4), (0.6, 0.5)])
 def test_many_thin_layers_are_the_power_law_they_sample(k, poisson):
     """Of second order: twice as many layers leave a quarter of the difference of every wave's compliance.

@@ -105,6 +105,7 @@ LAWS = [
 ]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("law", LAWS)
 def test_same_digits_in_every_unit(law):
     wanted = law(1.0, 1.0)
@@ -119,6 +120,7 @@ def test_an_impact_in_binary_units(s, m):
     np.testing.assert_allclose(struck_slowly(s, m), struck_slowly(1.0, 1.0), rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_fits_in_every_unit():
     """Within what is taken for a measured curve; least squares stop at half the digits."""
     wanted = fitted(1e-6, 1e4)

@@ -40,6 +40,7 @@ FEW = [pytest.param(kind, 1 if kind == "wavy_ball" else 3, id=kind) for kind in 
 MORE = [pytest.param(kind, 10, id=f"{kind}-10", marks=pytest.mark.long) for kind in KINDS]
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("kind", "many"), [*FEW, *MORE])
 def test_answers_scale(kind, many):
     @examples(many)
@@ -50,6 +51,7 @@ def test_answers_scale(kind, many):
     law()
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("medium", [medium for medium in MEDIA if medium != "half_space"])
 @pytest.mark.parametrize("kind", ["sphere", "truncated_cone", "pinned_cylinder"])
 def test_answers_scale_on_every_medium(medium, kind):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from contacts import examples
 from hypothesis import given
 from hypothesis import strategies as st
@@ -19,6 +20,7 @@ def words(shape, x):
     return [getattr(shape, word)(x) for word in ("height", "slope", "gap", "gap_slope", "gap_integral")]
 
 
+@pytest.mark.slow
 @examples(40)
 @given(one=parts, other=parts, third=parts)
 def test_the_order_of_the_parts_does_not_matter(one, other, third):

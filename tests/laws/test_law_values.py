@@ -78,6 +78,7 @@ def test_media_are_values(medium, data):
     assert_a_value(sample.make(1.0, 1.0), sample.make(1.0, 1.0), sample.make(1.0, 2.0))
 
 
+@pytest.mark.slow
 @examples(20)
 @given(contact=contacts("measured"), depths=st.lists(st.floats(1e-6, 1.0), min_size=1, max_size=5))
 def test_beds_loads_problems_and_answers_are_values(contact, depths):

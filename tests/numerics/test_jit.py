@@ -129,6 +129,7 @@ def test_a_mistake_is_not_hidden():
         squares()
 
 
+@pytest.mark.slow
 def test_nothing_is_compiled_on_import():
     code = (
         "import sys, numpy as np\n"

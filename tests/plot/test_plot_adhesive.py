@@ -59,6 +59,7 @@ ITEMS = {
 }
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", ITEMS)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]
@@ -82,6 +83,7 @@ def test_the_tension_at_the_edge_is_cut_off_and_stated():
     assert y[inside] == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_what_is_finite_is_drawn_whole():
     axes = draw(RING).axes[2]
     assert "infinite" not in texts(axes.figure)

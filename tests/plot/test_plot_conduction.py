@@ -42,6 +42,7 @@ def test_parts_of_a_resistance_add_up():
     assert figure.axes[1].get_ylim() == (0.0, 100.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "item",
     [

@@ -127,6 +127,7 @@ def test_every_item_has_a_whole_labelled_figure(name):
             assert max(box.x1 - frame.x1, box.y1 - frame.y1) < 1.0, cut
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["one load", "foundation", "many loads", "onset of yield", "staircase"])
 def test_titles_and_labels_do_not_overlap(name):
     figure = laid_out(name)
@@ -221,6 +222,7 @@ def test_stresses_that_are_not_known_are_refused_by_the_medium():
         render(method_sheet("stress", solution))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", pictures_of(CONTACT))
 def test_every_picture_of_the_method(name, tmp_path):
     figure = render(method_sheet(name, CONTACT))
@@ -235,6 +237,7 @@ def test_without_a_contact_there_is_nothing_to_show(name):
         render(method_sheet(name, solved(Sphere(10e-3), Depth(-1e-6))))
 
 
+@pytest.mark.slow
 def test_the_mark_on_the_stress_map_is_the_known_greatest_stress():
     figure = render(method_sheet("stress", solved(Paraboloid(10e-3), Force(20.0))))
     note = next(text.get_text() for text in texts(figure) if text.get_text().startswith("greatest"))
@@ -271,6 +274,7 @@ def test_bars_leave_out_what_has_no_answer():
     assert [bar.get_width() for bar in figure.axes[0].patches] == pytest.approx([1.0, 2.0, 0.0])
 
 
+@pytest.mark.slow
 def test_figures_come_without_pyplot_and_leave_the_readers_settings(tmp_path):
     code = (
         "import sys, matplotlib\n"
@@ -290,6 +294,7 @@ def test_the_package_is_light_until_something_is_drawn():
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 
 
+@pytest.mark.slow
 def test_a_notebook_shows_the_picture():
     figure = draw(Sphere(1e-2))
     assert figure._repr_html_().startswith('<img alt="figure"')
@@ -297,6 +302,7 @@ def test_a_notebook_shows_the_picture():
     assert repr(figure).startswith("<Picture of ")
 
 
+@pytest.mark.slow
 def test_the_same_picture_twice_is_the_same_file(tmp_path):
     for name in ("one.svg", "two.svg"):
         draw(CONTACT).savefig(tmp_path / name, metadata={"Date": None})

@@ -139,6 +139,7 @@ SLOW = ("path in the plane", "layered: no traction", "graded", "state of a grade
 MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ITEMS]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", MARKED)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]
@@ -186,6 +187,7 @@ def test_the_traction_stays_between_the_bounds():
     assert edges == pytest.approx([stick])
 
 
+@pytest.mark.slow
 def test_springs_that_stick_differ_from_those_that_slide():
     def colours(state):
         axes = titled(draw(state), "springs")
@@ -207,6 +209,7 @@ def _rgb(colour):
     return [int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)]
 
 
+@pytest.mark.slow
 def test_the_greatest_stress_is_written():
     state = loop().at(1)
     peak = wk.peak_stress(state)
@@ -230,6 +233,7 @@ def test_the_loop_of_a_damper_encloses_its_loss():
     assert area * scale == pytest.approx(float(item.loss_per_cycle), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_curves_have_no_extent():
     with pytest.raises(wk.InvalidInput, match="no extent"):
         draw(loop(), extent=1e-3)

@@ -41,6 +41,7 @@ def test_a_state_shows_the_stress_of_a_body_that_deforms():
     assert len(sheet_of(sheared(wk.Paraboloid(10e-3), path, soft).at(-1)).panels) == 2
 
 
+@pytest.mark.slow
 def test_a_path_out_of_phase_shows_what_was_marched():
     path = wk.LinePath(1e5, [0.0, 3e4, -1e4], bulk_stress=[1e8, 0.0, 1.5e8])
     solution = sheared(wk.Cone(1.5), path)

@@ -36,6 +36,7 @@ def texts(figure):
     return [text.get_text() for axes in figure.axes for text in axes.texts]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", MEDIA)
 def test_a_medium_has_a_figure(name, tmp_path):
     figure = draw(MEDIA[name])
@@ -70,6 +71,7 @@ def test_the_stress_map_has_a_line_at_every_interface_and_a_step_across_it(press
     assert float(note.split()[1]) == pytest.approx(most / 1e9, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_springs_of_a_varying_medium_are_not_stated_to_be_equal():
     title = draw(wk.Foundation(wk.Paraboloid(50e-6), STACK)).axes[1].get_title(loc="left")
     assert "(middle) to" in title

@@ -48,6 +48,7 @@ ITEMS = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ITEMS)
 def test_is_drawn_with_labels_and_units(name):
     make, panels = ITEMS[name]
@@ -107,6 +108,7 @@ def test_rocking_shows_its_place_below_or_above_the_limit():
         np.testing.assert_allclose(limit, 1.0 - 1.5 * amplitudes + 0.5 * amplitudes**3, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_unlike_rollers_without_creepage_are_dragged_backwards():
     """The creep curve has the sign of the force, which is not that of the creepage."""
     bed = wk.LineFoundation(wk.Paraboloid(25e-3), wk.HalfSpace.between(wk.Elastic(70e9, 0.33), STEEL))

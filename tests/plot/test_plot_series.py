@@ -113,6 +113,7 @@ def test_a_label_has_name_symbol_and_unit():
     assert series("x", 1e-3, SurfaceHeatState).label() == "place $x$ [mm]"
 
 
+@pytest.mark.slow
 def test_every_symbol_of_the_glossary_can_be_drawn(entries):
     from matplotlib.mathtext import MathTextParser
 

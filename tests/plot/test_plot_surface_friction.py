@@ -60,6 +60,7 @@ def test_a_rolling_map_shows_its_creep_curve_and_the_last_creepage():
     assert len(drawn(wk.Creepage(longitudinal=1e-3)).panels) == 2
 
 
+@pytest.mark.slow
 def test_springs_are_drawn_beside_the_elements_in_both_directions():
     oblong = wk.SampledProfile([0.25, 0.17], wk.CurvedBodies(1.0, 0.5), (41, 41))
     found = wk.ReducedFriction(oblong, PAIR, wk.Coulomb(0.3), 0.006).solve()

@@ -87,6 +87,7 @@ def test_two_long_keys_make_a_map(sweep, design, expected):
     assert mapped(Study("x", PROBLEM, sweep=sweep, **({} if design is None else {"design": design}))) is expected
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("design", "names"),
     [(Sobol(8), ["answer_depth"]), (Sensitivity(8), ["sensitivity_depth", "sensitivity_radius"])],

@@ -33,6 +33,7 @@ def gap_by_quadrature(coefficients, h):
         return mp.sqrt(top / mp.pi), mp.sqrt(top / mp.pi) * inner
 
 
+@pytest.mark.slow
 def test_a_calibrated_tip():
     profile = wk.AreaFunction(TIP)
     for h in DEPTHS:
@@ -101,6 +102,7 @@ def test_the_reach_ends_where_the_area_stops_growing():
         wk.Indentation(bed, wk.Radius(3.1e-6)).solve()
 
 
+@pytest.mark.slow
 def test_an_area_that_shrinks_further_up():
     """Known up to its first maximum, like the equator of a sphere; what lies beyond is refused."""
     profile = wk.AreaFunction((24.5, -1.0, 0.05))
@@ -171,6 +173,7 @@ def test_a_tip_knows_no_absolute_height(coefficients, size):
 TIPS = [(24.5, 2e-6, 3e-9), TIP, (24.5, *(8 * (3e-6,))), (0.0, 2e-6, 0.0, 1e-9), (24.5, -1e-6, 5e-9)]
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("coefficients", TIPS)
 def test_tables_of_a_tip_against_its_integrals(coefficients):
     """g and its integral are looked up; what is looked up is what would be integrated, at one place and at many."""

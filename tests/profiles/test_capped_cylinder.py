@@ -19,6 +19,7 @@ def test_below_the_rim_it_is_its_cap_on_a_graded_body():
     np.testing.assert_allclose(capped, bare, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_below_the_rim_it_is_its_cap_in_a_row():
     medium = wk.HalfSpace.between(STEEL, STEEL)
     widths = wk.HalfWidth(np.array([0.2e-3, 0.9e-3]))

@@ -14,6 +14,7 @@ import winkler as wk
 X = np.array([1e-5, 0.9e-4, 1.1e-4, 2.9e-4, 3.1e-4, 1e-3])
 
 
+@pytest.mark.slow
 def test_guduru_profile_with_a_kink():
     """A paraboloid with a wave and a flattened cone: nothing in common but the sum."""
     profile = wk.Paraboloid(1e-2) + wk.Wavy(1e-8, 2e-3) + wk.TruncatedCone(1.5, 1e-4)

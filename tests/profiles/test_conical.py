@@ -16,6 +16,7 @@ X = np.array([1e-3, 0.3, 0.9, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.0 + 1e-4, 1.1, 2.0,
 """In units of the length of the shape, where its kink is."""
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("degrees", DEGREES)
 def test_cone(degrees):
     theta = math.radians(degrees)
@@ -28,6 +29,7 @@ def test_cone(degrees):
     assert float(wk.Cone(theta).gap_slope(np.array(0.0))) == pytest.approx(float(m * mp.pi / 2), rel=1e-14)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("degrees", DEGREES)
 def test_truncated_cone(degrees):
     theta, b = math.radians(degrees), 2e-6
@@ -64,6 +66,7 @@ def test_just_above_a_flat_all_digits_are_kept(distance):
             assert profile.gap_integral(np.array([x]))[0] == pytest.approx(integral, rel=1e-13, abs=0.0)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("degrees", DEGREES)
 def test_rounded_cone(degrees):
     theta, big = math.radians(degrees), 3e-8
@@ -76,6 +79,7 @@ def test_rounded_cone(degrees):
     assert_curvature(tip, lambda r: m * min(r / b, mp.mpf(1)), x[np.abs(X - 1.0) > 1e-6])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", DEGREES)
 def test_sphero_conical(degrees):
     theta, big = math.radians(degrees), 1e-8

@@ -314,6 +314,7 @@ def test_what_is_refused_and_how(given, sentence):
     assert str(caught.value) == sentence
 
 
+@pytest.mark.slow
 @given(st.floats(1e-9, 1e-1), st.floats(0.01, 0.9))
 def test_lengths_scale(size, part):
     """A sphere s times as large has g(s x) = s g(x)."""

@@ -13,6 +13,7 @@ QUARTIC = wk.Formula("r**2/0.02 + r**4/8e-6")
 PROFILES = [wk.Sphere(0.01), wk.Ellipsoid(0.01, 0.02), wk.Hyperboloid(0.01, 1.0), QUARTIC]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("profile", PROFILES, ids=lambda profile: type(profile).__name__)
 @pytest.mark.parametrize("function", [line_load, line_load_slope])
 def test_many_places_agree_with_single_ones(function, profile):

@@ -29,6 +29,7 @@ def curve_slope(profile):
     return slope
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [6, 9, 25])
 def test_the_transform_of_the_curve_is_exact(count):
     """T1 of the very spline, by quadrature between its knots."""
@@ -167,6 +168,7 @@ def test_a_flat_line_makes_no_tip():
 # ---------------------------------------------------------------------------------------------------- clean data
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("count", [16, 64, 128, 256, 257, 2048])
 @pytest.mark.parametrize(
     ("twin", "reach"), [(wk.Hyperboloid(0.1, 1.2), 1.0), (wk.Sphere(1.0), 0.9), (wk.SpheroConical(0.5, 1.2), 1.0)]
@@ -209,6 +211,7 @@ def test_no_tip_falls_from_its_apex(count):
     assert profile.gap(np.array([1e-6]))[0] >= 0.0
 
 
+@pytest.mark.slow
 def test_a_measured_flat_end_is_restored():
     """Flat, then rising: the spline rings a little at the corner, which must not keep the pressure from its value."""
     r = np.linspace(0.0, 0.6, 200)

@@ -21,6 +21,7 @@ def test_paraboloid():
     assert_starts_at_zero(wk.Paraboloid(R))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("exponent", [0.5, 1.0, 1.05, 1.5, 2.0, 3.0, 4.0, 7.3, 20.0, 120.0])
 def test_power_law(exponent):
     c, n = 2.5, exponent

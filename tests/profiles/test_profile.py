@@ -39,6 +39,7 @@ class Catenary(wk.Shape):
 X = np.array([1e-3, 0.2, 0.5, 0.5 + 1e-9, 0.7, 2.0])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("jump", [0.0, 0.3])
 def test_transforms_follow_from_the_slope(jump):
     shape = Catenary(0.8, 0.5, jump)
@@ -76,6 +77,7 @@ class TruncatedPowers(PowerPieces):
         return tuple((b, m, c) for m, (b, c) in enumerate(zip(self.starts, self.weights, strict=True)))
 
 
+@pytest.mark.slow
 def test_truncated_powers_of_any_order():
     starts, weights = (0.1, 0.0, 0.7, 0.3, 0.0), (0.5, 2.0, -1.0, 3.0, 0.4)
     shape = TruncatedPowers(starts, weights)

@@ -32,6 +32,7 @@ def test_truncated_paraboloid():
     assert profile.kinks == ((B, pytest.approx(B / R)),)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("cap", [1e-4, 0.5 * R, R, 7.0 * R, 1e9])
 def test_capped_paraboloid(cap):
     profile = wk.CappedParaboloid(R, cap, B)

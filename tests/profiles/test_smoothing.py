@@ -43,6 +43,7 @@ def compared(twin, radius):
     return depth, 2.0 * (radius * depth - float(twin.gap_integral(a)[0]))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("count", "noise"), [(200, 1e-3), (1000, 1e-3), (1000, 1e-2)])
 def test_a_shape_the_spline_can_hold(count, noise):
     """Paraboloid: the error of F(d) is within 3.5 standard deviations of least squares for every seed."""
@@ -60,6 +61,7 @@ def test_a_shape_the_spline_can_hold(count, noise):
     assert np.median(pieces) == 1.0  # as stiff as the data require
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("twin", "count", "noise"),
     [(wk.Sphere(1.2), 400, 1e-3), (wk.Hyperboloid(0.2, 1.2), 2000, 1e-4), (wk.RoundedCone(0.3, 1.2), 2000, 1e-3)],
@@ -76,6 +78,7 @@ def test_a_shape_the_spline_must_follow(twin, count, noise):
     assert np.max(np.abs(ratios)) < 6.0
 
 
+@pytest.mark.slow
 def test_more_points_help():
     """Ten thousand points beat a hundred by about the root of their number."""
     twin = wk.Sphere(1.2)

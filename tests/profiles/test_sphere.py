@@ -14,6 +14,7 @@ import winkler as wk
 X = np.array([1e-7, 1e-3, 0.1, 0.19999, 0.2, 0.3, 0.5, 0.9, 0.99, 1.0 - 1e-6])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("radius", [1.0, 7e-9])
 def test_sphere(radius):
     big = mp.mpf(radius)
@@ -22,12 +23,14 @@ def test_sphere(radius):
     assert_starts_at_zero(wk.Sphere(radius))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("radial", "axial"), [(1.0, 0.2), (1.0, 5.0), (1e-4, 1e-4)])
 def test_ellipsoid(radial, axial):
     a, b = mp.mpf(radial), mp.mpf(axial)
     assert_transforms(wk.Ellipsoid(radial, axial), lambda r: b / a * r / mp.sqrt(a**2 - r**2), radial * X, (radial,))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", [5.0, 45.0, 70.0, 89.0])
 def test_hyperboloid(degrees):
     """f = c (sqrt(1 + r^2/A^2) - 1), c/A = 1/tan(half_angle), A^2/c = R."""

@@ -14,6 +14,7 @@ import winkler as wk
 H, L = 1e-7, 2e-5
 
 
+@pytest.mark.slow
 def test_against_quadrature():
     k = 2 * mp.pi / mp.mpf(L)
     # where g' is near a root its relative error has no meaning: places between the roots

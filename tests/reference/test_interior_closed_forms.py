@@ -18,6 +18,7 @@ def compared(given, expected, scale):
         assert abs(mp.mpf(float(getattr(given, name))) - number) <= 1e-12 * abs(number) + 3e-16 * scale, name
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("r", "z"), PLACES)
 def test_flat_punch(r, z):
     given = punch.flat_punch_subsurface(r, z, 1.0, force=2.0, poisson=NU, shear=G)
@@ -27,6 +28,7 @@ def test_flat_punch(r, z):
     compared(given, expected, 1.0)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("r", "z"), PLACES)
 def test_hertz(r, z):
     given = hertz.hertz_subsurface(r, z, 1.0, peak_pressure=1.0, poisson=NU, shear=G)

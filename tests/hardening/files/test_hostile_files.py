@@ -188,6 +188,7 @@ ARRAYS = {
 }
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("case", ARRAYS)
 def test_arrays_made_to_harm(case, tmp_path):
     content, sentence = ARRAYS[case]
@@ -227,6 +228,7 @@ def test_a_map_of_an_instrument_is_read(tmp_path):
     assert wk.read_topography(tmp_path / "map.npy", **SIZES).heights.shape == (4096, 4096)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("method", [zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
 def test_a_member_of_an_upload_that_unpacks_to_more_than_it_states(method):
     stream = io.BytesIO()
@@ -289,6 +291,7 @@ LINES = {
 }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("case", LINES)
 def test_texts_made_to_harm(case, tmp_path):
     path = tmp_path / "table.csv"

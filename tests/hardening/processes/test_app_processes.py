@@ -92,10 +92,10 @@ def test_processes_and_folders(tmp_path):
     app = App(tmp_path, "--pages", "2")
     for _ in range(12):
         app.get()
-    assert app.workers() == []
+    assert len(app.workers()) <= 1  # it waits for the first page
     pages = [app.open() for _ in range(3)]
     workers = app.workers()
-    assert len(workers) == 2
+    assert len(workers) in (2, 3)  # of the pages, and one that waits for the next one
     (left,) = tmp_path.glob("winkler-*")
     assert len(list(left.glob("winkler-page-*"))) == 2
     next(left.glob("winkler-page-*")).joinpath("tip.csv").write_text("1 2")
@@ -108,13 +108,13 @@ def test_processes_and_folders(tmp_path):
         assert not left.exists()
         pages.append(app.open())
         workers = app.workers()
-        assert len(workers) == 1
+        assert len(workers) in (1, 2)
         (folder,) = tmp_path.glob("winkler-*")
         next(folder.glob("winkler-page-*")).joinpath("tip.csv").write_text("1 2")
         code, error = app.end(number)
         assert code in codes, error
         assert "Traceback" not in error
-        until(lambda: gone(workers[0]))  # noqa: B023
+        until(lambda: all(map(gone, workers)))  # noqa: B023
         assert list(tmp_path.iterdir()) == []
     for pipe in pages:
         pipe.close()

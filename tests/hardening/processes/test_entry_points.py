@@ -71,6 +71,7 @@ def _slot(name):
     return slot_of(name)
 
 
+@pytest.mark.slow
 def test_nonsense_is_refused_in_one_sentence():
     cases = examples()
     assert len(cases) > 600

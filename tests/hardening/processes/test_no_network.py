@@ -32,6 +32,7 @@ def test_the_socket_is_closed(closed):
     assert len(closed) == 1
 
 
+@pytest.mark.slow
 def test_a_run_with_figures_and_report(closed, tmp_path, monkeypatch):
     """The report loads nothing from elsewhere either: no link in it is followed by a browser that only shows it."""
     monkeypatch.chdir(tmp_path)

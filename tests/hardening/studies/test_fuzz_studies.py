@@ -128,6 +128,7 @@ def written(table) -> str:
         return ""
 
 
+@pytest.mark.slow
 @QUICK
 @given(spoilt())
 def test_a_spoilt_study(table):

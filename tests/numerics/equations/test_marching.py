@@ -57,6 +57,7 @@ def test_to_start_from_a_condition_is_not_to_pass_it():
     assert fell.end == pytest.approx(1.0, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_what_never_ends_is_given_up():
     with pytest.raises(NotConverged, match="hardly moves on"):
         integrate_to_stop(

@@ -30,6 +30,7 @@ BOTH = 8.0 * 0.01 * math.pi**8 / 225.0 / VARIANCE
 TOTAL = FIRST + np.array([BOTH, 0.0, BOTH])
 
 
+@pytest.mark.slow
 def test_ishigami():
     found = sobol_indices(*evaluated(ishigami, 3, 4096))
     np.testing.assert_allclose(found.first_order, FIRST, atol=5e-3)
@@ -38,6 +39,7 @@ def test_ishigami():
     assert np.all((found.total_order_low <= TOTAL + 1e-12) & (found.total_order_high >= TOTAL - 1e-12))
 
 
+@pytest.mark.slow
 def test_more_pairs_come_closer():
     errors = [
         np.max(np.abs(sobol_indices(*evaluated(ishigami, 3, count)).total_order - TOTAL)) for count in (64, 512, 4096)

@@ -52,6 +52,7 @@ def searched(levels):
     return np.array(path)
 
 
+@pytest.mark.slow
 @settings(max_examples=50, deadline=None, derandomize=True)
 @given(levels=st.lists(st.floats(-1.5, 2.5).map(lambda y: round(y, 3) + 3e-4), min_size=2, max_size=8))
 def test_against_a_search_cell_by_cell(levels):

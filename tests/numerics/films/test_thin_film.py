@@ -116,6 +116,7 @@ def test_a_chessboard():
     assert rates[-1] + second**2 / (first - second) == pytest.approx(2.0, rel=3e-3)
 
 
+@pytest.mark.slow
 def test_isotropic_and_striped_roughness_of_small_height():
     """1 - 3/2 s^2, 1 + 3 s^2 along and 1 - 6 s^2 across stripes, s = rms / mean gap.
 
@@ -137,6 +138,7 @@ def test_isotropic_and_striped_roughness_of_small_height():
     assert (1.0 - across) / s**2 == pytest.approx(6.0, rel=0.05)
 
 
+@pytest.mark.slow
 def test_bruggeman_of_two_kinds_and_of_lognormal_conductances():
     """Closed form of two kinds: 2 s = b + sqrt(b^2 + 4 k1 k2), b = (2 c1 - 1) k1 + (2 c2 - 1) k2."""
     two = np.repeat([5.0, 0.5], [3, 7])
@@ -153,6 +155,7 @@ def test_bruggeman_of_two_kinds_and_of_lognormal_conductances():
     assert effective_conductance(np.exp(0.8 * np.stack(fields))) == pytest.approx(1.0, abs=1e-10)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("ratio", [3.0, 6.0])
 def test_patir_and_cheng(ratio):
     """phi = 1 - 0.9 exp(-0.56 H) of isotropic Gaussian gaps, clipped at zero; N. Patir, H. S. Cheng 1978.

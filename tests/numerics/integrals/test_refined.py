@@ -51,6 +51,7 @@ def test_panels_crowd_towards_the_end():
     np.testing.assert_array_equal(edges, [0.0, 0.3, 1.0, 1.5, 1.75, 2.0])
 
 
+@pytest.mark.slow
 def test_noise_is_refused():
     noise = np.random.default_rng(0)
     with pytest.raises(NotConverged, match="noise does not settle"):

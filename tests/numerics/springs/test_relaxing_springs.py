@@ -38,6 +38,7 @@ def test_modes_share_no_energy(name):
     assert np.diag(energy) == pytest.approx(0.5 * form, abs=1e-12 * np.max(np.abs(form)))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     "solid", [Maxwell(0.25, 0.3), KelvinVoigt(0.25, 0.1), Prony(0.05, [0.1, 0.05], [0.02, 1.0])], ids=["M", "KV", "P"]
 )

@@ -35,6 +35,7 @@ def test_creep_of_simple_solids(name):
     assert of_relaxation(series).at(TIMES) == pytest.approx(creep(TIMES), rel=1e-13, abs=1e-16)
 
 
+@pytest.mark.slow
 def test_the_convolution_of_both_is_the_time():
     """Int_0^t M(t - s) C(s) ds = t, by mpmath."""
     series = relaxing(0.3, 0.0, (1.0, 0.05), (0.5, 0.4), (2.0, 6.0))

@@ -40,6 +40,7 @@ def relaxed(numbers, periodic):
     return grid
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("periodic", [False, True])
 def test_holes_at_the_border(periodic):
     numbers = np.random.default_rng(3).standard_normal((7, 6))

@@ -50,6 +50,7 @@ def test_a_periodic_wave_of_pressure_makes_a_wave():
     assert np.allclose(u, 2.0 / (2.0 * np.pi * 3.0) * wave, atol=1e-14)
 
 
+@pytest.mark.slow
 def test_the_force_of_hertz_is_met_with_second_order():
     counts = np.array([33, 65, 129, 257])
     errors = []
@@ -160,6 +161,7 @@ def any_task(seed):
     return h, pixel, drive, bool(rng.integers(2)), ceiling
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("first", "tolerance"), [(0, 1e-7), (20, 1e-7), (40, 1e-7), (60, 1e-6), (80, 1e-6)])
 def test_whatever_is_pressed_is_solved(first, tolerance):
     """Random sizes, shapes, units, loads and hardnesses: every result is checked again; 1e-6 begins in single ones."""
@@ -192,6 +194,7 @@ def test_the_box_around_the_contact_changes_nothing(monkeypatch):
     assert small.pressure.sum() == pytest.approx(whole.pressure.sum(), rel=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("periodic", [False, True])
 def test_memory_is_counted(periodic):
     """What numpy held at most, of a rough contact all over the map, is less than what is stated, and not much less."""

@@ -181,6 +181,7 @@ def test_what_comes_back_from_below_a_plating_keeps_its_digits_at_high_contrast(
     np.testing.assert_allclose(response.excess(xi), excess, rtol=1e-14)
 
 
+@pytest.mark.slow
 def test_platings_of_one_metal_are_one():
     """Also where a map of pixels follows them, of which each is scaled by the thickness."""
     two = wk.Plated(COPPER, 1e-6, wk.Plated(COPPER, 2e-6, SILVER))

@@ -53,6 +53,7 @@ def test_an_ellipse_is_a_sum_of_point_sources(axes, wave, angle):
         assert found[1] == pytest.approx(source.surface(-wave, angle, np.array([x]), np.array([y]))[0], rel=1e-13)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("x", "y"), [(2.5, 0.4), (-2.3, 0.1), (0.2, 1.4), (2.0, -1.0)])
 def test_beside_the_ellipse(x, y):
     source, wave, angle = EllipticSource(2.0, 1.0), 1.5, 0.6
@@ -227,6 +228,7 @@ def test_places_are_finite_numbers():
         body.temperature([0.0, 1e-5], [0.0, 1e-5, 2e-5])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("direction", [0.0, 0.7, 0.5 * math.pi])
 def test_yield_counts_the_direction_of_sliding(direction):
     """Bodies that slide begin to yield at the force of `EllipticYieldOnset` with friction along the same line."""

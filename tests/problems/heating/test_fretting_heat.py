@@ -98,3 +98,33 @@ def test_what_is_refused():
         wk.FrettingHeat(motion(1e-6), 0.0, PAIR)
     with pytest.raises(wk.InvalidInput, match="give Tangential"):
         wk.FrettingHeat(wk.Indentation(BALL, wk.Force(1.0)), 50.0, PAIR)
+
+
+def coated(solid, path, thickness=50e-6):
+    bed = wk.Foundation(wk.Paraboloid(10e-3), wk.CoatedHalfSpace([wk.Layer(solid, thickness)], on=STEEL, second=STEEL))
+    return wk.FrettingHeat(wk.CoatedTangential(bed, wk.Coulomb(MU), path), 50.0, PAIR).solve()
+
+
+@pytest.mark.parametrize("young", [pytest.param(420e9, marks=pytest.mark.slow), 42e9], ids=["hard", "soft"])
+def test_traction_times_slip_on_a_coating_is_the_loss_of_the_springs(young):
+    """The area of the loop, from the memory of the springs; the same over the surface, ring by ring."""
+    path = wk.Path.oscillation(depth=1e-6, amplitude=0.4e-6, cycles=2, count=8)
+    warm = coated(wk.Elastic(young, 0.3), path)
+    assert warm.misfit < 1e-9
+    loop = warm.march.dissipation[-1] - warm.march.dissipation[-9]
+    assert warm.source.heat == pytest.approx(50.0 * loop, rel=1e-9)
+    stick = float(np.min(warm.march.stick_radius[-9:]))
+    assert np.max(warm.flux.at(np.linspace(0.0, 0.999 * stick, 20))) < 1e-9 * 50.0 * loop / stick**2
+
+
+def test_a_coating_of_the_same_solid_is_as_warm_as_a_half_space():
+    path = wk.Path.oscillation(force=FORCE, amplitude=1e-6, cycles=2, count=8)
+    one = coated(STEEL, path)
+    r = np.linspace(0.0, 0.99, 7) * one.source.radius
+    state = wk.Tangential(
+        wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(STEEL, STEEL)), wk.Coulomb(MU),
+        wk.Path([0.0, 1.0], wk.Force(FORCE), wk.Shift([0.0, 1e-6])),
+    ).solve().at(1)  # fmt: skip
+    fields = wk.restore(state, r)
+    wanted = 50.0 * 4.0 * MU * fields.pressure * fields.slip
+    np.testing.assert_allclose(one.flux.at(r), wanted, rtol=1e-7, atol=1e-7 * np.max(wanted))

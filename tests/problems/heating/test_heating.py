@@ -142,6 +142,15 @@ def test_bodies_that_move_alike_share_by_conductivity():
     np.testing.assert_allclose(result.first.temperature(x), result.second.temperature(-x), rtol=1e-12)
 
 
+def test_without_contact_a_fixed_share_stays_and_others_are_those_of_bodies_at_rest():
+    for partition, wanted in ((wk.FixedShare(0.8), 0.8), (wk.EqualMean(), 45.0 / 245.0)):
+        apart = rubbing(load=wk.Depth(-1e-6), first_speed=1.0, partition=partition)
+        assert apart.first_share == pytest.approx(wanted, rel=1e-12)
+        assert apart.flash_temperature == 0.0
+        begins = wk.TransientHeating(BALL, wk.Coulomb(0.3), wk.Depth(-1e-6), PAIR, 1.0, np.ones(1), partition).solve()
+        assert begins.first_share == pytest.approx(wanted, rel=1e-12)
+
+
 # ----------------------------------------------------------------------------------------------- many at a time
 
 

@@ -96,6 +96,7 @@ def test_an_even_band_is_jaegers():
     assert EVEN.peak(FAST).x == pytest.approx(1.0, abs=1e-7)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("wave", [1e-3, 1.0, 100.0, 1e6])
 def test_the_mean_is_that_of_the_temperatures(wave):
     angle = 0.5 * np.pi * np.linspace(-1.0, 1.0, 2001)

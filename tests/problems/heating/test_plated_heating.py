@@ -100,6 +100,7 @@ def test_a_band_over_platings_is_a_fourier_integral():
     assert found.first.warmest.height == pytest.approx(found.first_max_temperature, rel=1e-10)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("solve", [rubbed, rolled])
 def test_layers_of_one_conductor_and_thick_and_thin_ones(solve):
     plain, coat = solve(BASE, 2.0), solve(COAT, 2.0)

@@ -70,6 +70,7 @@ def test_without_a_bulk_stress_the_march_is_the_sum_of_earlier_contacts(bed, pat
     assert np.sqrt(np.mean(off**2)) < 1.2e-4 * np.max(np.abs(pairs))
 
 
+@pytest.mark.slow
 def test_in_phase_the_march_finds_the_strips_of_nowell_and_hills():
     path = wk.LinePath(1.0, [0.0, 0.25, -0.25, 0.1], bulk_stress=0.28)
     exact, near = problem(CYLINDER, path).solve(), marched(CYLINDER, path)
@@ -79,6 +80,7 @@ def test_in_phase_the_march_finds_the_strips_of_nowell_and_hills():
     assert near.stick_half_width == pytest.approx(exact.stick_half_width, abs=6e-4)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("bulk", [0.1, 0.3])
 def test_what_sticks_under_other_profiles_is_a_tilted_contact(bulk):
     """f = x^4, in phase: on m - c < x < m + c the mean of f' is strain/mu, and its first harmonic bears P - Q/mu."""
@@ -167,6 +169,7 @@ def test_forces_and_bulk_stress_do_the_work_that_is_lost():
     assert weights @ spread == pytest.approx(solution.dissipation_per_length[-1], rel=2e-3)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_stresses_below_a_marched_contact_are_those_of_line_loads(side):
     """Flamant's radial stresses summed over pressure and traction; the bulk stress beside them."""

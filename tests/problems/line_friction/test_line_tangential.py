@@ -203,6 +203,7 @@ def test_beside_a_bulk_stress_a_step_sums_only_the_strips_that_change(monkeypatc
     assert max(summed) <= 3
 
 
+@pytest.mark.slow
 def test_beyond_the_limit_of_a_bulk_stress_an_edge_slips_back():
     """At 1.13 times the bulk stress at which it begins to."""
     for off in marched(([1.0] * 3, [0.0, 0.25, -0.25]), 300, 10, 0.32):
@@ -332,6 +333,7 @@ def of_line_loads(state, x, z, side):
     return np.array([xx, zz, xz])
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("bulk", [0.0, 80e6])
 def test_stresses_are_those_of_line_loads(side, bulk):

@@ -101,6 +101,7 @@ def test_pressure_and_traction_satisfy_the_integral_equations():
     assert np.all(np.abs(strip.traction) <= mu * strip.pressure * (1.0 + 1e-9))
 
 
+@pytest.mark.slow
 def test_a_creepage_makes_the_force_that_makes_it():
     pulled = rolled(0.3, wk.LineShearForce(np.array([-1500.0, 2000.0])))
     back = rolled(0.3, wk.Creepage(pulled.longitudinal_creepage))

@@ -22,6 +22,7 @@ def begun(ratio=0.64, distance=4.0, count=40, **more):
     return wk.LineRollingStart(BED, MU, drive, LOAD, distance=distance, count=count, **more).solve()
 
 
+@pytest.mark.slow
 def test_it_comes_to_carter_with_the_first_order():
     steady = 0.3 / 10.0 * (1.0 - np.sqrt(1.0 - 0.64))
     errors = [
@@ -33,6 +34,7 @@ def test_it_comes_to_carter_with_the_first_order():
     assert begun().steady.longitudinal_creepage == pytest.approx(steady, rel=1e-12)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("ratio", "error"), [(1e-6, 6e-3), (1e-2, 6e-3), (0.1, 2e-3), (0.9, 2e-3), (0.999, 6e-3)])
 def test_the_stated_error_holds_from_small_forces_to_sliding(ratio, error):
     steady = 0.3 / 10.0 * ratio / (1.0 + np.sqrt(1.0 - ratio))
@@ -43,6 +45,7 @@ def test_the_stated_error_holds_from_small_forces_to_sliding(ratio, error):
     assert "within 0.6 % beyond" in stated
 
 
+@pytest.mark.slow
 def test_the_tractions_become_those_of_carter():
     found = begun(distance=12.0, count=80)
     state = found.states[-1]
@@ -143,6 +146,7 @@ def unlike(mu, count=100, reverse=False):
     )
 
 
+@pytest.mark.slow
 def test_dissimilar_rollers_creep_freely_as_in_contact(shared_data):
     """Case 4 of bentall_line, 200 elements: 4.294e-4, and from the leading edge slip 32, stick 117, 35, 8, 8."""
     found = unlike(0.05).solve()

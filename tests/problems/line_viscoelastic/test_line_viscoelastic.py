@@ -23,6 +23,7 @@ def solved(profile, path, *bodies, **options) -> wk.LineViscoelasticSolution:
     return wk.LineViscoelasticIndentation(bed_of(profile, *bodies), path, **options).solve()
 
 
+@pytest.mark.slow
 def test_a_history_agrees_with_boundary_elements_that_step_through_time():
     contact = solved(wk.Paraboloid(1.0), HISTORY)
     creep, errors = contact.problem.bed.medium.creep, []
@@ -94,6 +95,7 @@ def test_a_dashpot_alongside_lets_go_where_the_elastic_part_bears_the_force():
     assert turn.pressure(x) == pytest.approx(0.5 * root + 0.25 * growth / root, rel=1e-5)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     "profile",
     [
@@ -128,6 +130,7 @@ def test_a_body_that_hardly_relaxes_is_elastic():
         assert contact.at(-1).approach(wk.PlateBase(1.0)) == pytest.approx(last.approach(wk.PlateBase(1.0)), rel=1e-5)
 
 
+@pytest.mark.slow
 def test_the_approach_is_the_hereditary_integral_of_what_the_pressures_give():
     """u = Int C(t - s) dA(s), A the approach of an elastic body of E* = 1 under the pressures themselves."""
     depth, poisson, n = 0.7, 0.5, 400
@@ -152,6 +155,7 @@ def test_the_approach_is_the_hereditary_integral_of_what_the_pressures_give():
     assert contact.approach(depth)[-1] > 0.0
 
 
+@pytest.mark.slow
 def test_two_bodies_share_the_approach():
     """The elastic one moves as under its present pressure; two alike move half of what one and a rigid one do."""
     alike = solved(wk.Paraboloid(1.0), COARSE, SOLID, SOLID)
@@ -169,6 +173,7 @@ def test_two_bodies_share_the_approach():
         solved(wk.Paraboloid(1.0), COARSE, SOLID, other).approach(1.0, 1.0)
 
 
+@pytest.mark.slow
 def test_what_a_cycle_loses():
     """Slow and fast cycles lose little, those of about the relaxation time most, per work that is spent."""
     shares = []

@@ -24,6 +24,7 @@ def held(interval, truth):
     return interval[0] <= truth <= interval[1]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("law", "name"), [(ferry, "Williams, Landel and Ferry"), (arrhenius, "Arrhenius")])
 def test_without_scatter_shifts_and_constants_come_back(law, name):
     found = wk.MasterCurve(sweeps(0, law, scatter=0.0), REFERENCE).solve()
@@ -78,6 +79,7 @@ def test_few_temperatures_cannot_tell_the_laws_apart():
     assert any("cannot tell" in note.statement for note in found.validity)
 
 
+@pytest.mark.slow
 def test_factors_of_the_moduli_are_found_and_otherwise_spoil_the_superposition():
     factors = np.exp(0.1 * np.sin(np.arange(WARMTH.size)))
     truth = factors / factors[4]
@@ -91,12 +93,14 @@ def test_factors_of_the_moduli_are_found_and_otherwise_spoil_the_superposition()
     assert not any("do not superpose" in note.statement for note in free.validity)
 
 
+@pytest.mark.slow
 def test_entropic_moduli_grow_with_the_temperature():
     found = wk.MasterCurve(sweeps(4, factors=WARMTH / REFERENCE, scatter=0.0), REFERENCE, entropic=True).solve()
     assert np.log(found.shift_factor) == pytest.approx(ferry(WARMTH), abs=1e-3)
     assert found.vertical_factor == pytest.approx(WARMTH / REFERENCE, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_isochronal_sweeps_of_three_frequencies_are_shifted_as_well():
     warmth = np.arange(223.15, 304.0, 4.0)
     at = WARMTH[4] - 2.0 + 2.0  # one of the temperatures: 263.15 K

@@ -67,6 +67,7 @@ def test_a_flat_end_is_stiff_from_the_first_touch():
     np.testing.assert_allclose(law.stiffness, 2.0 * E_STAR * FLAT, rtol=1e-14)
 
 
+@pytest.mark.slow
 def test_where_no_single_number_gives_the_shear_stiffness():
     film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(450e9, 0.1), 50e-6)], on=STEEL)
     with pytest.raises(wk.OutsideValidity, match="ContactLaw: the springs' tangential stiffness is between"):

@@ -254,6 +254,7 @@ def test_oblique_impacts_of_maw_barber_and_fawcett():
     assert np.max(np.abs(finer.balance - 1.0)) < np.max(np.abs(hit.balance - 1.0)) / 8.0
 
 
+@pytest.mark.slow
 def test_one_impact_of_many_is_the_impact_alone():
     bed = wk.Foundation(wk.Paraboloid(1.0), STEEL)
     psi = [0.3, 1.2, 3.3, 5.5]

@@ -28,6 +28,7 @@ def test_grooves(periodic):
     assert found.closing_separation == pytest.approx(Z.min(), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_patir_and_cheng():
     """phi = 1 - 0.9 exp(-0.56 H) of isotropic Gaussian heights, and Tripp's 1 - 3 / (2 H^2) where they are small.
 

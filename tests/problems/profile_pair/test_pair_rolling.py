@@ -186,6 +186,7 @@ def test_a_turn_about_the_direction_along_moves_the_bottom_aside():
     assert found.lateral_creepage[0] == pytest.approx(-0.1 * 5e-3, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_two_patches_bear_together():
     """Two hills 30 mm apart: each drags as a ball of its own would, and their sums are those of the pair."""
     y = np.linspace(-30e-3, 30e-3, 241)
@@ -205,6 +206,7 @@ def test_two_patches_bear_together():
     assert found.longitudinal_force[0] == pytest.approx(alone.longitudinal_force[0], rel=5e-3)
 
 
+@pytest.mark.slow
 def test_notes_state_creepage_and_yield():
     strong = wk.HalfSpace.between(wk.Elastic(210e9, 0.28, strength=0.8e9), wk.Elastic(210e9, 0.28, strength=0.8e9))
     braked = dataclasses.replace(on_flat(rolled_radius=12e-3, pixels=32), medium=strong)

@@ -129,6 +129,7 @@ def test_creepages_are_those_of_contact(manchester, case):
     assert found.spin == pytest.approx(row["spin_1_per_m"], rel=6e-3)
 
 
+@pytest.mark.slow
 def test_two_patches_bear_half_each():
     """Two arcs, far apart, on a flat: each is a ball under half of the load, which the other one sinks a little."""
     y = np.linspace(-30e-3, 30e-3, 241)
@@ -176,6 +177,7 @@ def test_straight_lines_between_points_press_harder(manchester):
     assert polygons.solve().peak_pressure > 1.12 * row["peak_pressure_Pa"]
 
 
+@pytest.mark.slow
 def test_forces_of_a_slope_and_stresses_below():
     """A ball on an inclined plane: the force stands on the plane; the patch has the stresses below it."""
     slope = wk.CrossProfile(Y, 0.1 * Y)

@@ -21,6 +21,7 @@ def bearing(ends, load=None, alignment=None, elements=96, medium=PAIR):
     return wk.RollerContact(4.2e-3, 9.6e-3, ends, medium, load or wk.Force(4e3), alignment or wk.Tilt(0.0), elements)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("crown", "load"), [(5.0, 1e-3), (100.0, 2e-4), (2000.0, 2e-5)])
 def test_a_crown_whose_ends_do_not_touch_is_an_ellipse_of_hertz(crown, load):
     ellipse = wk.EllipticIndentation(wk.CurvedBodies(crown, 1.0), SOFT, wk.Force(load)).solve()
@@ -69,6 +70,7 @@ def test_a_small_contact_far_from_the_middle_is_found(young, force):
     assert roller.edge_factor == np.inf
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("ends", [wk.SharpEnds(), wk.RoundedEnds(0.3e-3), wk.LogarithmicEnds(4e3 / 9.6e-3)])
 def test_the_middle_is_that_of_an_endless_line(ends):
     found = bearing(ends, elements=160).solve().last
@@ -176,6 +178,7 @@ def test_the_stated_error_of_the_grid_holds(ends, alignment):
         assert getattr(rough, name) == pytest.approx(getattr(fine, name), rel=max(rough.grid_error, 2e-3)), name
 
 
+@pytest.mark.slow
 def test_tilt_and_moment_and_force_and_depth_are_the_same_from_either_side():
     tilted = bearing(LOG, alignment=wk.Tilt(0.8e-3)).solve()
     turned = bearing(LOG, alignment=wk.Moment(tilted.moment)).solve()
@@ -191,6 +194,7 @@ def test_tilt_and_moment_and_force_and_depth_are_the_same_from_either_side():
     assert abs(free.tilt) < 1e-8
 
 
+@pytest.mark.slow
 def test_the_stiffness_is_the_slope_of_force_over_depth():
     for alignment in (wk.Tilt(1e-3), wk.Moment(3.0)):
         low, high = (bearing(LOG, wk.Force(force), alignment).solve() for force in (3.9e3, 4.1e3))
@@ -225,6 +229,7 @@ def slopes_of(roller):
     return note
 
 
+@pytest.mark.slow
 def test_slopes_along_the_roller_and_its_tilt_are_stated():
     """A narrow crown is a ball of a smaller radius: the slope at the end of its ellipse is c / R_c."""
     ball = wk.RollerContact(1.0, 1.0, wk.CrownedEnds(1e-2), SOFT, wk.Force(2e-6)).solve()

@@ -63,6 +63,7 @@ def beside(line, count):
     return float(wk.restore(line, np.array([SIDE / count / math.sqrt(2.0)])).pressure[0])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("medium", [STIFF, SOFT, RUBBER], ids=["stiff", "two", "rubber"])
 def test_a_ball_bears_what_its_springs_bear(medium):
     force, line, middle = forces(96, "ball", medium)
@@ -70,6 +71,7 @@ def test_a_ball_bears_what_its_springs_bear(medium):
     assert middle == pytest.approx(beside(line, 96), rel=2e-3)
 
 
+@pytest.mark.slow
 def test_a_ball_on_a_graded_body_bears_what_its_springs_bear():
     assert abs(forces(96, "ball", GRADED)[0]) < 2e-4
 
@@ -78,6 +80,7 @@ def test_a_cone_bears_what_its_springs_bear():
     assert abs(forces(96, "cone", STIFF)[0]) < 1e-3
 
 
+@pytest.mark.slow
 def test_the_force_converges_with_second_order():
     """Pixels meet the edge by chance: the mean over some contacts of the squared error."""
     errors = []
@@ -166,6 +169,7 @@ def active_set(compliance, heights, load):
     raise AssertionError("the active set went in circles")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("layers", "base"), STACKS[:3])
 def test_a_wave_in_partial_contact(layers, base):
     """Westergaard's wave on layers: against a dense active set with compliances by the transfer matrix."""

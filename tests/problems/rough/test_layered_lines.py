@@ -23,6 +23,7 @@ def lines(medium, spectrum=SPECTRUM):
     return wk.RoughContact(spectrum, medium, 1.0, LOAD, realisations=8, count=512).solve()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("young", "thickness", "alone"), [(1.0, 0.1, 1.0), (4.0, 300.0, 4.0), (1.5, 3e-4, 1.0)])
 def test_no_layer_a_thick_and_a_thin_one_are_half_spaces(young, thickness, alone):
     found, plain = lines(coated(young, thickness)), lines(wk.HalfSpace(wk.Elastic(alone, 0.3)))

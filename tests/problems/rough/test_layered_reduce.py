@@ -23,6 +23,7 @@ def ball(count=61):
     return wk.Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("medium", [STIFF, RUBBER, SOIL], ids=["stiff", "rubber", "soil"])
 def test_springs_of_a_ball_are_those_of_its_medium(medium):
     reduced = Reduction(ball(), medium, 0.04, tolerance=3e-3).solve()
@@ -61,6 +62,7 @@ def test_a_wave_on_a_power_law_closes_under_its_closed_form():
     assert pressed.last.pressure - 1.0 == pytest.approx(wave / softness, abs=1e-7 * height / softness)
 
 
+@pytest.mark.slow
 def test_springs_on_layers_are_sheared_and_moved_with_friction():
     """Their error is that against boundary elements on the same layers."""
     stiff = wk.ReducedFriction(ball(63), STIFF, wk.Coulomb(0.3), 0.04, tolerance=0.01).solve()

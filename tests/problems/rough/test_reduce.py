@@ -35,6 +35,7 @@ def paraboloid(a=0.5, b=0.5):
     return Topography(-a * x**2 - b * y**2, [1.0, 1.0])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("a", "b", "same"), [(0.5, 0.5, 1.0), (0.4, 0.6, 1.0276201), (0.25, 0.75, 1.2132707)])
 def test_ellipses_are_springs_under_a_paraboloid(a, b, same):
     """g = x^2/R_eq and F = 4/3 E* R_eq^(1/2) d^(3/2), theory 1.3."""
@@ -68,6 +69,7 @@ def maps():
     }
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["two spheres", "rough", "leaning"])
 def test_the_error_of_the_force_is_as_stated(name):
     """At depths that were not requested, against boundary elements at these very depths."""
@@ -98,6 +100,7 @@ def test_the_error_of_random_surfaces_is_as_stated(seed):
     assert np.max(np.abs(Indentation(result.bed, Depth(depths)).solve().force - exact)) <= 1e-3 * result.force[-1]
 
 
+@pytest.mark.slow
 def test_a_smaller_tolerance_needs_more_contacts():
     topography, deepest = maps()["rough"]
     loose, tight = (Reduction(topography, UNIT, deepest, tolerance).solve() for tolerance in (1e-2, 1e-3))

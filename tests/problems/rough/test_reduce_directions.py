@@ -64,6 +64,7 @@ def test_oblong_pixels_and_turned_contacts_are_as_stiff():
     assert one == pytest.approx(fine, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_an_ellipse_sheared_along_both_axes_runs_as_its_own_springs():
     """Loops of `EllipticFoundation`, whose stiffnesses are elliptic integrals, on the springs of a map."""
     bed = reduce(curved(0.25, 0.75), UNIT, 0.04)

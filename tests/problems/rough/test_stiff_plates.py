@@ -60,6 +60,7 @@ def test_a_periodic_map_meets_a_dense_quadratic_programme(contrast, thickness, m
     assert found.depth == pytest.approx(stiff * (mean * n * n - p.sum()), rel=1e-6)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("share", [np.inf, 0.5])
 def test_a_free_map_under_its_depth_bears_the_same_as_under_its_load(share):
     """Two other minima, of which the second one has no balance of loads; where it is hard, at its hardness."""
@@ -74,6 +75,7 @@ def test_a_free_map_under_its_depth_bears_the_same_as_under_its_load(share):
     np.testing.assert_allclose(deep.pressure, loaded.pressure, atol=1e-3 * loaded.pressure.max())
 
 
+@pytest.mark.slow
 def test_a_punch_of_scattered_pixels_is_pressed_alike():
     there = rough(48, periodic=False).heights > 0.008
     layers = layers_of(plate(1e6, 0.004))

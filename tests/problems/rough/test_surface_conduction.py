@@ -66,6 +66,7 @@ GOLD, BRONZE = wk.ElectricalConductor(22e-9), wk.ElectricalConductor(130e-9)
 LAYER, BASE = wk.Elastic(80e9, 0.42), wk.Elastic(120e9, 0.34)
 
 
+@pytest.mark.slow
 def test_a_round_spot_through_elastic_layers_and_platings():
     """Beside springs on layers, and the integral equation of a disc through platings."""
     body = wk.Plated(GOLD, 3e-6, BRONZE)

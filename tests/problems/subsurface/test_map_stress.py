@@ -43,6 +43,7 @@ def test_a_pressed_ball_has_the_stresses_of_hertz():
     np.testing.assert_allclose(found.z_displacement, exact.axial_displacement, rtol=5e-3)
 
 
+@pytest.mark.slow
 def test_the_greatest_stress_of_both_bodies_and_the_yield_note():
     soft = wk.Elastic(70e9, 0.2, strength=0.3e9)
     contact = pressed_ball(96, soft, STEEL)
@@ -60,6 +61,7 @@ def test_the_greatest_stress_of_both_bodies_and_the_yield_note():
     assert [note.standing for note in notes] == [wk.Standing.ASYMPTOTIC]
 
 
+@pytest.mark.slow
 def test_the_force_at_which_a_ball_yields():
     """(pi R)^2 p_Y^3 pi / (6 E*^2) with the pressure of Hertz that makes the strength."""
     pressed = pressed_ball(64)

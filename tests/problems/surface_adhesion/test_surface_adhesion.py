@@ -52,6 +52,7 @@ def test_a_law_is_the_slope_of_its_energy(law, gaps):
     assert np.max(law.terms(np.linspace(*gaps, 4001))[1]) == pytest.approx(law.peak, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_pull_off_of_a_ball_under_the_lennard_jones_law():
     """As on rings, which know nothing of the grid, with a Tabor number of three halves."""
     law, radius = spanned(wk.LennardJones, 2.5, 1.5)
@@ -140,6 +141,7 @@ def test_a_pull_off_without_range_needs_it_between_displacements():
         wk.SurfaceAdhesion(surface, UNIT, ranged, wk.Depth([0.0, -1e-3])).pull_off_without_range()
 
 
+@pytest.mark.slow
 def test_what_comes_off_is_no_snap_in():
     """Drawn apart from near full contact, where forces fall as stripes of pixels come off one after the other."""
     amplitude, count, wide = 1e-3, 64, 4
@@ -154,6 +156,7 @@ def test_what_comes_off_is_no_snap_in():
     assert any(jump.force_after < jump.force_before and jump.area_after < jump.area_before for jump in jumps[1:])
 
 
+@pytest.mark.slow
 def test_memory_is_counted():
     """What numpy held at most, of a map in part in touch, is less than what is stated, and not much less."""
     drawn_off(ball(16, 100.0), wk.ShortRange(1e-3), [0.0])  # what is imported is not counted
@@ -217,6 +220,7 @@ def test_johnsons_sticky_wave(count, worst):
     assert np.min(mean) == pytest.approx(torn, rel=0.05)
 
 
+@pytest.mark.slow
 def test_energies_balance():
     """Force is the slope of the energy; over a loop the work that forces do is what jumps have lost."""
     law, radius = spanned(wk.ExponentialAttraction, 3.0, 2.0)

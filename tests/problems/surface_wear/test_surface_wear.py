@@ -48,6 +48,7 @@ def pressed(matrix, gaps, load):
     return nnls(rows, right, maxiter=10_000)[0]
 
 
+@pytest.mark.slow
 def test_a_wave_that_is_pressed_flat_decays():
     """Each wave in full contact: dp/ds = -k E* q p / 2, with the force steady."""
     distance = np.array([0.0, 0.1, 0.5, 2.0]) / np.pi
@@ -72,6 +73,7 @@ def test_two_waves_decay_each_at_its_own_rate():
     assert waves[2, 3] == pytest.approx(0.0005 * np.exp(-np.pi * np.sqrt(13.0) * distance), rel=2e-3)
 
 
+@pytest.mark.slow
 def test_a_flat_stamp_evens_out_its_pressure():
     """Full contact of a stamp: a linear system, solved by the exponential of its matrix; the force stays."""
     count, force, distance = 9, 0.02, np.array([0.0, 0.03, 0.3, 10.0])
@@ -92,6 +94,7 @@ def test_a_flat_stamp_evens_out_its_pressure():
     assert worn.ravel() == pytest.approx(np.linalg.pinv(system) @ (force - start), abs=1e-4 * np.ptp(worn))
 
 
+@pytest.mark.slow
 def test_a_stamp_that_is_held_loses_its_load():
     """Held at a depth: dp/ds = -k E* G^-1 p, from all that presses to nothing."""
     count, depth, distance = 8, 0.01, np.array([0.0, 0.05, 0.5])
@@ -106,6 +109,7 @@ def test_a_stamp_that_is_held_loses_its_load():
     assert np.all(found.imbalance < 1e-13)
 
 
+@pytest.mark.slow
 def test_bumps_that_come_into_contact_one_by_one():
     """Partial contact, against non-negative least squares marched by an explicit method in time."""
     rng = np.random.default_rng(3)
@@ -128,6 +132,7 @@ def test_bumps_that_come_into_contact_one_by_one():
     assert np.all(np.diff(found.area) > 0.0)
 
 
+@pytest.mark.slow
 def test_a_ball_is_worn_to_a_cap():
     """Deep wear of a paraboloid: V = pi a^4 / (4 R) = k F s, however it was pressed."""
     ball = wk.SampledProfile([1.0, 1.0], wk.Paraboloid(1.0), (65, 65))
@@ -140,6 +145,7 @@ def test_a_ball_is_worn_to_a_cap():
     assert found.last.pressure[32, 32] == pytest.approx(found.mean_pressure[-1], rel=0.04)
 
 
+@pytest.mark.slow
 def test_nothing_comes_back_and_the_volume_is_balanced():
     spectrum = wk.SelfAffine(hurst=0.8, rms_height=0.01, longest=1.0, shortest=0.15)
     rough = wk.RandomTopography([1.0, 1.0], spectrum, (32, 32), seed=2)

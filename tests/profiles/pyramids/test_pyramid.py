@@ -30,6 +30,7 @@ def test_the_elements_give_the_cone():
     assert extrapolated(lambda n: sharp_force(0, n), 64) == pytest.approx(2.0 / math.pi, rel=5e-6)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sides", "within"), [(3, 2e-4), (4, 5e-5), (8, 5e-5)])
 def test_forces_by_boundary_elements(sides, within):
     tip = wk.Pyramid(sides=sides, face_angle=math.radians(70.0))
@@ -112,6 +113,7 @@ def test_contact_of_a_pyramid():
     assert "within 1e-5" in note.statement
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("sides", [3, 4])
 @pytest.mark.parametrize("depth", [0.4, 1.3, 4.0, 18.0])
 def test_rounded_pyramids_by_boundary_elements(sides, depth):
@@ -194,6 +196,7 @@ def test_errors_on_layers_by_boundary_elements(sides, poisson, contrast, radius)
     assert contact.force / force - 1.0 == pytest.approx(stated, abs=1e-3 + 0.01 * abs(stated))
 
 
+@pytest.mark.slow
 def test_a_pyramid_on_a_film_states_its_error():
     soft = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e3, 0.3), 1e-6)], on=wk.Rigid())
     for tip in (wk.Pyramid(4, math.radians(80.0)), wk.RoundedPyramid(4, math.radians(80.0), 1e-9)):

@@ -75,6 +75,7 @@ def test_what_is_no_spectrum_of_lines(q, density, sentence):
         spectrum_of_lines(np.array(q), np.array(density))
 
 
+@pytest.mark.slow
 def test_single_scans_of_a_random_surface():
     """A scan gives the surface within its scatter: the mean over 128 scans, window and tilt included."""
     surface = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=3.2e-5, roll_off=2.5e-4)

@@ -91,6 +91,7 @@ def test_the_limit_of_a_tip_on_a_needle(radius, height):
     assert tip_limit(scanned_spike(radius, height)) == pytest.approx(4.0 * math.sqrt(radius * height), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_limit_beside_that_of_surface_topography():
     library = pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
     rough = RandomTopography([1.0, 1.0], SelfAffine(0.8, 0.02, 0.5, 0.02), (128, 128), seed=1, periodic=False)

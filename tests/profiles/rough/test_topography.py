@@ -174,6 +174,7 @@ SCARS = [
 """Long and short, one to three pixels wide, up and down, along both directions, and the last line."""
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("periodic", [False, True])
 def test_scars_are_found_along_their_whole_length(periodic):
     """Lower than the roughness (1 um), so that no height among those around betrays them."""
@@ -198,6 +199,7 @@ def test_ground_surfaces_have_no_scars():
     assert Topography(np.tile(lines, 64), [16.0, 1.0]).without_spikes().missing == 0
 
 
+@pytest.mark.slow
 def test_scars_bear_nothing_of_a_real_scan(shared_data):
     """A scan of an atomic force microscope, on which lines of one pixel bear most of a load: found, they bear none."""
     pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
@@ -217,6 +219,7 @@ def test_scars_bear_nothing_of_a_real_scan(shared_data):
     assert share(rough.without_spikes().filled()) < 1.5 * share(scan) + 0.01
 
 
+@pytest.mark.slow
 def test_one_pixel_peaks_of_a_real_map_bear_less(shared_data):
     """They bore two thirds of a load after the grains alone had been taken away; two levels of noise are left."""
     pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")

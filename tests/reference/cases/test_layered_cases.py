@@ -185,6 +185,7 @@ def test_pressure_of_theory():
 # ------------------------------------------------------------------------------------- references of the references
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("k", "nu"), [(0.5, 0.3), (-0.3, 0.3), (0.75, 0.45), (0.3, 0.5), (-0.6, 0.1)])
 def test_the_modulus_of_a_power_law_by_elasticity(k, nu):
     """h_N needs no paper: the equations of elasticity in z give the same response to a wave."""

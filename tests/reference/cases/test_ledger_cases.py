@@ -27,6 +27,7 @@ def expected(name):
     return [item["value"] for item in tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))["expect"]]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_states_what_the_reference_solution_gives(name):
     stated = REFERENCES[name]()

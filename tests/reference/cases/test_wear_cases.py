@@ -16,6 +16,7 @@ def expected(case):
     return content, {item["quantity"]: item["value"] for item in content["expect"]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("case", "share"), [("limiting_profile_small_core", "0.2"), ("limiting_profile_half_core", "0.5")]
 )

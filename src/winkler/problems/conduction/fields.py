@@ -28,6 +28,8 @@ from winkler.values import value
 __all__ = ["CurrentFields", "HeatFields", "restore_conduction"]
 
 NODES = 48
+CLOSE = 1e-14
+"""Of the voltage over a body, the last step of the search for the voltage at a place."""
 
 
 @value
@@ -186,13 +188,19 @@ def _fallen(cold: ColdContact, alpha: float, inflow: Array, fall: Array, theta: 
         temperature = profile(cold, inflow, fall, places)
         return np.asarray(phi * ((1.0 / (1.0 + alpha * (temperature - cold.ambient))) @ (2.0 * weights * nodes)))
 
-    whole = float(summed(np.asarray(fall)))
-    low, high = np.zeros(theta.shape), np.full(theta.shape, float(fall))
+    def inverse_slope(phi: Array) -> Array:
+        return np.asarray(1.0 + alpha * (profile(cold, inflow, fall, phi) - cold.ambient))
+
+    goal = float(summed(np.asarray(fall))) * theta
+    low, high, middle = np.zeros(theta.shape), np.full(theta.shape, float(fall)), np.asarray(fall * theta)
     for _ in range(60):
-        middle = 0.5 * (low + high)
-        less = summed(middle) < theta * whole
-        low, high = np.where(less, middle, low), np.where(less, high, middle)
-    return np.asarray(0.5 * (low + high))
+        excess = summed(middle) - goal
+        low, high = np.where(excess < 0.0, middle, low), np.where(excess < 0.0, high, middle)
+        newton = middle - excess * inverse_slope(middle)
+        before, middle = middle, np.where((newton >= low) & (newton <= high), newton, 0.5 * (low + high))
+        if np.all(np.abs(middle - before) <= CLOSE * float(fall)):
+            break
+    return np.asarray(middle)
 
 
 def _heat(solution: ThermalConstrictionSolution, r: Array, z: Array) -> HeatFields:
