@@ -27,7 +27,7 @@ from winkler.foundation.sheared_fields import (
 )
 from winkler.media.interior.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.answer import Dragged, Restorable, is_dragged, is_restorable
+from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_restorable, is_self_restoring
 from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values import value, words
@@ -113,12 +113,12 @@ def restore(solution: Restorable, r: ArrayLike) -> SurfaceFields: ...
 @overload
 def restore(solution: Restorable, r: ArrayLike, z: ArrayLike) -> SubsurfaceFields: ...
 @overload
-def restore(solution: Dragged, r: ArrayLike) -> ShearedFields: ...
+def restore(solution: Dragged | SelfRestoring, r: ArrayLike) -> ShearedFields: ...
 @overload
 def restore(solution: TorsionState, r: ArrayLike) -> TwistedFields: ...
 @guarded_result
 def restore(
-    solution: Restorable | Dragged | TorsionState, r: ArrayLike, z: ArrayLike | None = None
+    solution: Restorable | Dragged | SelfRestoring | TorsionState, r: ArrayLike, z: ArrayLike | None = None
 ) -> SurfaceFields | SubsurfaceFields | ShearedFields | TwistedFields:
     """Return the three-dimensional fields of a contact.
 
@@ -147,7 +147,7 @@ def restore(
     radii = finite_places("restore", "r", r)
     if np.any(radii < 0.0):
         raise InvalidInput(f"restore: r = {np.min(radii):.6g} m is negative; distances from the axis are positive.")
-    if is_dragged(solution) or isinstance(solution, TorsionState):
+    if is_self_restoring(solution) or is_dragged(solution) or isinstance(solution, TorsionState):
         if z is not None:
             raise InvalidInput(
                 "restore: below a sheared or twisted contact the stress has all six components; use "
@@ -155,14 +155,19 @@ def restore(
             )
         if isinstance(solution, TorsionState):
             return twisted_surface(solution, radii)
-        refuse_unless_round(solution.sheared.pressed, "restore", FIELD_ADVICE)
-        return sheared_surface(solution.sheared, radii)
+        if is_dragged(solution):
+            refuse_unless_round(solution.sheared.pressed, "restore", FIELD_ADVICE)
+            return sheared_surface(solution.sheared, radii)
+        assert is_self_restoring(solution)
+        return solution.surface_fields(radii)
     pressed = springs_of(solution)
     return _surface(pressed, radii) if z is None else below_surface(pressed, radii, finite_places("restore", "z", z))
 
 
 @guarded_result
-def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
+def restore_body(
+    solution: Restorable | Dragged | SelfRestoring | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike
+) -> BodyFields:
     """Return stresses and displacements inside the bodies, in the axes x, y, z.
 
     Parameters
@@ -182,13 +187,13 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     InvalidInput
         If a place is not finite, or the solution holds many loads; if a place lies on a twisted surface.
     OutsideValidity
-        If the field is not known for this medium (that of a traction: for any but `HalfSpace`), or the body there is
-        rigid.
+        If the field is not known for this medium (that of a traction: for others than `HalfSpace` and, of a
+        `CoatedTangential`, bonded layers), or the body there is rigid.
 
     Notes
     -----
     The traction is that of the springs, along x everywhere; its stresses are exact.  That the surfaces slide where and
-    as the springs predict is exact for nu = 0; otherwise the displacement across the load is neglected.
+    as the springs predict is exact for nu = 0 on half-spaces; otherwise the displacement across the load is neglected.
 
     References
     ----------
@@ -197,6 +202,8 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     places = common_places("restore_body", x=x, y=y, z=z)
     if isinstance(solution, TorsionState):
         return body_of_twisted(solution, *places)
+    if is_self_restoring(solution):
+        return solution.body_fields(*places)
     springs = solution.sheared if is_dragged(solution) else springs_of(solution)
     if isinstance(springs, ShearedSprings):
         refuse_unless_round(springs.pressed, "restore_body", FIELD_ADVICE)
@@ -234,7 +241,7 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     return shift_of_surface(solution.sheared, *places)
 
 
-def springs_of(solution: Restorable | Dragged | TorsionState) -> PressedSprings:
+def springs_of(solution: Restorable | Dragged | SelfRestoring | TorsionState) -> PressedSprings:
     """Return the springs of a solution; refuse what holds none, or many loads."""
     if not is_restorable(solution):
         raise InvalidInput(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import overload
 
 import numpy as np
@@ -12,7 +13,7 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
 from winkler.media.interior.peak import greatest, greatest_around
 from winkler.numerics.types import Array
-from winkler.problems.answer import Dragged, Restorable, is_dragged
+from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_self_restoring
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values import value
@@ -63,8 +64,10 @@ class PlacedStress:
 @overload
 def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress: ...
 @overload
-def peak_stress(solution: Dragged | TorsionState, *, below: bool = True) -> PlacedStress: ...
-def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = True) -> PeakStress | PlacedStress:
+def peak_stress(solution: Dragged | SelfRestoring | TorsionState, *, below: bool = True) -> PlacedStress: ...
+def peak_stress(
+    solution: Restorable | Dragged | SelfRestoring | TorsionState, *, below: bool = True
+) -> PeakStress | PlacedStress:
     """Return the greatest von Mises stress and its place.
 
     Parameters
@@ -82,6 +85,8 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
     """
     if isinstance(solution, TorsionState):
         return _twisted_peak(solution, 1.0 if below else -1.0)
+    if is_self_restoring(solution):
+        return _placed_peak(solution.body_fields, solution.radius, solution.sharp_places(), 1.0 if below else -1.0)
     if is_dragged(solution):
         return _sheared_peak(solution.sheared, 1.0 if below else -1.0)
     pressed = springs_of(solution)
@@ -100,13 +105,19 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
 def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
     pressed = sheared.pressed
     refuse_unless_round(pressed, "peak_stress", "the stress below the surface")
-    if pressed.radius == 0.0:
-        return PlacedStress(0.0, 0.0, 0.0, 0.0)
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]
     sharp += [part.radius for parts in sheared.components for part in parts if part.edge != 0.0]
+    return _placed_peak(lambda x, y, z: body_of_sheared(sheared, x, y, z), pressed.radius, sharp, sign)
+
+
+def _placed_peak(body: Callable[..., BodyFields], radius: float, sharp: Sequence[float], sign: float) -> PlacedStress:
+    """Return the greatest stress in one body; z = 0 belongs to the second one if that is requested."""
+    if radius == 0.0:
+        return PlacedStress(0.0, 0.0, 0.0, 0.0)
     if sharp:
         return PlacedStress(float("inf"), sharp[0], 0.0, 0.0)
-    place = greatest_around(lambda x, y, z: _sided(sheared, x, y, z, sign).von_mises, pressed.radius)
+    tiny = np.finfo(float).tiny
+    place = greatest_around(lambda x, y, z: body(x, y, z if sign > 0.0 else -np.maximum(z, tiny)).von_mises, radius)
     return PlacedStress(place.value, place.x, place.y, sign * place.z)
 
 
@@ -124,9 +135,3 @@ def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:
 def _off(z: Array, radius: float) -> Array:
     """Return depths kept off the surface, where the field of a twist is not known."""
     return np.maximum(z, LEAST_DEPTH_RATIO * radius)
-
-
-def _sided(sheared: ShearedSprings, x: Array, y: Array, z: Array, sign: float) -> BodyFields:
-    """Return the fields in one body; z = 0 belongs to the second one if that is requested."""
-    tiny = np.finfo(float).tiny
-    return body_of_sheared(sheared, x, y, z if sign > 0.0 else -np.maximum(z, tiny))

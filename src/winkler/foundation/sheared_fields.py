@@ -17,7 +17,15 @@ from winkler.media.medium import Displacement, rigid_body
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["BodyFields", "ShearedFields", "body_of_pressed", "body_of_sheared", "sheared_surface", "shift_of_surface"]
+__all__ = [
+    "BodyFields",
+    "ShearedFields",
+    "body_of_pressed",
+    "body_of_sheared",
+    "body_under",
+    "sheared_surface",
+    "shift_of_surface",
+]
 
 
 @value
@@ -144,6 +152,21 @@ def body_of_pressed(pressed: PressedSprings, x: Array, y: Array, z: Array) -> Bo
     return _fields(x, y, z, lambda *place, below: _pressed(pressed, *place, below=below))
 
 
+def body_under(pressed: PressedSprings, dragged: Callable[..., Array], x: Array, y: Array, z: Array) -> BodyFields:
+    """Return stresses and displacements under a pressure and what acts along the surface.
+
+    Parameters
+    ----------
+    pressed : PressedSprings
+    dragged : callable
+        Takes x, y and the depth z >= 0 inside a body [m], and ``below``: whether that is the first one.  Returns what
+        the traction adds in the order of `BodyFields`, ``(9, n)``.
+    x, y, z : ndarray
+        [m]; z > 0 in the first body, z < 0 in the second.
+    """
+    return _fields(x, y, z, lambda *at, below: _pressed(pressed, *at, below=below) + dragged(*at, below=below))
+
+
 def body_of_sheared(sheared: ShearedSprings, x: Array, y: Array, z: Array) -> BodyFields:
     """Return stresses and displacements under pressure and traction.
 
@@ -152,12 +175,7 @@ def body_of_sheared(sheared: ShearedSprings, x: Array, y: Array, z: Array) -> Bo
     OutsideValidity
         If the medium is not a `HalfSpace`, or the body there is rigid.
     """
-    return _fields(
-        x,
-        y,
-        z,
-        lambda *place, below: _pressed(sheared.pressed, *place, below=below) + _dragged(sheared, *place, below=below),
-    )
+    return body_under(sheared.pressed, lambda *at, below: _dragged(sheared, *at, below=below), x, y, z)
 
 
 def _fields(x: Array, y: Array, z: Array, parts: Callable[..., Array]) -> BodyFields:

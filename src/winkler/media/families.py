@@ -10,6 +10,7 @@ from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Curve
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.media.interior.shear_field_punch import ShearField
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
 __all__ = [
@@ -107,6 +108,10 @@ class CoatedBody(LayeredBody, TwistedLayers):
 
     def punch_shear_stiffness(self, radius: Array) -> Array:
         """k_x(a) [N/m] of a flat punch that is pushed along the surface."""
+        raise NotImplementedError
+
+    def pushed_interior(self, moved: Displacement, x: Array, y: Array, z: Array, *, below: bool) -> ShearField:
+        """Return stresses and displacements where the surface is dragged along +x by springs that move it."""
         raise NotImplementedError
 
 

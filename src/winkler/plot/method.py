@@ -18,7 +18,8 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.plot.adhesion.cycles import intensity_note
 from winkler.plot.adhesion.equilibria import around_panel
 from winkler.plot.extent import around
-from winkler.plot.friction.stress import dragged_stress_panel
+from winkler.plot.friction.curves import RestorableSprings
+from winkler.plot.friction.stress import dragged_stress_panel, in_first
 from winkler.plot.medium import makeup_panel, spring_stiffness_panel, stiffness_panel
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.curves import (
@@ -85,7 +86,9 @@ def stress(solution: Contact, to: float, *, scale: float | None = None) -> Panel
             "draw: the bodies do not touch under this load, so there is no stress to show; give more load."
         )
     if is_dragged(solution):
-        return dragged_stress_panel(solution.sheared, to, scale=scale)
+        sheared = solution.sheared
+        first, radius = in_first(sheared.pressed.bed), sheared.pressed.radius
+        return dragged_stress_panel(RestorableSprings(sheared), radius, to, first=first, scale=scale)
     return stress_panel(solution, to, float(solution.radius), scale=scale)
 
 

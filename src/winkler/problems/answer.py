@@ -19,6 +19,7 @@ from winkler.checks.contract import keeps
 if TYPE_CHECKING:
     from winkler.foundation.bed import PressedSprings
     from winkler.foundation.sheared import ShearedSprings
+    from winkler.foundation.sheared_fields import BodyFields, ShearedFields
     from winkler.numerics.types import Array
     from winkler.validity import Note
 
@@ -31,6 +32,7 @@ __all__ = [
     "Posed",
     "Recovering",
     "Restorable",
+    "SelfRestoring",
     "Solution",
     "Worn",
     "gather",
@@ -39,6 +41,7 @@ __all__ = [
     "is_march",
     "is_recovering",
     "is_restorable",
+    "is_self_restoring",
     "is_solution",
     "is_worn",
     "many_loads",
@@ -128,6 +131,27 @@ class Dragged(Protocol):
         ...
 
 
+class SelfRestoring(Protocol):
+    """A state that restores its own fields, since those along the surface are none of its springs across it."""
+
+    @property
+    def radius(self) -> float:
+        """Radius of the contact [m]."""
+        ...
+
+    def sharp_places(self) -> tuple[float, ...]:
+        """Return distances from the axis at which stresses on the surface are infinite [m]."""
+        ...
+
+    def surface_fields(self, r: Array) -> ShearedFields:
+        """Return what happens on the surface at distances from the axis [m]."""
+        ...
+
+    def body_fields(self, x: Array, y: Array, z: Array) -> BodyFields:
+        """Return stresses and displacements at places inside the bodies [m]."""
+        ...
+
+
 class Worn(Protocol):
     """A state of a contact that wears: what both bodies have lost, place by place."""
 
@@ -194,6 +218,11 @@ def is_restorable(solution: Any) -> TypeGuard[Restorable]:
 def is_dragged(solution: Any) -> TypeGuard[Dragged]:
     """Return whether a solution has springs along the surface; they are not computed for the test."""
     return keeps(solution, Dragged)
+
+
+def is_self_restoring(solution: Any) -> TypeGuard[SelfRestoring]:
+    """Return whether a state restores its own fields."""
+    return keeps(solution, SelfRestoring)
 
 
 def is_worn(state: Any) -> TypeGuard[Worn]:

@@ -45,6 +45,10 @@ TOLERANCE = 1e-11
 ROUNDING_RATIO = 1e-11
 """A slope that changes the load by no more than this part of it is rounding."""
 SAMPLES = 33
+RESOLVED = 100.0
+"""Changes of the load that are so many times its rounding are known to a hundredth."""
+HALVINGS, HALVED = 40, 0.05
+"""Places towards the axis at which a slope is examined; by how much it may miss half of that at the last one."""
 
 
 class Twisted(Protocol):
@@ -113,15 +117,33 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
 
 
 def clean_slope(twisted: Twisted, rounding: float = ROUNDING_RATIO) -> Curve:
-    """Return h'(x) [Pa/m] without rounding where h is even: no rule of integration resolves that near the axis."""
-    x = np.linspace(0.0, twisted.radius, SAMPLES)[1:]
-    size = float(np.max(np.abs(twisted.value(x))))
+    """Return h'(x) [Pa/m] without rounding where h is even: no rule of integration resolves that near the axis.
+
+    What changes h by less than `rounding` of it is left out, or where h is smooth near the axis a line through it.
+    """
+    size = float(np.max(np.abs(twisted.value(np.linspace(0.0, twisted.radius, SAMPLES)[1:]))))
+    near, rate = _towards_axis(twisted, RESOLVED * rounding * size)
 
     def slope(x: Array) -> Array:
         slopes = twisted.slope(x)
-        return np.asarray(np.where(np.abs(slopes) * x <= rounding * size, 0.0, slopes))
+        kept = np.where(np.abs(slopes) * x <= rounding * size, 0.0, slopes)
+        return np.asarray(np.where(x < near, rate * x, kept))
 
     return slope
+
+
+def _towards_axis(twisted: Twisted, least: float) -> tuple[float, float]:
+    """Return up to where h'(x) is proportional to x, but for changes of h that are less than some, and its rate.
+
+    Both are zero where h is not seen to be smooth at the axis: where nothing is that much, or the slope does not halve
+    with the distance.
+    """
+    x = min([twisted.radius, *(b for b, _ in twisted.kinks if b > 0.0)]) * 0.5 ** np.arange(1.0, HALVINGS)
+    slopes = twisted.slope(x)
+    seen = int(np.argmin(np.abs(slopes) * x > least))  # the first place where it is less, from outside
+    if seen < 2 or not abs(2.0 * slopes[seen - 1] / slopes[seen - 2] - 1.0) < HALVED:
+        return 0.0, 0.0
+    return float(x[seen - 1]), float(slopes[seen - 1] / x[seen - 1])
 
 
 def twist_displacement(twisted: Twisted, r: Array, modulus: float) -> Array:

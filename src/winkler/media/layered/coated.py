@@ -142,8 +142,8 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
             raise rigid_body(below)
         return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
 
-    def inside_dragged(self, load: CarriedLoad, x: Array, y: Array, z: Array) -> ShearField:
-        """Stresses and displacements in the first body under a traction along +x that is equal to the pressure."""
+    def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
+        """Stresses and displacements in the first body under a traction along +x: that of a load times a modulus."""
         raise OutsideValidity(
             f"{type(self).__name__}: the stresses of a traction on the surface are computed in bonded, isotropic "
             "layers only; leave out the friction, or give a CoatedHalfSpace."
@@ -161,12 +161,29 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
         below : bool
             Whether in the layers and their base, or in the other body.
         """
-        load, second = CarriedLoad(displacement, self.response), self.second
+        return self._under_traction(CarriedLoad(displacement, self.response), self.modulus, x, y, z, below)
+
+    def pushed_interior(self, moved: Displacement, x: Array, y: Array, z: Array, *, below: bool) -> ShearField:
+        """Return stresses and displacements where the surface is dragged along +x by springs that move it.
+
+        Parameters
+        ----------
+        moved : Displacement
+            u(x) of the springs along the surface [m], of both bodies together.
+        x, y, z, below
+            As of `dragged_interior`.
+        """
+        return self._under_traction(CarriedLoad(moved, self.tangential_response), self.shear_modulus, x, y, z, below)
+
+    def _under_traction(
+        self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array, below: bool
+    ) -> ShearField:
+        second = self.second
         if below:
-            return self.inside_dragged(load, x, y, z)
+            return self.inside_dragged(load, modulus, x, y, z)
         if not isinstance(second, Elastic):
             raise rigid_body(below)
-        return shear_field.field(load, x, y, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
+        return shear_field.field(load, x, y, z, modulus=modulus, poisson=second.poisson, shear=second.shear)
 
 
 @value
@@ -236,9 +253,9 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
 
-    def inside_dragged(self, load: CarriedLoad, x: Array, y: Array, z: Array) -> ShearField:
-        """The same under a traction along +x that is equal to the pressure."""
-        return sheared_interior.field(load, self.layers, self.on, self.modulus, x, y, z)
+    def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
+        """The same under a traction along +x: that of a load times a modulus."""
+        return sheared_interior.field(load, self.layers, self.on, modulus, x, y, z)
 
     notes = (
         Note(

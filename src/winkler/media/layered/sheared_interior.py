@@ -1,6 +1,6 @@
 r"""Stresses and displacements inside a stack of bonded layers whose surface is dragged along x, by Hankel integrals.
 
-The traction :math:`p(r)` along x is a superposition of waves in all directions.  A wave that runs at the angle
+The traction :math:`\tau(r)` along x is a superposition of waves in all directions.  A wave that runs at the angle
 :math:`\varphi` to x has the part :math:`\cos\varphi` along its direction, which moves depth and surface together (as a
 pressure does, `winkler.media.layered.climb`), and :math:`-\sin\varphi` across it, which shears alone.  With the
 amplitudes U, W, T, S of the former per traction of one, V and Q (displacement times :math:`\xi`, traction) of the
@@ -68,11 +68,12 @@ def field(
     Parameters
     ----------
     load : CarriedLoad
-        The pressure; the traction is equal to it.
+        What the traction is over a modulus.
     layers, on
         The stack; no layer slides.
     modulus : float
-        E* of the uppermost layer and the counterpart [Pa].
+        Of the uppermost layer and the counterpart [Pa]: E* where the traction is that of a pressure, G* of springs that
+        are moved along the surface.
     x, y, z : ndarray
         Of one shape [m]; a point on an interface belongs to the upper layer.
 

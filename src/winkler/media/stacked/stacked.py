@@ -77,9 +77,9 @@ class SlidingStack(LayeredMedium, StackedBody):
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
 
-    def inside_dragged(self, load: CarriedLoad, x: Array, y: Array, z: Array) -> ShearField:
-        """The same under a traction along +x that is equal to the pressure; no layer slides."""
-        return sheared_interior.field(load, self._held(), self.on, self.modulus, x, y, z)
+    def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
+        """The same under a traction along +x: that of a load times a modulus; no layer slides."""
+        return sheared_interior.field(load, self._held(), self.on, modulus, x, y, z)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""

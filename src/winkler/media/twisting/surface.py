@@ -65,7 +65,7 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
         twisted.radius,
         place,
         lambda r, x: fredholm.push(response, r, x),
-        max(response.precision, known) if known > TABLE_ROUNDING else response.precision,
+        max(response.precision, known),
     )
     return np.where(r > 0.0, 0.5 * r * summed, 0.0)
 

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import BOUNDS, bounds, energies_panel, lines_panel, loop_panel
-from winkler.plot.friction.sheets import ENERGY_NAMES, ring_panel
+from winkler.plot.friction.sheets import ENERGY_NAMES, RADII_DRAWN, ring_panel
+from winkler.plot.friction.stress import dragged_stress_panel
 from winkler.plot.panel import NO_CONTACT, Sheet, titled
 from winkler.plot.series import headline, series, with_unit
 from winkler.problems.coated_friction.state import CoatedTangentialState
@@ -41,7 +45,11 @@ def coated_sheet(item: CoatedTangentialSolution) -> Sheet:
 
 @without_extent(CoatedTangentialState)
 def coated_state_sheet(item: CoatedTangentialState) -> Sheet:
-    """Return the traction of a pushed contact."""
-    panel = ring_panel(item, SYMBOL) if item.radius > 0.0 else NO_CONTACT
+    """Return the traction of a pushed contact, and where it can be computed the stress below it."""
+    panels = [(ring_panel(item, SYMBOL) if item.radius > 0.0 else NO_CONTACT).plus(title="traction along the motion")]
+    with contextlib.suppress(OutsideValidity):
+        if item.radius > 0.0:
+            below = dragged_stress_panel(item, item.radius, RADII_DRAWN * item.radius)
+            panels.append(below.plus(title="stress below the surface"))
     title = f"{headline(item)}   $F_x$ = {with_unit(item.shear_force, 'N')}"
-    return Sheet((panel.plus(title="traction along the motion"),), width=5.0, title=title)
+    return Sheet(tuple(panels), len(panels), width=5.0, title=title)

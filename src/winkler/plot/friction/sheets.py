@@ -19,6 +19,7 @@ from winkler.plot.dispatch import sheet_of, without_extent
 from winkler.plot.extent import around, checked_extent
 from winkler.plot.friction.curves import (
     BOUNDS,
+    RestorableSprings,
     around_contact,
     bounds,
     energies_panel,
@@ -31,7 +32,7 @@ from winkler.plot.friction.curves import (
     traction_panel,
 )
 from winkler.plot.friction.springs import dragged_panel
-from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
+from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel, in_first
 from winkler.plot.panel import NO_CONTACT, Line, Panel, PanelAxis, Sheet, note, titled, zero
 from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
 from winkler.problems.friction.spring_states import SpringState
@@ -106,7 +107,10 @@ def tangential_state_sheet(item: TangentialState | SpringState, *, extent: float
         fields = around_contact(sheared, near)
         panels.append(traction_panel(fields, _coefficient(getattr(item, "law", None)), stick).plus(title="traction"))
         panels.append(slip_panel(fields, item.radius, stick).plus(title="displacement and slip of the surface"))
-        panels.append(dragged_stress_panel(sheared, near).plus(title="stress below the surface"))
+        stress = dragged_stress_panel(
+            RestorableSprings(sheared), sheared.pressed.radius, near, first=in_first(sheared.pressed.bed)
+        )
+        panels.append(stress.plus(title="stress below the surface"))
     except OutsideValidity:
         panels += [None] * (4 - len(panels))
     shear = np.asarray(item.shear_force, dtype=float)

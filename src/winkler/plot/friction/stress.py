@@ -8,17 +8,17 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fields import restore_body
-from winkler.foundation.sheared import ShearedSprings
+from winkler.foundation.bed import Bed
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
 from winkler.peaks import peak_stress
 from winkler.plot import style
-from winkler.plot.friction.curves import RestorableSprings
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, note
 from winkler.plot.series import series, with_unit
+from winkler.problems.answer import Dragged, SelfRestoring
 
-__all__ = ["body_stress_panel", "dragged_stress_panel"]
+__all__ = ["body_stress_panel", "dragged_stress_panel", "in_first"]
 
 POINTS_ACROSS, POINTS_DOWN = 113, 49
 COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN = 61, 25
@@ -27,15 +27,19 @@ DEPTH_IN_RADII = 1.6
 """Depth of the map in contact radii."""
 
 
-def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, scale: float | None = None) -> Panel:
+def dragged_stress_panel(
+    solution: Dragged | SelfRestoring, radius: float, extent: float, *, first: bool = True, scale: float | None = None
+) -> Panel:
     """Return the von Mises stress in the plane y = 0 of a sheared contact, with a mark where it is greatest.
 
     Parameters
     ----------
-    sheared : ShearedSprings
-        Of a contact.
-    extent : float
-        [m].
+    solution : Dragged or SelfRestoring
+        One state of it.
+    radius, extent : float
+        Of the contact, and of the picture [m].
+    first : bool
+        Whether in the first body.
     scale : float, optional
         Contact radius by which the depth is scaled [m], for animations: at fewer points, without the search for the
         maximum.
@@ -45,8 +49,7 @@ def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, scale: float
     OutsideValidity
         If the stresses inside this medium cannot be computed.
     """
-    solution, radius = RestorableSprings(sheared), sheared.pressed.radius
-    sign = -1.0 if isinstance(getattr(sheared.pressed.bed.medium, "first", None), Rigid) else 1.0
+    sign = 1.0 if first else -1.0
     across, down = (COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN) if scale else (POINTS_ACROSS, POINTS_DOWN)
     x = np.linspace(-extent, extent, across)
     z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
@@ -66,6 +69,11 @@ def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, scale: float
             note(f"greatest: {with_unit(peak.von_mises, 'Pa')} at {position}", corner),
         ]
     return body_stress_panel(fields).plus(*marks, edge)
+
+
+def in_first(bed: Bed) -> bool:
+    """Return whether the first body of a bed has stresses to be shown: that it is not rigid."""
+    return not isinstance(getattr(bed.medium, "first", None), Rigid)
 
 
 def body_stress_panel(fields: BodyFields) -> Panel:

@@ -30,6 +30,22 @@ class PushedSprings(TwistedSprings):
         body = pushed_body(self.bed)
         return coated_load.surface(MovedSprings(self, body.shear_modulus), body.tangential_response, r)
 
+    def body(self, x: Array, y: Array, z: Array, *, below: bool) -> Array:
+        """Return what the traction adds to the rows of `BodyFields` inside one body, ``(9, n)``.
+
+        Parameters
+        ----------
+        x, y, z : ndarray, (n,)
+            Places [m], z >= 0 into that body.
+        below : bool
+            Whether in the layers and their base, or in the other body, on which the traction acts to the other side.
+        """
+        body = pushed_body(self.bed)
+        moved = MovedSprings(self, body.shear_modulus)
+        with np.errstate(invalid="ignore"):  # stresses are infinite at an edge
+            rows = body.pushed_interior(moved, x, y, z, below=below)
+        return (1.0 if below else -1.0) * np.array(rows)
+
     def traction(self, r: Array) -> Array:
         """Return tau(r) [Pa] along the motion: rigidly pushed discs of all radii, superposed."""
         response = pushed_body(self.bed).tangential_response
@@ -41,7 +57,7 @@ class PushedSprings(TwistedSprings):
                 self.radius,
                 r,
                 lambda r, x: fredholm.push(response, r, x),
-                response.precision,
+                max(response.precision, TABLE_ROUNDING),
             )
         )
 
@@ -82,5 +98,5 @@ class MovedSprings:
         return self.springs.value(x) / self.modulus
 
     def slope(self, x: Array) -> Array:
-        """u'(x) [-] for 0 < x < a."""
-        return self.springs.slope(x) / self.modulus
+        """u'(x) [-] for 0 < x < a, without rounding near the axis, which would seem to be an apex."""
+        return clean_slope(self.springs, TABLE_ROUNDING)(x) / self.modulus

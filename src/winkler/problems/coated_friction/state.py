@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.foundation.bed import PressedSprings
+from winkler.foundation.sheared_fields import BodyFields, ShearedFields, body_of_pressed, body_under
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.coated_friction.push import PushedSprings
 from winkler.values import value, words
@@ -62,5 +64,48 @@ class CoatedTangentialState:
             Distance from the axis [m], not negative.
         """
         r = np.asarray(r, dtype=float)
-        still = self.radius == 0.0 or (self.shear_force == 0.0 and self.shift == 0.0)
-        return np.full(r.shape, self.shift) if still else self.shift - self.springs.displacement(r)
+        return self.shift - (np.zeros(r.shape) if self._still else self.springs.displacement(r))
+
+    @property
+    def _still(self) -> bool:
+        """Whether nothing acts along the surface."""
+        return self.radius == 0.0 or (self.shear_force == 0.0 and self.shift == 0.0)
+
+    @property
+    def _pressed(self) -> PressedSprings:
+        return PressedSprings(self.springs.bed, self.depth, self.radius)
+
+    def sharp_places(self) -> tuple[float, ...]:
+        """Return distances from the axis at which stresses on the surface are infinite [m]."""
+        springs = self._pressed, self.springs
+        kinks = [b for part in springs for b, strength in part.kinks if strength != 0.0]
+        return (*kinks, *([self.radius] if any(part.edge != 0.0 for part in springs) else []))
+
+    def surface_fields(self, r: Array) -> ShearedFields:
+        """Return pressure, traction, displacement along the surface and slip (`winkler.restore`).
+
+        Parameters
+        ----------
+        r : ndarray
+            Distance from the axis [m], not negative.
+        """
+        pressed, slip = self._pressed, self.slip(r)
+        pressure = pressed.bed.medium.pressure(pressed, r) if self.radius > 0.0 else np.zeros(r.shape)
+        return ShearedFields(r, pressure, self.traction(r), self.shift - slip, slip)
+
+    def body_fields(self, x: Array, y: Array, z: Array) -> BodyFields:
+        """Return stresses and displacements under pressure and traction (`winkler.restore_body`).
+
+        Parameters
+        ----------
+        x, y, z : ndarray
+            Places [m]; z > 0 in the layers and their base, z < 0 in the other body.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body there is rigid, or stresses in this medium are not known.
+        """
+        if self._still:
+            return body_of_pressed(self._pressed, x, y, z)
+        return body_under(self._pressed, self.springs.body, x, y, z)
