@@ -16,16 +16,20 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.media.families import TwistedLayers
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.twisting.kernels import TwistKernel, panel_width, twist_kernel
-from winkler.numerics.panels.kink_panels import Sample, Stretches, stretches
+from winkler.numerics.panels.kink_panels import HALVINGS, Sample, Stretches, stretches
 from winkler.numerics.types import Array
+
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
 __all__ = ["PressedState", "TwistBound", "twist_bound"]
 
@@ -66,15 +70,27 @@ class TwistBound:
     """Words of messages."""
     slides = False
     """Whether all of the contact slides at a finite motion; a twist never moves the middle so far."""
+    miss = 0.0
+    """By which part of them loads are known to err; bounds that rise by no more than this part do not rise."""
+    halvings = HALVINGS
+    """How often panels halve towards the axis, where the bound of a twist grows like a logarithm."""
 
     def __init__(self, bed: Bed, coefficient: float, widest: float, forced: bool) -> None:
         self.bed, self.coefficient, self.forced = bed, coefficient, forced
         self.widest = widest
         self.endless = math.isinf(coefficient)
         """Whether nothing ever slides."""
-        width = panel_width(self.owner, bed.medium, widest)
-        self.panels: Stretches = stretches(bed.gap_slope, [b for b, _ in bed.kinks], widest, width)
+        responses = self._responses()
+        width, precision = (
+            panel_width(self.owner, responses, widest),
+            max((r.precision for r in responses), default=0.0),
+        )
+        self.panels: Stretches = stretches(
+            bed.gap_slope, [b for b, _ in bed.kinks], widest, width, precision, self.halvings
+        )
         self.x: Array = self.panels.nodes
+        self.logarithmic = any(each.smooth > each.length for each in responses)
+        """Whether kernels have a logarithm, so that what springs bear is smooth between the ends of panels alone."""
         self._coefficient = 0.0 if self.endless else coefficient
         self.clock: Array = self.level(self.x.ravel()).reshape(self.x.shape)
         """At which level each spring comes into contact, at the nodes."""
@@ -82,6 +98,11 @@ class TwistBound:
         self.weight: Array = self._kernel.weight.reshape(self.x.shape)
         """e(x)^2 [m^2] at the nodes: what springs count in torque and energy."""
         self._gather()
+
+    def _responses(self) -> tuple[SurfaceResponse, ...]:
+        """Return the responses whose kernels are read on the panels."""
+        medium = self.bed.medium
+        return (medium.response, medium.across_response) if isinstance(medium, TwistedLayers) else ()
 
     def _springs(self) -> TwistKernel:
         return twist_kernel(self.bed.medium, self.panels)

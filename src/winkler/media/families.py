@@ -18,6 +18,7 @@ __all__ = [
     "DepthVaryingMedium",
     "LayeredBody",
     "PowerLawMedium",
+    "PushedLayers",
     "StackedBody",
     "TwistedLayers",
     "TwistedMedium",
@@ -89,12 +90,8 @@ class TwistedLayers(TwistedMedium):
         raise NotImplementedError
 
 
-class CoatedBody(LayeredBody, TwistedLayers):
-    """Bonded, isotropic layers: rings may slide around the axis, or along the surface."""
-
-    layers: tuple[Layer, ...]
-    on: Solid
-    second: Solid
+class PushedLayers(TwistedLayers):
+    """A body of layers whose responses are known: its rings may slide around the axis, or along the surface."""
 
     @property
     def tangential_response(self) -> SurfaceResponse:
@@ -115,8 +112,16 @@ class CoatedBody(LayeredBody, TwistedLayers):
         raise NotImplementedError
 
 
-class StackedBody(LayeredBody, TwistedLayers):
-    """Layers that may be transversely isotropic, and need not be bonded."""
+class CoatedBody(LayeredBody, PushedLayers):
+    """Bonded, isotropic layers."""
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid
+
+
+class StackedBody(LayeredBody, PushedLayers):
+    """Layers that may be transversely isotropic, and need not be bonded: what slides there bears no push."""
 
     @property
     def stack(self) -> tuple[Layer | StackLayer, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from types import SimpleNamespace
 
 import mpmath as mp
 import numpy as np
@@ -13,6 +14,7 @@ import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Shift
 from winkler.problems.friction.tangential import Tangential
+from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.reference.damping import relaxation_loss, relaxation_viscosity
 
 MEDIUM = wk.HalfSpace.between(wk.Elastic(young=200e9, poisson=0.3), wk.Elastic(young=200e9, poisson=0.3))
@@ -274,9 +276,9 @@ def test_refusals():
         wk.BimodalDamping(BALL, law, DEPTH, DOWN, [ASIDE] * 2, [0.0] * 3)
     with pytest.raises(wk.OutsideValidity, match="never brings"):
         wk.BimodalDamping(BALL, law, -2.0 * DOWN, DOWN, ASIDE).solve()
-    graded = wk.DepthGradedHalfSpace(wk.ExponentialGrading(4e11, 2e11, depth_scale=50e-6, poisson=0.2), tolerance=1e-2)
+    uneven = SimpleNamespace(medium=None, normal_stiffness=np.ones_like, tangential_stiffness=lambda x: 1.0 + x)
     with pytest.raises(wk.OutsideValidity, match="the same everywhere"):
-        wk.BimodalDamping(wk.Foundation(wk.Paraboloid(R), graded), law, 1e-7, 5e-8, 1e-8).solve()
+        sliding_springs("BimodalDamping", uneven, 0.3, 1.0)
     for wrong in ({"depth": math.inf}, {"depth_amplitude": 0.0}, {"frequency": -1.0}, {"frequency": True}):
         with pytest.raises(wk.InvalidInput, match="RelaxationDamper"):
             wk.RelaxationDamper(BALL, **({"depth": DEPTH, "depth_amplitude": DOWN, "frequency": 1.0} | wrong))

@@ -145,8 +145,8 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
     def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
         """Stresses and displacements in the first body under a traction along +x: that of a load times a modulus."""
         raise OutsideValidity(
-            f"{type(self).__name__}: the stresses of a traction on the surface are computed in bonded, isotropic "
-            "layers only; leave out the friction, or give a CoatedHalfSpace."
+            f"{type(self).__name__}: the stresses of a traction on the surface are computed in bonded layers "
+            "only; leave out the friction, or give a CoatedHalfSpace."
         )
 
     def dragged_interior(self, displacement: Displacement, x: Array, y: Array, z: Array, *, below: bool) -> ShearField:

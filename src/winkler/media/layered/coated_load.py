@@ -35,6 +35,8 @@ __all__ = ["CarriedLoad", "spread", "surface"]
 RULE_NODES = (16, 32, 64)
 SETTLED_TOLERANCE = 1e-12
 LAST_TOLERANCE = 1e-8
+SLOPE_NOISE = 10.0
+"""How much less well, than the integral, its slope is known where the kernel has a logarithm."""
 TABLE_TOLERANCE = 1e-13
 """How closely, relative to the greatest, the springs' displacement is tabulated for integrals over it."""
 FIRST_DISTANCE = 2.0
@@ -151,8 +153,13 @@ def _panels(load: CarriedLoad) -> RootPanels:
     def sums(count: int, x: Array) -> Array:
         return _rho_sums(load, x, kinks, count)
 
+    logarithm = load.response.smooth > load.response.length
+    steep = np.array([1.0, SLOPE_NOISE if logarithm else 1.0])
     return fit(
-        lambda x: _settled(sums, x, np.array([scale, scale / a]), _target_tolerance(load)), edges, kinks, tolerances
+        lambda x: _settled(sums, x, np.array([scale, scale / a]), _target_tolerance(load), steep),
+        edges,
+        kinks,
+        tolerances,
     )
 
 
@@ -166,14 +173,19 @@ def _smooth(load: CarriedLoad) -> float:
     return max(SETTLED_TOLERANCE, 1e-3 * load.response.precision)
 
 
-def _settled(sums: Callable[[int, Array], Array], x: Array, least: Array, aim: float) -> Array:
-    """Return sums ``(functions, n)`` by rules fine enough, against their size or `least`, what they add to."""
+def _settled(
+    sums: Callable[[int, Array], Array], x: Array, least: Array, aim: float, noise: Array | float = 1.0
+) -> Array:
+    """Return sums ``(functions, n)`` by rules fine enough, against their size or `least`, what they add to.
+
+    Changes count `noise` times less.
+    """
     last = sums(RULE_NODES[0], x)
     change = math.inf
     for count in RULE_NODES[1:]:
         current = sums(count, x)
         size = np.maximum(np.max(np.abs(current), axis=1), least)[:, None]
-        change = float(np.max(np.abs(current - last) / size))
+        change = float(np.max(np.max(np.abs(current - last) / size, axis=1) / noise))
         if change <= aim:
             return np.asarray(current)
         last = current

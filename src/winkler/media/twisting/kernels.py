@@ -13,7 +13,8 @@ On layers both are tables (`winkler.numerics.transforms.slip_tables`).
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -23,6 +24,9 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.panels.kink_panels import Stretches
 from winkler.numerics.types import Array
+
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
 __all__ = ["TwistKernel", "bound_shape", "no_kernel", "panel_width", "twist_kernel", "twisted_medium"]
 
@@ -67,17 +71,25 @@ def no_kernel(medium: object) -> OutsideValidity:
     )
 
 
-def panel_width(owner: str, medium: Medium, widest: float) -> float:
-    """Return the width [m] that panels may have.
+def panel_width(owner: str, responses: Sequence[SurfaceResponse], widest: float) -> float:
+    """Return the width [m] that panels may have; without end where no response changes with the wave number.
+
+    Parameters
+    ----------
+    owner : str
+        Kind of problem, for messages.
+    responses : sequence of SurfaceResponse
+        Whose kernels are read on the panels.
+    widest : float
+        [m].
 
     Raises
     ------
     OutsideValidity
-        If a contact of radius `widest` [m] would need too many.
+        If a contact of radius `widest` would need too many.
     """
-    if not isinstance(medium, TwistedLayers):
+    if not responses:
         return np.inf
-    responses = medium.response, medium.across_response
     width = PANEL_WIDTH_RATIO * min(each.smooth for each in responses)
     if widest > 0.05 * MOST_NODES * width:
         raise OutsideValidity(

@@ -9,6 +9,8 @@ A rigidly twisted disc of radius x drags with :math:`\tau_1(r;x)`, and springs t
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from winkler.errors import OutsideValidity
@@ -20,7 +22,10 @@ from winkler.media.twisting.kernels import no_kernel
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
 
-__all__ = ["TABLE_ROUNDING", "traction_on", "turning_on"]
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.numerics.transforms.cosine_transform import WaveResponse
+
+__all__ = ["summed_discs", "table_rounding", "traction_on", "turning_on"]
 
 TABLE_ROUNDING = 1e-9
 """A slope that changes h by no more than this part of it is rounding of the tables of a stack."""
@@ -56,18 +61,43 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
         raise no_kernel(medium)
     from winkler.numerics.transforms.odd_response import OddResponse
 
-    response = OddResponse(medium.across_response)
-    known = LOGARITHMIC_ROUNDING if response.smooth > response.length else TABLE_ROUNDING
-    summed = abel.pressure(
-        clean_slope(twisted, known),
-        twisted.kinks,
-        twisted.edge,
-        twisted.radius,
-        place,
-        lambda r, x: fredholm.push(response, r, x),
-        max(response.precision, known),
+    return np.where(r > 0.0, 0.5 * r * summed_discs(OddResponse(medium.across_response), twisted, place), 0.0)
+
+
+def table_rounding(logarithmic: bool) -> float:
+    """Return up to which part of h a slope changes it that is rounding of the tables, by whether these err more."""
+    return LOGARITHMIC_ROUNDING if logarithmic else TABLE_ROUNDING
+
+
+def summed_discs(response: WaveResponse, springs: Twisted, r: Array) -> Array:
+    """Return the sum of the tractions of rigid discs of all radii that are twisted or pushed, on layers.
+
+    Parameters
+    ----------
+    response : WaveResponse
+        To a push, or an `OddResponse` for a twist.
+    springs : Twisted
+        What they bear, h(x) [Pa].
+    r : ndarray
+        Distance from the axis [m].
+
+    Returns
+    -------
+    ndarray
+        Of a push the traction [Pa], of a twist twice that over r [Pa/m].
+    """
+    known = table_rounding(response.smooth > response.length)
+    return np.asarray(
+        abel.pressure(
+            clean_slope(springs, known),
+            springs.kinks,
+            springs.edge,
+            springs.radius,
+            r,
+            lambda r, x: fredholm.push(response, r, x),
+            max(response.precision, known),
+        )
     )
-    return np.where(r > 0.0, 0.5 * r * summed, 0.0)
 
 
 def turning_on(medium: Medium, twisted: Twisted, r: Array) -> Array:

@@ -167,7 +167,14 @@ class Sample(NamedTuple):
         return result
 
 
-def stretches(function: Curve, kinks: Sequence[float], end: float, widest: float = math.inf) -> Stretches:
+def stretches(
+    function: Curve,
+    kinks: Sequence[float],
+    end: float,
+    widest: float = math.inf,
+    precision: float = 0.0,
+    halvings: int = HALVINGS,
+) -> Stretches:
     """Return panels from zero to `end` on which function(x) dx/dy is a polynomial as far as rounding lets it be.
 
     Parameters
@@ -180,12 +187,16 @@ def stretches(function: Curve, kinks: Sequence[float], end: float, widest: float
         [m], positive.
     widest : float
         Width [m] beyond which a panel is halved.
+    precision : float
+        How smooth the function is, relative to its largest value.
+    halvings : int
+        How often panels halve towards x = 0.
     """
     starts = [0.0, *sorted({b for b in kinks if 0.0 < b < end})]
     panels = [
         (s, *part)
         for s, top in zip(starts, [*starts[1:], end], strict=True)
-        for low, high in _graded(s, top)
+        for low, high in _graded(s, top, halvings)
         for part in _parted(s, low, high, widest)
     ]
     done: list[tuple[float, float, float]] = []
@@ -196,7 +207,7 @@ def stretches(function: Curve, kinks: Sequence[float], end: float, widest: float
         values = function(tried.nodes) * tried.stretch
         tails = np.abs(values @ TO_COEFFICIENTS[-2:].T).max(axis=1)
         scale = float(np.max(np.abs(values)))
-        good = (tails <= RESOLUTION_TOLERANCE * scale) | (tried.low + tried.base == 0.0)
+        good = (tails <= max(RESOLUTION_TOLERANCE, precision) * scale) | (tried.low + tried.base == 0.0)
         done += [panel for panel, fine in zip(panels, good, strict=True) if fine]
         middles = 0.5 * (tried.low + tried.high)
         panels = [
@@ -215,10 +226,10 @@ def _parted(s: float, low: float, high: float, widest: float) -> list[tuple[floa
     return list(zip(cuts[:-1], cuts[1:], strict=True))
 
 
-def _graded(s: float, top: float) -> list[tuple[float, float]]:
+def _graded(s: float, top: float, halvings: int) -> list[tuple[float, float]]:
     """Return the ends in y of the panels between two kinks."""
     if s == 0.0:
-        cuts = [0.0, *(top * 0.5**k for k in range(HALVINGS, 0, -1)), top]
+        cuts = [0.0, *(top * 0.5**k for k in range(halvings, 0, -1)), top]
     else:
         most = math.sqrt((top - s) * (top + s))
         cuts = [0.0, *(0.5 * s * 2.0**k for k in range(HALVINGS) if 0.5 * s * 2.0**k < 0.75 * most), most]

@@ -1,4 +1,4 @@
-"""How far a pushed contact on a coating can be trusted."""
+"""How far a pushed contact on layers can be trusted."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.coated_friction.state import CoatedTangentialState
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.problems.ring_slip.push_notes import push_note
+from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.problems.ring_slip.ring_notes import ring_notes
 from winkler.validity import Note
 
@@ -37,7 +37,9 @@ def coated_notes(bed: Bed, law: Coulomb, states: Sequence[CoatedTangentialState]
     yield from indentation_notes(bed, depth, radius, SurfaceFriction(law.coefficient))
     yield sticking_note(bed.medium, law.coefficient)
     yield push_note(bed, float(np.max(radius)))
+    bound = states[0].springs.bound
+    yield from tables_note(bound)
     pressed = [index for index, state in enumerate(states) if state.radius > 0.0 and state.shear_force != 0.0]
     examined = pressed[:: max(1, -(-len(pressed) // PATH_SAMPLES))]
     words = ("shift", "shear force")
-    yield from ring_notes(bed, law.coefficient, states, examined, RADIUS_SAMPLES, words, by_force)
+    yield from ring_notes(bed, law.coefficient, states, examined, RADIUS_SAMPLES, words, by_force, bound.logarithmic)

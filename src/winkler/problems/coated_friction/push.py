@@ -7,8 +7,7 @@ import numpy as np
 from winkler.foundation.torsion_bound import TwistBound
 from winkler.media.interior.twist_field import clean_slope
 from winkler.media.layered import coated_load
-from winkler.media.twisting.surface import TABLE_ROUNDING
-from winkler.numerics.transforms import abel, fredholm
+from winkler.media.twisting.surface import summed_discs, table_rounding
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_states import TwistedSprings
 from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
@@ -22,7 +21,8 @@ class PushedSprings(TwistedSprings):
     """The springs of a pushed contact: what `TwistedSprings` holds, h = G* u in place of 8 G_t phi."""
 
     @property
-    def _bound(self) -> TwistBound:
+    def bound(self) -> TwistBound:
+        """What they bear at most."""
         return push_bound(self.bed, self.coefficient, self.widest, self.forced)
 
     def displacement(self, r: Array) -> Array:
@@ -48,18 +48,7 @@ class PushedSprings(TwistedSprings):
 
     def traction(self, r: Array) -> Array:
         """Return tau(r) [Pa] along the motion: rigidly pushed discs of all radii, superposed."""
-        response = pushed_body(self.bed).tangential_response
-        return np.asarray(
-            abel.pressure(
-                clean_slope(self, TABLE_ROUNDING),
-                self.kinks,
-                self.edge,
-                self.radius,
-                r,
-                lambda r, x: fredholm.push(response, r, x),
-                max(response.precision, TABLE_ROUNDING),
-            )
-        )
+        return summed_discs(pushed_body(self.bed).tangential_response, self, r)
 
 
 @value
@@ -99,4 +88,4 @@ class MovedSprings:
 
     def slope(self, x: Array) -> Array:
         """u'(x) [-] for 0 < x < a, without rounding near the axis, which would seem to be an apex."""
-        return clean_slope(self.springs, TABLE_ROUNDING)(x) / self.modulus
+        return clean_slope(self.springs, table_rounding(self.springs.bound.logarithmic))(x) / self.modulus

@@ -1,4 +1,4 @@
-"""What a pushed contact on a coating is at one moment."""
+"""What a pushed contact on layers is at one moment."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["CoatedTangentialState"]
 
 @value
 class CoatedTangentialState:
-    """A pushed contact on a coating at one moment.
+    """A pushed contact on layers, or a grading, at one moment.
 
     Parameters
     ----------

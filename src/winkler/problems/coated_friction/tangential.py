@@ -1,4 +1,4 @@
-r"""A coated body that is pressed and pushed along the surface, with friction, and kernels that are not alike.
+r"""A layered or graded body that is pressed and pushed along the surface, with friction, by kernels that differ.
 
 On a homogeneous half-space a stuck contact drags with the same distribution as a flat punch presses, so that the
 difference of two normal contacts solves partial slip (Cattaneo, Mindlin, Jaeger, Ciavarella).  Layers answer to shear
@@ -34,12 +34,13 @@ __all__ = ["CoatedTangential", "CoatedTangentialSolution"]
 
 @value
 class CoatedTangential:
-    """A body pressed on a coated one and pushed along the surface to and fro, with friction.
+    """A body pressed on a layered or graded one and pushed along the surface to and fro, with friction.
 
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, CoatedHalfSpace(...)), its contact a disc.
+        Foundation(profile, medium), its contact a disc; the medium a CoatedHalfSpace, a StackedHalfSpace whose layers
+        are bonded, or a DepthGradedHalfSpace.
     law : Coulomb
         Friction.
     path : Path
@@ -50,7 +51,7 @@ class CoatedTangential:
     InvalidInput
         If the path twists the bodies, leaves its line, or the law is not Coulomb's.
     OutsideValidity
-        If the medium is not a CoatedHalfSpace, or the contact no disc.
+        If the medium is none of these, or the contact no disc.
 
     References
     ----------

@@ -3,7 +3,7 @@ r"""Pressed and pushed at the same time: what a contact loses when its depth and
 .. math:: d = d_0 + A_z\cos n\theta ,\qquad U = A_x\cos(m\theta+\varphi)
 
 Every spring runs through its own closed cycle, known without steps in time
-(`winkler.problems.friction.spring_cycle`); the loss is their sum.  On coatings rings are followed in steps
+(`winkler.problems.friction.spring_cycle`); the loss is their sum.  On layers and gradings rings are followed in steps
 (`winkler.problems.ring_slip.steady_loss`).  Where nothing slides (infinite coefficient)
 springs lose what they hold when they part,
 
@@ -75,7 +75,8 @@ class BimodalDamping:
     Parameters
     ----------
     bed : Bed
-        The springs, on a homogeneous or power-law medium or a CoatedHalfSpace; without slip on any whose k_x is known.
+        The springs, on a homogeneous or power-law medium, bonded layers or a grading in depth; without slip on any
+        whose k_x is known.
     law : Coulomb
         Friction; an infinite coefficient if nothing slides (relaxation damping), zero is refused.
     depth : float

@@ -8,7 +8,8 @@ from winkler.foundation.bed import Bed
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.problems.ring_slip.push_notes import push_note
+from winkler.problems.ring_slip.push_bound import push_bound
+from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["STEADY", "damping_notes"]
@@ -51,10 +52,11 @@ def damping_notes(bed: Bed, radius: float, coefficient: float, rings: bool = Fal
     coefficient : float
         Of friction [-]; infinity where nothing slips.
     rings : bool
-        Whether rings of a coating slide, not springs.
+        Whether rings of layers slide, not springs.
     """
     if rings:
-        return (push_note(bed, radius), sticking_note(bed.medium, coefficient), *direction_notes(bed), SLOW)
+        tables = tables_note(push_bound(bed, coefficient, radius, False))
+        return (push_note(bed, radius), *tables, sticking_note(bed.medium, coefficient), *direction_notes(bed), SLOW)
     least, greatest = ratios = stiffness_ratios(bed, radius)
     if alike(ratios):
         alone = Note(

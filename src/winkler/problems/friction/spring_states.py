@@ -102,7 +102,7 @@ class SpringState:
             raise OutsideValidity(
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
                 f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces: "
-                "CoatedTangential restores them on bonded layers."
+                "CoatedTangential restores them on bonded layers and on gradings in depth."
             )
         inner = self.springs.gap < self.depth
         depths = np.append(self.springs.gap[inner], self.depth)

@@ -22,6 +22,9 @@ from winkler.values import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]
 
+FIRST_SEAM = 0.1
+"""Part of the contact beyond which loads are not smooth where panels meet, if kernels have a logarithm."""
+
 
 @value
 class TwistedSprings:
@@ -63,7 +66,7 @@ class TwistedSprings:
     @property
     def edge(self) -> float:
         """h(a-) [Pa]; zero where the contact closes smoothly."""
-        if self.radius == 0.0 or (self.radius < self.bed.rim and not self._bound.endless):
+        if self.radius == 0.0 or (self.radius < self.bed.rim and not self.bound.endless):
             return 0.0
         return float(self.value(np.array([self.radius]))[0])
 
@@ -71,6 +74,9 @@ class TwistedSprings:
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """``(x, strength)``: just above x the slope of h holds -strength / sqrt(x^2 - x_kink^2)."""
         bends = {b: 0.0 for b, _ in self.bed.kinks if b < self.radius}
+        if self.bound.logarithmic:
+            ends = self.bound.panels.edges
+            bends |= dict.fromkeys(ends[(ends > FIRST_SEAM * self.radius) & (ends < self.radius)].tolist(), 0.0)
         for piece in pieces_of(self.memory):
             if piece.low > 0.0:
                 bends.setdefault(piece.low, 0.0)
@@ -78,20 +84,21 @@ class TwistedSprings:
                 if piece.low <= b < piece.high:
                     rate = float(self.bed.stiffness(np.array([b]))[0]) if self.forced else 1.0
                     bounded = piece.side if b < piece.bound.radius else 0.0
-                    bends[b] = bounded * self._bound.onset(b, strength) - piece.entered * rate * strength
+                    bends[b] = bounded * self.bound.onset(b, strength) - piece.entered * rate * strength
         return tuple(sorted(bends.items()))
 
     @property
-    def _bound(self) -> TwistBound:
+    def bound(self) -> TwistBound:
+        """What they bear at most."""
         return twist_bound(self.bed, self.coefficient, self.widest, self.forced)
 
     def value(self, x: Array) -> Array:
         """h(x) [Pa] for 0 < x <= a."""
-        return self._read(x, self._bound.panels.value)
+        return self._read(x, self.bound.panels.value)
 
     def slope(self, x: Array) -> Array:
         """h'(x) [Pa/m] for 0 < x < a."""
-        return self._read(x, self._bound.panels.slope)
+        return self._read(x, self.bound.panels.slope)
 
     def load(self, x: ArrayLike) -> Array:
         """q(x) [N/m], odd in x, zero outside the contact."""
@@ -102,7 +109,7 @@ class TwistedSprings:
             return np.zeros(places.shape)
         lever = where
         if not isinstance(self.bed.medium, HomogeneousMedium):
-            lever = np.sqrt(self._bound.panels.value(self._bound.weight, where))
+            lever = np.sqrt(self.bound.panels.value(self.bound.weight, where))
         return np.where(inside, np.sign(places) * lever * self.value(where), 0.0)
 
     def _read(self, x: Array, reading: Callable[[Array, Array], Array]) -> Array:
@@ -113,7 +120,7 @@ class TwistedSprings:
         for index, piece in enumerate(pieces_of(self.memory)):
             here = which == index
             if here.any():
-                result[here] = reading(piece.values(self._bound), x[here])
+                result[here] = reading(piece.values(self.bound), x[here])
         return result
 
 

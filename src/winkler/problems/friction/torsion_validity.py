@@ -60,7 +60,9 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
     falling = np.flatnonzero((np.diff(depth) < 0.0) & (radius[1:] > 0.0)) + 1
     examined = falling[:: max(1, falling.size // PATH_SAMPLES)].tolist()
     words = ("angle", "torque")
-    yield from ring_notes(bed, law.coefficient, states, examined, RADIUS_SAMPLES, words, by_torque)
+    yield from ring_notes(
+        bed, law.coefficient, states, examined, RADIUS_SAMPLES, words, by_torque, states[0].springs.bound.logarithmic
+    )
 
 
 def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note, ...]:

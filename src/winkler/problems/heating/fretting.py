@@ -54,9 +54,9 @@ class FrettingHeat(RubbingBodies):
     Parameters
     ----------
     motion : Tangential or CoatedTangential
-        The problem of the motion, on bonded layers a CoatedTangential; its path ends with a closed cycle, which is then
-        repeated for ever.  Two cycles of an oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one
-        differs.
+        The problem of the motion, on bonded layers and gradings in depth a CoatedTangential; its path ends with a
+        closed cycle, which is then repeated for ever.  Two cycles of an oscillation, `Path.oscillation(cycles=2, ...)`,
+        are enough: the first one differs.
     frequency : float
         How often the cycle is repeated [Hz]; the times of the path do not matter.
     conductors : HeatConductors

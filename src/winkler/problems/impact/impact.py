@@ -6,8 +6,8 @@ The bodies are rigid but for the contact, whose force is that of slow motion.  W
 .. math:: m\dot v = -F_N(d), \qquad \dot w = -\Bigl(\frac1m+\frac{\ell^2}{I}\Bigr)F_x, \qquad w = v_x - \ell\omega .
 
 The shear force of the springs is followed through sticking, sliding and turning back without a grid
-(`winkler.problems.impact.march`), on coatings ring by ring (`winkler.problems.impact.ring_march`); friction is all that
-takes energy.
+(`winkler.problems.impact.march`), on layers and gradings ring by ring (`winkler.problems.impact.ring_march`); friction
+is all that takes energy.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Impact:
     ----------
     bed : Bed
         The springs: Foundation(profile, medium).  With friction and a motion along the surface, of a medium whose
-        springs all have the same ratio of tangential to normal stiffness, or of a CoatedHalfSpace.
+        springs all have the same ratio of tangential to normal stiffness, of bonded layers or of a grading in depth.
     law : Coulomb
         Coulomb(coefficient); infinite if nothing slides, zero without friction.
     mass : float

@@ -1,4 +1,4 @@
-r"""Springs of a coated body that is pushed along the surface: normal and shear kernels need not be alike.
+r"""Springs of a layered or graded body that is pushed along the surface: normal and shear kernels need not be alike.
 
 With tractions along the motion that depend on the distance from the axis alone (Cattaneo, Mindlin), the mean of the
 displacement over each ring is that of the compliance averaged over the angle between wave and motion,
@@ -17,42 +17,83 @@ from winkler.errors import OutsideValidity
 from winkler.footprint import DISC
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import TwistBound
-from winkler.media.families import CoatedBody
+from winkler.media.families import PushedLayers
 from winkler.media.twisting.kernels import TwistKernel
 from winkler.numerics.panels.kink_panels import Sample
+from winkler.numerics.transforms import fredholm
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 from winkler.numerics.transforms.slip_tables import slip_table
 from winkler.numerics.types import Array
 
-__all__ = ["PushBound", "push_bound", "pushed_body"]
+__all__ = ["PushBound", "layers_of_rings", "push_bound", "pushed_body"]
 
 
-def pushed_body(bed: Bed) -> CoatedBody:
+def layers_of_rings(bed: Bed) -> PushedLayers | None:
+    """Return the medium of a bed on which it is known what rings bear that slide along the surface; else None.
+
+    Raises
+    ------
+    OutsideValidity
+        If one of its layers slides on what lies below it, and bears no push.
+    """
+    medium = bed.medium
+    if not isinstance(medium, PushedLayers) or bed.footprint != DISC:
+        return None
+    _ = medium.tangential_response  # refuses layers that slide
+    return medium
+
+
+def pushed_body(bed: Bed) -> PushedLayers:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface.
 
     Raises
     ------
     OutsideValidity
-        If it is not a CoatedHalfSpace, or the contact no disc.
+        If it is not of layers that are bonded, nor graded in depth, or the contact no disc.
     """
-    if not isinstance(bed.medium, CoatedBody) or bed.footprint != DISC:
+    medium = layers_of_rings(bed)
+    if medium is None:
         raise OutsideValidity(
-            f"CoatedTangential: the medium of the bed is a {type(bed.medium).__name__}; it must be a CoatedHalfSpace "
-            "under a body of revolution, as rings with the kernels of layers are built in for these: use Tangential, "
-            "on springs, for other media and shapes."
+            f"CoatedTangential: the medium of the bed is a {type(bed.medium).__name__}; it must be a CoatedHalfSpace, "
+            "a StackedHalfSpace whose layers are bonded or a DepthGradedHalfSpace under a body of revolution, for "
+            "which rings have kernels of their own: use Tangential, on springs, for other media and shapes."
         )
-    return bed.medium
+    return medium
 
 
 class PushBound(TwistBound):
-    """What springs bear before they slide; parameters as of `TwistBound`, on a CoatedHalfSpace."""
+    """What springs bear before they slide; parameters as of `TwistBound`, on a medium of `layers_of_rings`."""
 
     owner, load, unit, motion, free_motion = "CoatedTangential", "shear force", "N", "shift", "slide"
-    slides = True
+    slides, halvings = True, 12
+
+    def _responses(self) -> tuple[SurfaceResponse, ...]:
+        medium = pushed_body(self.bed)
+        return medium.response, medium.tangential_response
 
     def _springs(self) -> TwistKernel:
         medium = pushed_body(self.bed)
-        table = slip_table(self.panels, medium.response, medium.tangential_response)
-        return TwistKernel(medium.modulus * table.bound, table.lever**2)
+        shear, radii = medium.tangential_response, self.x.ravel()
+        table = slip_table(self.panels, medium.response, shear)
+        weight = fredholm.edge(shear, radii) ** 2
+        stuck = float(np.sum(self.panels.weights.ravel() * table.lever**2))
+        # what polynomials leave of a logarithm shows in the stiffness without slip, which is known otherwise
+        self.miss = (
+            abs(stuck / float(fredholm.area(shear, self.panels.edges[-1:])[0]) - 1.0) if self.logarithmic else 0.0
+        )
+        # all rings that slide under a flat punch bear its force: what tables miss of that is made up for
+        made_up = fredholm.area(medium.response, radii) / self._sum_to_nodes(table.bound * weight[:, None])
+        return TwistKernel(medium.modulus * table.bound * made_up, weight)
+
+    def _sum_to_nodes(self, columns: Array) -> Array:
+        """Return the integral over x of each column of a table up to the node whose number it has, ``(n,)``."""
+        panels, (count, per_panel) = self.panels, self.x.shape
+        nodes = np.arange(count * per_panel)
+        own = nodes // per_panel
+        rows = (columns * panels.stretch.reshape(-1, 1)).T.reshape(-1, count, per_panel)
+        whole = np.einsum("jpk,pk->jp", rows, panels.part(panels.edges[1:], np.arange(count)))
+        below = np.sum(np.where(np.arange(count) < own[:, None], whole, 0.0), axis=1)
+        return np.asarray(below + np.sum(panels.part(panels.nodes.ravel(), own) * rows[nodes, own], axis=1))
 
     def inertia(self, radius: float) -> float:
         """Return 2 int e^2 dx up to a radius [m]: the stiffness over G*."""

@@ -1,19 +1,23 @@
-"""What is assumed where rings of a coating slide along the surface."""
+"""What is assumed where rings of layered and graded bodies slide along the surface."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
+from winkler.foundation.torsion_bound import TwistBound
 from winkler.numerics.transforms import fredholm
 from winkler.problems.ring_slip.push_bound import pushed_body
+from winkler.problems.ring_slip.ring_notes import TABLES_ERROR
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["push_note"]
+__all__ = ["push_note", "tables_note"]
 
 
 def push_note(bed: Bed, radius: float) -> Note:
-    """Return what is assumed of tractions on a coating.
+    """Return what is assumed of tractions on layers.
 
     Parameters
     ----------
@@ -27,10 +31,22 @@ def push_note(bed: Bed, radius: float) -> Note:
         Standing.APPROXIMATE,
         "Tractions point along the motion and depend on the distance from the axis alone, and displacements are means "
         f"over each ring (Cattaneo and Mindlin); a stuck contact is softer than without that assumption, {softer}. "
-        "Within it normal and shear kernels are those of the layers, and every ring bears its own pressure times the "
-        "coefficient.",
+        "Within it normal and shear kernels are those of the layers or the grading, and every ring bears its own "
+        "pressure times the coefficient.",
         "k_x with tractions of both directions, winkler.media.layered.sheared",
     )
+
+
+def tables_note(bound: TwistBound) -> Iterator[Note]:
+    """Yield how well what springs bear is known, where kernels have a logarithm; nothing elsewhere."""
+    if bound.logarithmic:
+        yield Note(
+            Assumption.RESOLUTION,
+            Standing.ASYMPTOTIC,
+            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part: shear forces "
+            f"err by {bound.miss:.1e} of them at most, tractions by {TABLES_ERROR:.0e} of those of rings that slide.",
+            "stiffness without slip from the tables against that of flat punches; panels halved",
+        )
 
 
 def _stuck_error(bed: Bed, radius: float) -> float:

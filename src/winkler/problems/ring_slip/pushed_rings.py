@@ -1,15 +1,13 @@
-"""Rings of a coating that is pushed to and fro under a steady depth: their force, loss and reach."""
+"""Rings of a layered or graded body that is pushed to and fro under a steady depth: their force, loss and reach."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from winkler.footprint import DISC
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import PressedState
-from winkler.media.families import CoatedBody
 from winkler.numerics.types import Array
-from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
+from winkler.problems.ring_slip.push_bound import layers_of_rings, push_bound
 from winkler.problems.ring_slip.steady_path import FreshSprings, falls
 
 __all__ = ["PushedRings", "pushed_rings"]
@@ -56,7 +54,7 @@ class PushedRings:
 
 
 def pushed_rings(bed: Bed, coefficient: float, depth: float, radius: float) -> PushedRings | None:
-    """Return the rings of a contact; None where the medium is no coating, the contact no disc or no outer ring slides.
+    """Return the rings of a contact; None where the medium is not layered, the contact no disc or no outer ring slides.
 
     Parameters
     ----------
@@ -66,9 +64,10 @@ def pushed_rings(bed: Bed, coefficient: float, depth: float, radius: float) -> P
     depth, radius : float
         d [m] and a [m], positive.
     """
-    if not isinstance(bed.medium, CoatedBody) or bed.footprint != DISC:
+    medium = layers_of_rings(bed)
+    if medium is None:
         return None
     bound = push_bound(bed, coefficient, radius, False)
     excess = depth - float(bed.gap(np.array([radius]))[0]) if radius >= bed.rim else 0.0
     press = PressedState(depth, radius, max(excess, 0.0))
-    return PushedRings(FreshSprings(bound, press), pushed_body(bed).shear_modulus) if falls(bound, press) else None
+    return PushedRings(FreshSprings(bound, press), medium.shear_modulus) if falls(bound, press) else None

@@ -12,10 +12,12 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["RingState", "ring_notes"]
+__all__ = ["TABLES_ERROR", "RingState", "ring_notes"]
 
 TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
+TABLES_ERROR = 3e-4
+"""By which part tractions err where kernels have a logarithm."""
 
 
 class RingState(Protocol):
@@ -49,6 +51,7 @@ def ring_notes(
     radii: int,
     words: tuple[str, str],
     by_load: bool,
+    logarithmic: bool = False,
 ) -> Iterator[Note]:
     """Yield whether the law of friction holds at each ring, and how fine a path is cut.
 
@@ -67,11 +70,14 @@ def ring_notes(
         The motion and the load.
     by_load : bool
         Whether the load is prescribed and the motion computed.
+    logarithmic : bool
+        Whether kernels have a logarithm.
     """
     motion, load = words
+    rounding = TABLES_ERROR if logarithmic else TRACTION_ROUNDING
     bad = np.flatnonzero([not state.nested for state in states])
-    excess, index = _excess(bed, coefficient, states, examined, radii)
-    if bad.size or excess > TRACTION_ROUNDING:
+    excess, index = _excess(bed, coefficient, states, examined, radii, rounding)
+    if bad.size or excess > rounding:
         yield Note(
             Assumption.SLIP,
             Standing.APPROXIMATE,
@@ -95,7 +101,7 @@ def ring_notes(
 
 
 def _excess(
-    bed: Bed, coefficient: float, states: Sequence[RingState], examined: Iterable[int], radii: int
+    bed: Bed, coefficient: float, states: Sequence[RingState], examined: Iterable[int], radii: int, rounding: float
 ) -> tuple[float, int]:
     """Return by which part the traction exceeds friction at most, and the first such state."""
     most, first = 0.0, len(states)
@@ -107,6 +113,6 @@ def _excess(
             pressure[press] = bed.medium.pressure(PressedSprings(bed, *press), r)
         borne = coefficient * pressure[press]
         excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
-        if excess > TRACTION_ROUNDING:
+        if excess > rounding:
             most, first = max(most, excess), min(first, index)
     return most, first

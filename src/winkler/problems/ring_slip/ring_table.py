@@ -1,4 +1,4 @@
-r"""Springs of a coated body at fixed places, with what they bear at any depth: for motions in many small steps.
+r"""Springs of layered and graded bodies at fixed places, with what they bear at any depth: for many small steps.
 
 A ring of springs around the place x counts :math:`\int e^2\,\mathrm dx` over its width, and bears at most the bound of
 `winkler.problems.ring_slip.push_bound`, which is known at contact radii halfway between rings and is read straight
@@ -194,7 +194,7 @@ def ring_table(owner: str, bed: Bed, coefficient: float, widest: float, count: i
     owner : str
         Kind of problem, for messages.
     bed : Bed
-        On a CoatedHalfSpace; any whose tangential stiffness is known if the coefficient is infinite.
+        On a medium of `layers_of_rings`; any whose tangential stiffness is known if the coefficient is infinite.
     coefficient : float
         mu [-].
     widest : float

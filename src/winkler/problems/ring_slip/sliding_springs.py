@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 
-from winkler.footprint import DISC
 from winkler.foundation.bed import Bed
-from winkler.media.families import CoatedBody
 from winkler.problems.normal.stiffness_ratio import alike, common_ratio, stiffness_ratios
+from winkler.problems.ring_slip.push_bound import layers_of_rings
 from winkler.problems.ring_slip.ring_table import RingTable, ring_table
 
 __all__ = ["sliding_springs"]
 
 ONE_RATIO = (
     "under a changing normal load slip is followed where that ratio is the same everywhere, on homogeneous and "
-    "power-law media, and on layers that are a CoatedHalfSpace under a body of revolution: give such a bed{remedy}"
+    "power-law media, and on bonded layers and gradings in depth under a body of revolution: give such a bed{remedy}"
 )
 
 
@@ -38,7 +37,7 @@ def sliding_springs(owner: str, bed: Bed, coefficient: float, radius: float) -> 
     """
     if alike(stiffness_ratios(bed, radius)):
         return common_ratio(owner, bed, radius, ""), None
-    if math.isinf(coefficient) or (isinstance(bed.medium, CoatedBody) and bed.footprint == DISC):
+    if math.isinf(coefficient) or layers_of_rings(bed) is not None:
         return 1.0, ring_table(owner, bed, coefficient, radius)
     remedy = ", Coulomb(inf) if nothing slides"
     if owner == "Impact":

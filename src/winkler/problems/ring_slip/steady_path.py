@@ -66,7 +66,11 @@ def falls(bound: TwistBound, press: PressedState) -> bool:
     """Return whether springs bear the less the farther out they are, so that those which slide are an outer ring."""
     limit = bound.at(press).ravel()
     top = float(np.max(limit))
-    return press.radius == bound.widest and top > 0.0 and bool(np.all(np.diff(limit) < BOUND_ROUNDING * top))
+    return (
+        press.radius == bound.widest
+        and top > 0.0
+        and bool(np.all(np.diff(limit) < (BOUND_ROUNDING + bound.miss) * top))
+    )
 
 
 class FreshSprings:
