@@ -80,7 +80,7 @@ def test_waves_of_elastic_films_without_end_and_of_half_spaces():
 @pytest.mark.parametrize("octave", [-20, -8, 0, 4])
 def test_creep_of_waves_is_terzaghis(octave):
     """At times of diffusion beyond a quarter of a cell; at first waves are those of the incompressible film."""
-    creep, width = film_creep(0.3, octave), 2.0**octave
+    creep, width = film_creep(0.3, octave, False), 2.0**octave
     assert creep.error < 1e-6
     x = np.array([1e-6, 1e-3])
     time = np.maximum(np.array([0.01, 0.1, 1.0]), 0.25 * width**2)
@@ -110,7 +110,7 @@ def test_a_film_far_thinner_than_the_contact_consolidates_as_terzaghi_says():
     found = wk.RelaxationTest(bed(film), d, time).solve()
     decay = np.exp(-np.outer(time / film.diffusion_time, (np.pi * np.arange(1, 60)) ** 2)).sum(axis=1)
     uniaxial = 2.0 * 0.8 / 0.6
-    assert found.force == pytest.approx(np.pi * uniaxial * d**2 / h * (1.0 + 2.0 * decay), rel=2e-3)
+    assert found.force == pytest.approx(np.pi * uniaxial * d**2 / h * (1.0 + 2.0 * decay), rel=4e-4)
 
 
 def punch_forces(waves, local, time, count=160):

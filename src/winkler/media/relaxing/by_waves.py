@@ -32,8 +32,13 @@ class RelaxingByWaves(RelaxingMedium):
         """The elastic stack that is left after all time."""
         raise NotImplementedError
 
-    def creep_of_waves(self, width: float) -> WaveCreep:
-        """Return how waves of line load sink after a step, those that cells of a width [m] tell apart.
+    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
+        """Return how waves of line load sink after a step.
+
+        Parameters
+        ----------
+        width, reach : float
+            Of cells that tell the waves apart, and up to which radius they lie [m].
 
         Raises
         ------

@@ -140,7 +140,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         spans = [solid.span for solid in self.relaxing_solids]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
-    def creep_of_waves(self, width: float) -> WaveCreep:
+    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
         """Return how all waves of line load sink after a step, of any length; cached by value."""
         return _wave_creep(self)
 

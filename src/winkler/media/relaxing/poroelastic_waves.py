@@ -35,6 +35,8 @@ LONGEST_TIME = 0.5
 """Above the longest retardation time, 4 / pi^2 of a wave without end."""
 SHORTEST_DEPTH = 0.01
 """Of a width of cells, in which liquid diffuses within the shortest time."""
+SHORTEST_TIME = 1e-5
+"""The shortest time is not longer."""
 SHORTEST_WAVE = 64.0
 """Over the width of cells: shorter waves move cells by less than 1e-5 of their own displacement."""
 DEEP = 20.0
@@ -159,10 +161,11 @@ def _missing(x: Array) -> Array:
 
 
 @cached_by_value(32)
-def film_creep(poisson: float, octave: int) -> WaveCreep:
+def film_creep(poisson: float, octave: int, wide: bool) -> WaveCreep:
     """Return the creep of all waves that cells of a width of 2^octave thicknesses, or wider ones, tell apart.
 
-    Lengths, moduli and times are those of `drained_waves`.
+    Lengths, moduli and times are those of `drained_waves`.  Under a wide contact what creeps within the shortest time
+    comes at once, and the undrained compliance does not appear.
 
     Raises
     ------
@@ -170,7 +173,7 @@ def film_creep(poisson: float, octave: int) -> WaveCreep:
         If the sum of exponentials is wrong by more than 1e-5.
     """
     width = 2.0**octave
-    shortest = (SHORTEST_DEPTH * width) ** 2
+    shortest = min((SHORTEST_DEPTH * width) ** 2, SHORTEST_TIME)
 
     def slowed(s: ComplexArray) -> ComplexArray:
         infinite = np.isinf(np.abs(s))
@@ -185,6 +188,8 @@ def film_creep(poisson: float, octave: int) -> WaveCreep:
 
     ends = FIRST_WAVE_NUMBER, max(SHORTEST_WAVE / width, DECAY_SPAN)
     found = fit_wave_creep(compliance, share, (shortest, LONGEST_TIME + shortest), ends)
+    if wide:
+        return found
     nodes = fit_nodes(found.edges)
     x = np.append(nodes.ravel(), np.inf)
     undrained = undrained_waves(x)

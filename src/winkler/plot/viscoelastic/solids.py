@@ -69,7 +69,7 @@ def proportional_sheet(item: RelaxingInProportion) -> Sheet:
 def coated_sheet(item: ViscoelasticCoatedHalfSpace) -> Sheet:
     """Return how much waves of pressure sink, over their first amplitude: short and long against the layers."""
     thickness = item.elastic.thickness
-    creep = item.creep_of_waves(thickness)
+    creep = item.creep_of_waves(thickness, thickness)
     time = series("time", np.geomspace(0.1 * float(creep.times[0]), 3.0 * float(creep.times[-1]), POINTS))
     waves = np.array([np.inf, 1.0 / thickness, 0.1 / thickness])
     names = "much shorter than the layers are thick", *LONG_WAVES
@@ -83,7 +83,7 @@ def poroelastic_sheet(item: PoroelasticFilm) -> Sheet:
     thickness = item.thickness
     time = series("time", item.diffusion_time * np.geomspace(1e-4, 10.0, POINTS))
     waves = np.array([10.0, 1.0, 0.1]) / thickness
-    curves = item.creep_of_waves(SMALL_WIDTH * thickness).after(
+    curves = item.creep_of_waves(SMALL_WIDTH * thickness, thickness).after(
         waves, np.append(time.content, 1e6 * item.diffusion_time)
     )
     names = "about $0.6$ thicknesses", *LONG_WAVES

@@ -49,8 +49,9 @@ def cells_of(bed: Bed, reach: float, count: int) -> CoupledCells:
     """Return cells up to a radius [m], or up to the rim of the body."""
     assert isinstance(bed, UnderProfile)
     assert isinstance(bed.medium, RelaxingByWaves)
-    width = min(reach, bed.rim) / (count + EDGE_SHIFT)
-    creep = bed.medium.creep_of_waves(width)
+    reach = min(reach, bed.rim)
+    width = reach / (count + EDGE_SHIFT)
+    creep = bed.medium.creep_of_waves(width, reach)
     shape = np.asarray(bed.profile.gap(width * (np.arange(count) + 0.5)), dtype=float)
     return CoupledCells(creep.kernels(count, width), creep.times, width, shape)
 

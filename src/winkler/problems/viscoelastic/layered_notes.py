@@ -58,7 +58,8 @@ def _error_note(problem: Any, solution: Any) -> Note:
         )
     many = min(force.size, forces.size)
     change = max(_change(force[:many], forces[:many]), _change(depth[:many], depths[:many]))
-    error = float(problem.bed.medium.creep_of_waves(float(np.max(solution.radius)) / STEP_CELLS).error)
+    widest = float(np.max(solution.radius))
+    error = float(problem.bed.medium.creep_of_waves(widest / STEP_CELLS, widest).error)
     if change <= SMALL_CHANGE:
         standing = Standing.ASYMPTOTIC
     else:

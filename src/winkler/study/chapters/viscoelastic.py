@@ -109,11 +109,11 @@ LAYERS = Equation(
     r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
 )
 BIOT = Equation(
-    "The liquid of the film flows to its surface, where the pore pressure is zero, and does not pass the base, to "
-    "which the network is bonded (Biot)",
-    r"G\,\nabla^2\mathbf u + \frac{G}{1-2\nu}\,\nabla\varepsilon = \nabla p, \quad "
-    r"\frac{\partial\varepsilon}{\partial t} = \frac{D\,(1-2\nu)}{2G\,(1-\nu)}\,\nabla^2 p, \quad "
-    r"\varepsilon = \nabla\cdot\mathbf u",
+    "At a rate s the dilatation e of each wave diffuses; the liquid flows to the surface, where its pressure p is zero, "
+    "and does not pass the base (Biot)",
+    r"\frac{\partial^2e}{\partial z^2} = \left(\xi^2+\frac{s}{D}\right)e, \quad "
+    r"\varphi = \frac{2G\,(1-\nu)}{1-2\nu}\,e - p, \quad "
+    r"\frac{\partial^2\varphi}{\partial z^2} = \xi^2\varphi",
 )
 SEEPING = Equation(
     "Every wave of the springs' load sinks by a creep function of its own, from that of an incompressible film to that "
