@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study

@@ -77,7 +77,7 @@ def test_waves_of_elastic_films_without_end_and_of_half_spaces():
     assert found == pytest.approx(0.25 * both / (both - deep), rel=1e-11)
 
 
-@pytest.mark.parametrize("octave", [-20, -8, 0, 4])
+@pytest.mark.parametrize("octave", [-30, -8, 0, 4])
 def test_creep_of_waves_is_terzaghis(octave):
     """At times of diffusion beyond a quarter of a cell; at first waves are those of the incompressible film."""
     creep, width = film_creep(0.3, octave, False), 2.0**octave
@@ -92,7 +92,7 @@ def test_creep_of_waves_is_terzaghis(octave):
     assert creep.after(waves, np.zeros(1))[:, 0] == pytest.approx(undrained_waves(waves), rel=1e-9)
 
 
-@pytest.mark.parametrize("thickness", [0.03, 10.0])
+@pytest.mark.parametrize("thickness", [0.03, pytest.param(10.0, marks=pytest.mark.slow)])
 def test_at_first_the_film_is_incompressible_and_at_last_the_drained_network(thickness):
     film = wk.PoroelasticFilm(shear=2.0, poisson=0.2, diffusivity=3.0, thickness=thickness)
     found = wk.RelaxationTest(bed(film), 5e-3, [1e-14, 1e6]).solve()
@@ -196,6 +196,7 @@ def test_under_a_force_and_shaken_it_goes_from_one_elastic_film_to_the_other():
     assert shaken.loss_tangent[1] > 0.1
 
 
+@pytest.mark.slow
 def test_adhesion_takes_the_film_as_drained():
     law, path = wk.RateDependentWork(1e-4, 1e-6, 0.5), wk.Path([0.0, 1e3], wk.Depth([1e-3, 5e-4]))
     one, other = (wk.ViscoelasticAdhesion(bed(medium), law, path).solve() for medium in (FILM, FILM.relaxed))

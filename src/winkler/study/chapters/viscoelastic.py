@@ -109,8 +109,8 @@ LAYERS = Equation(
     r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
 )
 BIOT = Equation(
-    "At a rate s the dilatation e of each wave diffuses; the liquid flows to the surface, where its pressure p is zero, "
-    "and does not pass the base (Biot)",
+    "At a rate s the dilatation e of each wave diffuses; the liquid flows to the surface, where its pressure p is "
+    "zero, and does not pass the base (Biot)",
     r"\frac{\partial^2e}{\partial z^2} = \left(\xi^2+\frac{s}{D}\right)e, \quad "
     r"\varphi = \frac{2G\,(1-\nu)}{1-2\nu}\,e - p, \quad "
     r"\frac{\partial^2\varphi}{\partial z^2} = \xi^2\varphi",
