@@ -41,7 +41,7 @@ class PoroelasticFilm(RelaxingByWaves):
     """A network filled with a liquid, bonded to a rigid base that is impermeable, and drained at its surface.
 
     The body that is pressed in lets the liquid through, as the bath beside it does.  Where a contact is wider than some
-    40 thicknesses, what creeps within 1e-5 h^2/D comes at once: the peak of an undrained film, thousands of times the
+    40 thicknesses, what creeps within 1e-5 h^2/D comes at once: the peak of an undrained film, hundreds of times the
     later force, is over long before.  Its response depends on time:
     `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and `HarmonicIndentation` know it.
 
