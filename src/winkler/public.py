@@ -130,6 +130,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.poroelastic import PoroelasticFilm
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.media.stacked.sliding_film import SlidingFilm
@@ -198,7 +199,8 @@ __all__ = [
     "NamedMaterial", "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure",
     "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear",
     "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics",
-    "Population", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
+    "Population", "PoroelasticFilm", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum",
+    "Program", "Prony",
     "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork",
     "ReferenceSample", "RelaxationData", "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod",
     "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork",

@@ -96,6 +96,9 @@ RELAXING = {
         kind: wk.RelaxationTest(wk.Foundation(BALL, GEL_FILM), depth=100e-6, time=np.geomspace(1e-3, 10.0, 33))
         for kind in ("viscoelastic_coated_half_space", "viscoelastic_layer")
     },
+    "poroelastic_film": wk.RelaxationTest(
+        wk.Foundation(BALL, wk.PoroelasticFilm(5e3, 0.3, 1e-9, 1e-3)), depth=100e-6, time=np.geomspace(1e-3, 10.0, 33)
+    ),
     "relaxing_in_proportion": relaxing(wk.RelaxingInProportion(FILM, RUBBER, shear=1e6)),
     **{
         kind: wk.ViscoelasticAdhesion(ON_RUBBER, wk.RateDependentWork(0.05, 1e-6, 0.6), PULLED)

@@ -74,7 +74,8 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, loads of the springs or tractions
         - solutions of ``RollingStart``, ``OscillatingRolling``: force over distance, shift over cycles, and the springs
         - a solid that relaxes, ``ViscoelasticHalfSpace``, ``RelaxingInProportion``: relaxation, creep, storage and loss
-        - ``ViscoelasticCoatedHalfSpace``: creep under waves of pressure that are short or long against the layers
+        - ``ViscoelasticCoatedHalfSpace``, ``PoroelasticFilm``: creep under waves of pressure that are short or long
+          against the layers
         - solutions for them: loops, forces and energies over time, springs that press or recover, curves over frequency
         - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
         - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: restored fields

@@ -31,7 +31,7 @@ def test_cells_far_wider_than_the_film_against_panels_that_resolve_all_waves(sta
     measure *= np.sinc(0.5 * xi * ratio / np.pi) ** 4 * (stack.compliance(at_once, xi)[0].real - local)
     wanted = np.array([np.sum(measure * np.cos(j * xi * ratio)) for j in range(2 * count)])
     wanted[:2] += local * ratio * np.array([2.0 / 3.0, 1.0 / 6.0])
-    found = stack.wave_creep.kernels(count, ratio)[0]
+    found = stack.creep_of_waves(ratio, ratio * count).kernels(count, ratio)[0]
     assert found == pytest.approx(wanted, rel=1e-7, abs=1e-9 * wanted[0])
 
 

@@ -34,6 +34,7 @@ BALL = wk.Paraboloid(10e-3)
 LONG = {
     "coated_half_space",
     "depth_graded_half_space",
+    "poroelastic_film",
     "relaxing_in_proportion",
     "sliding_film",
     "stacked_half_space",

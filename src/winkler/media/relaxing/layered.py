@@ -20,16 +20,18 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.layers import NormalResponse, half_space, through_layer
-from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
+from winkler.media.relaxing.by_waves import RelaxingByWaves
+from winkler.media.relaxing.relaxing_medium import LEE
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.springs.exponential_sums import of_relaxation
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
 from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
@@ -42,7 +44,7 @@ VANISHED_DEPTH = 44.0
 
 
 @value
-class ViscoelasticCoatedHalfSpace(RelaxingMedium):
+class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """Bonded layers on a half-space or a rigid base, of which each may relax by a law of its own.
 
     Its response depends on time, and not in proportion: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and
@@ -78,7 +80,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
     (15000.0, 3000.0)
     """
 
-    in_proportion: ClassVar[bool] = False
+    reason: ClassVar[str] = "the layers of the bed relax each by a law of its own,"
+    alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers that relax alike"
 
     layers: tuple[Layer | ViscoelasticLayer, ...]
     on: ViscoelasticSolid | Elastic | Rigid
@@ -110,14 +113,6 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
         solids = (*(layer.solid for layer in self.layers), self.on, self.second)
         return tuple(solid for solid in solids if isinstance(solid, ViscoelasticSolid))
 
-    def timeless(self) -> OutsideValidity:
-        """Return the error of a call that requests a single value."""
-        return OutsideValidity(
-            "ViscoelasticCoatedHalfSpace: its stiffness and its equivalent profile change in time, so no single value "
-            "exists; use ViscoelasticIndentation(bed, path), CreepTest, RelaxationTest or HarmonicIndentation, or the "
-            "elastic stacks `glassy`, right after a step, and `relaxed`, after all time."
-        )
-
     @property
     def glassy(self) -> CoatedHalfSpace:
         """The elastic stack that responds to a sudden step."""
@@ -140,34 +135,13 @@ class ViscoelasticCoatedHalfSpace(RelaxingMedium):
         return CoatedHalfSpace(layers, elastic(self.on), elastic(self.second))
 
     @property
-    def elastic(self) -> CoatedHalfSpace:
-        """The stack after all time, as what pictures and notes show it."""
-        return self.relaxed
-
-    @property
-    def bodies(self) -> CoatedHalfSpace:
-        """The stack that names the solids."""
-        return self.relaxed
-
-    relaxation = creep = property(RelaxingMedium._changing)
-    gap = gap_slope = kinks = punch_facts = RelaxingMedium._changing
-    displacement = interior = RelaxingMedium._changing
-
-    @property
     def span(self) -> tuple[float, float]:
         """From which time on and up to which the series of all solids are the solids [s]."""
         spans = [solid.span for solid in self.relaxing_solids]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
-    @property
-    def wave_creep(self) -> WaveCreep:
-        """How every wave of line load sinks after a step; cached by value.
-
-        Raises
-        ------
-        NotConverged
-            If the sum of exponentials is wrong by more than 1e-5.
-        """
+    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
+        """Return how all waves of line load sink after a step, of any length; cached by value."""
         return _wave_creep(self)
 
     def compliance(self, s: ComplexArray, xi: Array) -> ComplexArray:
@@ -245,4 +219,5 @@ def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
         max(float(np.max(of_relaxation(solid.series).times)) for solid in solids),
     )
     stacks = [NormalResponse(stack.layers, stack.on) for stack in (medium.glassy, medium.relaxed)]
-    return fit_wave_creep(medium.compliance, share, times, max(stack.span for stack in stacks), stacks[0].length)
+    waves = FIRST_WAVE_NUMBER / max(stack.span for stack in stacks), DECAY_SPAN / stacks[0].length
+    return fit_wave_creep(medium.compliance, share, times, waves)

@@ -71,7 +71,7 @@ def fit_modulus_waves(
     moduli : (float, float)
         Between which the modulus lies at all times [Pa].
     span, length : float
-        As of `winkler.numerics.transforms.wave_creep.fit_wave_creep` [m].
+        c is a power series in xi below 1 / span, and its limit is approached like exp(-2 xi length) [m].
     alone : bool
         Whether nothing else deforms: then only the pole at zero exists.
 

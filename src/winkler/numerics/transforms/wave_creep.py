@@ -13,16 +13,18 @@ same for all waves.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial.chebyshev import chebvander
 
 from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
+from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["WaveCreep", "fit_wave_creep"]
@@ -146,20 +148,21 @@ class WaveCreep(NamedTuple):
     def _varying(self, xi: Array) -> Array:
         """Return what is added to the coefficients of the shortest waves, ``(1 + M, m)``."""
         panel = np.clip(np.searchsorted(self.edges, xi, side="right") - 1, 0, self.edges.size - 2)
-        low, high = self.edges[panel], self.edges[panel + 1]
-        place = ((2.0 * xi - low - high) / (high - low))[:, None]
-        before, current = np.zeros((xi.size, self.local.size)), np.zeros((xi.size, self.local.size))
-        for row in self.series[:0:-1]:  # Clenshaw, for all times at once
-            before, current = current, row[panel] + 2.0 * place * current - before
-        return np.asarray((self.series[0][panel] + place * current - before).T)
+        found = np.empty((self.local.size, xi.size))
+        starts = np.flatnonzero(np.diff(panel, prepend=-1)).tolist()
+        for start, end in itertools.pairwise([*starts, xi.size]):
+            one = int(panel[start])
+            low, high = self.edges[one : one + 2]
+            terms = chebvander((2.0 * xi[start:end] - low - high) / (high - low), self.series.shape[0] - 1)
+            np.matmul(self.series[:, one].T, terms.T, out=found[:, start:end])
+        return found
 
 
 def fit_wave_creep(
     compliance: Compliance,
     share: Callable[[ComplexArray], Array],
     times: tuple[float, float],
-    span: float,
-    length: float,
+    waves: tuple[float, float],
 ) -> WaveCreep:
     """Fit the creep of all waves.
 
@@ -171,8 +174,8 @@ def fit_wave_creep(
         The smallest |J(s)| / J(0) of the solids, ``(S,)``: in proportion to it errors are weighed.
     times : (float, float)
         Between which the retardation times lie [s].
-    span, length : float
-        c is a power series in xi below 1 / span, and its limit is approached like exp(-2 xi length) [m].
+    waves : (float, float)
+        c is a power series in xi below the first [1/m], and its limit from the second on.
 
     Raises
     ------
@@ -184,8 +187,8 @@ def fit_wave_creep(
     ends = 1.0 / (REACH_OF_FREQUENCIES * kept[-1]), REACH_OF_FREQUENCIES / kept[0]
     grid = np.geomspace(*ends, 2 * FREQUENCIES_PER_TIME * kept.size + 1)
     fitted, checked = np.append(0.0, grid[::2]), grid[1::2]
-    edges = [0.0, FIRST_WAVE_NUMBER / span]
-    while edges[-1] < DECAY_SPAN / length:
+    edges = [0.0, waves[0]]
+    while edges[-1] < waves[1]:
         edges.append(2.0 * edges[-1])
     nodes = fit_nodes(np.array(edges))
     xi = np.append(nodes.ravel(), np.inf)
@@ -195,8 +198,12 @@ def fit_wave_creep(
     weights[0] *= LIMIT_WEIGHT
     rows, wanted = _terms(fitted, kept), compliance(1j * fitted, xi) - at_once
     both = np.concatenate([weights, weights])[:, None]
-    inverse = np.linalg.pinv(both * np.concatenate([rows.real, rows.imag]), rcond=CUTOFF)
-    found = inverse @ (both * np.concatenate([wanted.real, wanted.imag]))
+    weighted = both * np.concatenate([rows.real, rows.imag])
+    size = np.linalg.norm(weighted, axis=0)
+    inverse = np.linalg.pinv(weighted / size, rcond=CUTOFF) / size[:, None]
+    aim = both * np.concatenate([wanted.real, wanted.imag])
+    found = inverse @ aim
+    found += inverse @ (aim - weighted @ found)  # what rounding has taken where weights differ by decades
 
     part = slice(None, None, CHECKED_WAVES)
     true = compliance(1j * checked, xi[part])

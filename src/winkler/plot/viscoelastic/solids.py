@@ -10,6 +10,7 @@ import numpy as np
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.poroelastic import PoroelasticFilm
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
@@ -20,11 +21,14 @@ from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
 from winkler.vocabulary import Word
 
-__all__ = ["coated_sheet", "half_space_sheet", "proportional_sheet", "solid_sheet"]
+__all__ = ["coated_sheet", "half_space_sheet", "poroelastic_sheet", "proportional_sheet", "solid_sheet"]
 
 POINTS = 161
 TIME_FACTOR_BEYOND = 30.0
 """Factor by which the drawn times extend beyond those of the solid."""
+LONG_WAVES = "about $6$ thicknesses", "about $60$ thicknesses"
+SMALL_WIDTH = 0.01
+"""Of cells, over the thickness, up to which waves of a poroelastic film are drawn."""
 NO_POINTS = (np.empty(0), np.empty(0))
 
 
@@ -64,12 +68,29 @@ def proportional_sheet(item: RelaxingInProportion) -> Sheet:
 @without_extent(ViscoelasticCoatedHalfSpace)
 def coated_sheet(item: ViscoelasticCoatedHalfSpace) -> Sheet:
     """Return how much waves of pressure sink, over their first amplitude: short and long against the layers."""
-    creep, thickness = item.wave_creep, item.elastic.thickness
+    thickness = item.elastic.thickness
+    creep = item.creep_of_waves(thickness, thickness)
     time = series("time", np.geomspace(0.1 * float(creep.times[0]), 3.0 * float(creep.times[-1]), POINTS))
     waves = np.array([np.inf, 1.0 / thickness, 0.1 / thickness])
-    names = "much shorter than the layers are thick", "about $6$ thicknesses", "about $60$ thicknesses"
+    names = "much shorter than the layers are thick", *LONG_WAVES
     curves = creep.after(waves, time.content) / creep.after(waves, np.zeros(1))
-    meaning = "amplitude over that at first"
+    return _waves_sheet(item, time, curves, names, "amplitude over that at first")
+
+
+@without_extent(PoroelasticFilm)
+def poroelastic_sheet(item: PoroelasticFilm) -> Sheet:
+    """Return how much waves of pressure sink, over what they do when the liquid is at rest."""
+    thickness = item.thickness
+    time = series("time", item.diffusion_time * np.geomspace(1e-4, 10.0, POINTS))
+    waves = np.array([10.0, 1.0, 0.1]) / thickness
+    curves = item.creep_of_waves(SMALL_WIDTH * thickness, thickness).after(
+        waves, np.append(time.content, 1e6 * item.diffusion_time)
+    )
+    names = "about $0.6$ thicknesses", *LONG_WAVES
+    return _waves_sheet(item, time, curves[:, :-1] / curves[:, -1:], names, "amplitude over that at last")
+
+
+def _waves_sheet(item: Any, time: Series, curves: Array, names: tuple[str, ...], meaning: str) -> Sheet:
     quantities = [
         Quantity(Series(meaning, Word("", "", meaning), curve), name) for curve, name in zip(curves, names, strict=True)
     ]

@@ -25,7 +25,7 @@ from winkler.laws.crack import CrackLaw
 from winkler.loading import Depth, Shift
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
@@ -176,10 +176,10 @@ class ViscoelasticAdhesion:
     def _relaxed(self) -> Bed:
         """The bed when all has relaxed."""
         medium = self.bed.medium
-        if not isinstance(medium, RelaxingMedium | ViscoelasticCoatedHalfSpace):
+        if not isinstance(medium, RelaxingMedium):
             return self.bed
         assert isinstance(self.bed, OnMedium)
-        if isinstance(medium, ViscoelasticCoatedHalfSpace):
+        if isinstance(medium, RelaxingByWaves):
             return self.bed.with_medium(medium.relaxed)
         if isinstance(medium, RelaxingInProportion):
             return self.bed.with_medium(medium.elastic)

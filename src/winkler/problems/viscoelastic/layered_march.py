@@ -10,7 +10,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.loading import Depth, Force
-from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, BorneCells, CoupledCells, LoadedCells
 from winkler.numerics.types import Array
 
@@ -48,8 +48,10 @@ class MarchedPoint(NamedTuple):
 def cells_of(bed: Bed, reach: float, count: int) -> CoupledCells:
     """Return cells up to a radius [m], or up to the rim of the body."""
     assert isinstance(bed, UnderProfile)
-    assert isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
-    creep, width = bed.medium.wave_creep, min(reach, bed.rim) / (count + EDGE_SHIFT)
+    assert isinstance(bed.medium, RelaxingByWaves)
+    reach = min(reach, bed.rim)
+    width = reach / (count + EDGE_SHIFT)
+    creep = bed.medium.creep_of_waves(width, reach)
     shape = np.asarray(bed.profile.gap(width * (np.arange(count) + 0.5)), dtype=float)
     return CoupledCells(creep.kernels(count, width), creep.times, width, shape)
 
@@ -141,7 +143,7 @@ class LayeredMarch:
         if what:
             raise OutsideValidity(
                 f"{self.owner}: at {self.time:.6g} s the body {what}, so the contact is no disc, which is not solved "
-                "on layers that relax; end the path before."
+                f"on a {type(self.bed.medium).__name__}; end the path before."
             )
 
 

@@ -58,7 +58,8 @@ def _error_note(problem: Any, solution: Any) -> Note:
         )
     many = min(force.size, forces.size)
     change = max(_change(force[:many], forces[:many]), _change(depth[:many], depths[:many]))
-    error = float(problem.bed.medium.wave_creep.error)
+    widest = float(np.max(solution.radius))
+    error = float(problem.bed.medium.creep_of_waves(widest / STEP_CELLS, widest).error)
     if change <= SMALL_CHANGE:
         standing = Standing.ASYMPTOTIC
     else:
@@ -67,7 +68,7 @@ def _error_note(problem: Any, solution: Any) -> Note:
         Assumption.RESOLUTION,
         standing,
         f"Half as many cells, and coarser steps, change force or depth by {change:.1g} of the greatest; about a third "
-        f"of that is left. The sum of exponentials of the layers is wrong by {error:.0e} at most.",
+        f"of that is left. The sum of exponentials of a wave is wrong by {error:.0e} at most.",
         HALVED,
     )
 

@@ -12,7 +12,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium, UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HalfSpace
-from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array, ComplexArray
 from winkler.problems.normal.solve_contact import at_depth, at_force
@@ -36,17 +36,17 @@ PUNCH_CELLS = 192
 
 def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
     """Return whether layers of a bed relax each by a law of its own; refuse too many cells, and no profile."""
-    if not isinstance(bed.medium, ViscoelasticCoatedHalfSpace):
+    if not isinstance(bed.medium, RelaxingByWaves):
         return False
     if not isinstance(bed, UnderProfile) or bed.footprint != DISC:
         raise InvalidInput(
-            f"{owner}: a ViscoelasticCoatedHalfSpace needs Foundation(profile, medium) of a body of revolution, whose "
+            f"{owner}: a {type(bed.medium).__name__} needs Foundation(profile, medium) of a body of revolution, whose "
             "contact is a disc; the equivalent profile of other beds changes in time."
         )
     if count > MOST_CELLS:
         raise InvalidInput(
-            f"{owner}: count is {count}, but on layers that relax each by a law of its own at most {MOST_CELLS} cells "
-            "are solved, which know forces to 1e-6; give fewer."
+            f"{owner}: count is {count}, but on a {type(bed.medium).__name__} at most {MOST_CELLS} cells are solved, "
+            "which know forces to 1e-6; give fewer."
         )
     return True
 
@@ -54,7 +54,7 @@ def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
 def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
     """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
     assert isinstance(bed, OnMedium)
-    assert isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
+    assert isinstance(bed.medium, RelaxingByWaves)
     by_depth = isinstance(normal, Depth)
     relaxed = bed.medium.relaxed
     alike = bed.with_medium(HalfSpace(relaxed.layers[0].solid, relaxed.second))
@@ -110,7 +110,7 @@ def marched(
     owner : str
         For errors.
     bed : Bed
-        On a `ViscoelasticCoatedHalfSpace`.
+        On a medium `RelaxingByWaves`.
     times : ndarray, (steps,)
         [s].
     normal : Depth or Force

@@ -12,7 +12,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.foundation.springs import Springs
-from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
@@ -51,12 +51,11 @@ class SpringMemory(NamedTuple):
 def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     """Return by what the springs of a bed relax, E*(t) on half-spaces; refuse one that does not."""
     medium = bed.medium
-    if isinstance(medium, ViscoelasticCoatedHalfSpace):
+    if isinstance(medium, RelaxingByWaves):
         raise InvalidInput(
-            f"{owner}: the layers of the bed relax each by a law of its own, so that a wide contact relaxes otherwise "
-            "than a small one and no single function of time stands for all springs, as it must here; "
-            "ViscoelasticIndentation, CreepTest, RelaxationTest and HarmonicIndentation know such layers: use one of "
-            "these, or RelaxingInProportion(medium, solid, shear) of layers that relax alike."
+            f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
+            "function of time stands for all springs, as it must here; ViscoelasticIndentation, CreepTest, "
+            f"RelaxationTest and HarmonicIndentation know such a medium: use one of these, or {medium.alike}."
         )
     if not isinstance(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(

@@ -9,7 +9,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
@@ -65,10 +65,10 @@ class ViscoelasticState:
         """The springs, from which the fields are restored; a smooth function of g between them."""
         assert isinstance(self.bed, OnMedium)
         assert isinstance(self.bed.medium, RelaxingMedium)
-        if isinstance(self.bed.medium, ViscoelasticCoatedHalfSpace):
+        if isinstance(self.bed.medium, RelaxingByWaves):
             raise OutsideValidity(
-                "ViscoelasticState: on layers that relax each by a law of its own the pressure is restored alone, no "
-                "field inside and no surface outside; request the pressure."
+                f"ViscoelasticState: on a {type(self.bed.medium).__name__} the pressure is restored alone, no field "
+                "inside and no surface outside; request the pressure."
             )
         elastic = self.bed.with_medium(self.bed.medium.elastic)
         x, u = self.position, self.recess
@@ -118,7 +118,7 @@ class ViscoelasticState:
         refuse_unless_round(self, "pressure", "the pressure")
         places = np.asarray(r, dtype=float)
         medium = self.bed.medium
-        layered = isinstance(medium, ViscoelasticCoatedHalfSpace)
+        layered = isinstance(medium, RelaxingByWaves)
         if not (layered or (isinstance(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium))):
             return medium.pressure(self.pressed, places)
         edges, loads = self._edges

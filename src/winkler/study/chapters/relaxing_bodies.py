@@ -128,5 +128,15 @@ RELAXING_BODIES: Kinds = {
             layers=[{"kind": "viscoelastic_layer", "solid": RUBBER, "thickness": "1 mm"}],
             on={"kind": "elastic", "young": "3 GPa", "poisson": 0.35},
         ),
+        "poroelastic_film": kind(
+            "winkler.media.relaxing.poroelastic:PoroelasticFilm",
+            "biot_1941",
+            "mcnamee_gibson_1960",
+            problem="relaxation_test",
+            shear="5 kPa",
+            poisson=0.3,
+            diffusivity="1e-9 m^2/s",
+            thickness="1 mm",
+        ),
     },
 }

@@ -108,6 +108,19 @@ LAYERS = Equation(
     r"U(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial Q(\xi,t')}{\partial t'}\,\mathrm{d}t', \quad "
     r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
 )
+BIOT = Equation(
+    "At a rate s the dilatation e of each wave diffuses; the liquid flows to the surface, where its pressure p is "
+    "zero, and does not pass the base (Biot)",
+    r"\frac{\partial^2e}{\partial z^2} = \left(\xi^2+\frac{s}{D}\right)e, \quad "
+    r"\varphi = \frac{2G\,(1-\nu)}{1-2\nu}\,e - p, \quad "
+    r"\frac{\partial^2\varphi}{\partial z^2} = \xi^2\varphi",
+)
+SEEPING = Equation(
+    "Every wave of the springs' load sinks by a creep function of its own, from that of an incompressible film to that "
+    "of the drained network",
+    r"U(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial Q(\xi,t')}{\partial t'}\,\mathrm{d}t', \quad "
+    r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
+)
 PRESSED = Equation(
     "Where the bodies touch the displacement of the springs follows from the depth and the profile h on a homogeneous "
     "body; elsewhere there is no load, and the load vanishes at the edge",
@@ -126,13 +139,19 @@ AT_TEMPERATURE = "winkler.materials.at_temperature:AtTemperature"
 ARRHENIUS = "winkler.materials.temperature:Arrhenius"
 IN_PROPORTION = "winkler.media.relaxing.proportional:RelaxingInProportion"
 COATED = "winkler.media.relaxing.layered:ViscoelasticCoatedHalfSpace"
+POROUS = "winkler.media.relaxing.poroelastic:PoroelasticFilm"
+
+
+def _by_waves(medium: Any) -> bool:
+    """Return whether every wave relaxes by a function of its own."""
+    return is_a(medium, COATED) or is_a(medium, POROUS)
 
 
 def pair_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of the relaxation of the bodies."""
     medium = problem.bed.medium
-    if is_a(medium, COATED):
-        return (LAYERS, PRESSED)
+    if _by_waves(medium):
+        return (BIOT, SEEPING, PRESSED) if is_a(medium, POROUS) else (LAYERS, PRESSED)
     proportional = is_a(medium, IN_PROPORTION)
     solids = (medium.solid,) if proportional else (medium.first, medium.second)
     laws = [solid.law for solid in solids if is_a(solid, AT_TEMPERATURE)]
@@ -142,7 +161,7 @@ def pair_formulas(problem: Any) -> tuple[Equation, ...]:
 
 def relaxing_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas from bodies and shape to springs."""
-    if is_a(problem.bed.medium, COATED):
+    if _by_waves(problem.bed.medium):
         return pair_formulas(problem)
     if is_a(problem.bed.medium, IN_PROPORTION):
         shape = SAME_PROFILE
@@ -155,18 +174,18 @@ def _unless_coated(*formulas: Equation) -> Callable[[Any], tuple[Equation, ...]]
     """Return a function that returns what holds where all relaxes in proportion, or the force alone."""
 
     def own(problem: Any) -> tuple[Equation, ...]:
-        return (*relaxing_formulas(problem), *((FORCE,) if is_a(problem.bed.medium, COATED) else formulas))
+        return (*relaxing_formulas(problem), *((FORCE,) if _by_waves(problem.bed.medium) else formulas))
 
     return own
 
 
 def _oscillation_formulas(problem: Any) -> tuple[Equation, ...]:
-    own = (PUNCH,) if is_a(problem.bed.medium, COATED) else (COMPLEX_STIFFNESS, DYNAMIC)
+    own = (PUNCH,) if _by_waves(problem.bed.medium) else (COMPLEX_STIFFNESS, DYNAMIC)
     return (*relaxing_formulas(problem), *own)
 
 
 def _hereditary_formulas(problem: Any) -> tuple[Equation, ...]:
-    if is_a(problem.bed.medium, COATED):
+    if _by_waves(problem.bed.medium):
         return (*relaxing_formulas(problem), FORCE)
     springs = VARIED if is_a(problem.bed.medium, IN_PROPORTION) else SPRINGS
     return (*relaxing_formulas(problem), springs, DETACHMENT, FORCE)

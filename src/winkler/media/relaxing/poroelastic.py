@@ -1,0 +1,156 @@
+r"""A film of a network and its liquid, such as a gel or cartilage, which the liquid leaves through the surface.
+
+By Biot's theory with incompressible constituents a wave of pressure meets at the rate s the compliance of
+`winkler.media.relaxing.poroelastic_waves`, and after a step of load a sum of exponentials: at first that of an
+incompressible film of the shear modulus G, at last that of the drained network.  The times are those of diffusion,
+:math:`1/(D\xi^2)` of short waves and :math:`4h^2/(\pi^2D)` of long ones, so that a wide contact relaxes later than a
+small one, up to the time of the thickness.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar
+
+from winkler.checks.number_checks import Advice, Number, Positive, PositiveNotTiny
+from winkler.materials.elastic import RIGID, Elastic, Rigid
+from winkler.materials.layered import Layer
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.relaxing.by_waves import RelaxingByWaves
+from winkler.media.relaxing.poroelastic_waves import film_creep
+from winkler.numerics.transforms.wave_creep import WaveCreep
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["PoroelasticFilm"]
+
+GREATEST_POISSON = 0.49
+LEAST_POISSON = -0.9
+WIDE = 50.0
+"""Cells that reach so many thicknesses leave the peak of the undrained film out: it is over before forces count."""
+MOST_WIDTHS = 1e9
+"""A film thicker than so many cells is taken as so thick: the base adds less than 1e-5 to the stiffness."""
+BIOT = (
+    "M. A. Biot, J. Appl. Phys. 12 (1941) 155-164, doi:10.1063/1.1712886; J. McNamee, R. E. Gibson, Q. J. Mech. Appl. "
+    "Math. 13 (1960) 98-111, doi:10.1093/qjmam/13.1.98"
+)
+
+
+@value
+class PoroelasticFilm(RelaxingByWaves):
+    """A network filled with a liquid, bonded to a rigid base that is impermeable, and drained at its surface.
+
+    The body that is pressed in lets the liquid through, as the bath beside it does.  Where a contact is wider than some
+    40 thicknesses, what creeps within 1e-5 h^2/D comes at once: the peak of an undrained film, hundreds of times the
+    later force, is over long before.  Its response depends on time:
+    `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and `HarmonicIndentation` know it.
+
+    Parameters
+    ----------
+    shear : float
+        G [Pa], positive, of the network and of the film as a whole.
+    poisson : float
+        nu [-] of the drained network, -0.9 to 0.49.
+    diffusivity : float
+        D [m^2/s], positive: 2 G (1 - nu)/(1 - 2 nu) times permeability over viscosity.
+    thickness : float
+        h [m], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    References
+    ----------
+    M. A. Biot, J. Appl. Phys. 12 (1941) 155-164, doi:10.1063/1.1712886; J. McNamee, R. E. Gibson, Q. J. Mech. Appl.
+    Math. 13 (1960) 98-111, doi:10.1093/qjmam/13.1.98
+
+    Examples
+    --------
+    A gel of 100 um; at first it is incompressible, at last it is the drained network.
+
+    >>> gel = PoroelasticFilm(shear=5e3, poisson=0.3, diffusivity=1e-10, thickness=100e-6)
+    >>> gel.glassy.layers[0].solid.young, gel.relaxed.layers[0].solid.young
+    (15000.0, 13000.0)
+    """
+
+    __words__ = words(
+        diffusivity=("D", "m^2/s", "effective diffusivity of the liquid in the network"),
+        poisson=("nu", "", "Poisson's ratio of the drained network"),
+    )
+
+    reason: ClassVar[str] = "the liquid leaves the film the later, the wider the contact is,"
+    alike: ClassVar[str] = "an elastic film, CoatedHalfSpace, of the drained network or, at first, with poisson=0.5"
+
+    shear: Positive
+    poisson: Annotated[
+        float,
+        Number(
+            f"give Poisson's ratio of the drained network, {LEAST_POISSON} to {GREATEST_POISSON}",
+            LEAST_POISSON,
+            GREATEST_POISSON,
+        ),
+        Advice("an incompressible network holds its liquid: then take CoatedHalfSpace"),
+    ]
+    diffusivity: Positive
+    thickness: PositiveNotTiny
+
+    @property
+    def on(self) -> Rigid:
+        """What carries the film."""
+        return RIGID
+
+    @property
+    def second(self) -> Rigid:
+        """The body that is pressed in."""
+        return RIGID
+
+    @property
+    def glassy(self) -> CoatedHalfSpace:
+        """The elastic film that responds to a sudden step: incompressible."""
+        return self._film(0.5)
+
+    @property
+    def relaxed(self) -> CoatedHalfSpace:
+        """The elastic film that is left when the liquid is at rest: the drained network."""
+        return self._film(self.poisson)
+
+    def _film(self, poisson: float) -> CoatedHalfSpace:
+        solid = Elastic(2.0 * (1.0 + poisson) * self.shear, poisson)
+        return CoatedHalfSpace((Layer(solid, self.thickness),), RIGID)
+
+    @property
+    def diffusion_time(self) -> float:
+        """h^2 / D, of diffusion through the thickness [s]."""
+        return self.thickness**2 / self.diffusivity
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """All times are known."""
+        return 0.0, math.inf
+
+    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
+        """Return how waves of line load sink after a step, those that cells of a width [m] tell apart."""
+        thickness = min(self.thickness, MOST_WIDTHS * width)
+        unit = film_creep(self.poisson, math.floor(math.log2(width / thickness)), reach > WIDE * thickness)
+        return WaveCreep(
+            unit.times * (thickness**2 / self.diffusivity),
+            unit.local / self.shear,
+            unit.edges / thickness,
+            unit.series / self.shear,
+            unit.error,
+        )
+
+    notes = (
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of a rigid body with a bonded film by Biot's linear theory, of incompressible "
+            "constituents, without inertia. Liquid passes the surface freely, also into the body that is pressed in, "
+            "and not the base; below a body that is sealed the force falls later. Under contacts wider than 40 "
+            "thicknesses what flows within 1e-5 h^2/D flows at once.",
+            BIOT,
+        ),
+    )
+    """What is assumed."""
