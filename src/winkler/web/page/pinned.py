@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from nicegui import ui
 
-from winkler.web.pictures.answer import AnswerText
 from winkler.web.pictures.comparison import comparison
+from winkler.web.pictures.replies import AnswerText
 
 __all__ = ["PinnedAnswer"]
 

@@ -11,7 +11,7 @@ from winkler.study.report.markup import safe
 from winkler.web.page.live import LiveHtml
 from winkler.web.page.picture import Card, PictureLoader, caption
 from winkler.web.page.pinned import PinnedAnswer
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.batch import Progress
 
 __all__ = ["Result"]

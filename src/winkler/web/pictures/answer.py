@@ -27,100 +27,15 @@ from winkler.study.report.tables import answer_section, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
-from winkler.web.pictures.comparison import NamedNumber, numbers_of
+from winkler.web.pictures.comparison import numbers_of
 from winkler.web.pictures.moments import Moments, contact_at, labels_of
 from winkler.web.pictures.packing import packed
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NO_VIEW, View, fitting, of_history
 
-__all__ = [
-    "AnswerText",
-    "DrawnSheet",
-    "InteractivePicture",
-    "MomentComplete",
-    "Scene",
-    "answer_text",
-    "method_pictures",
-    "pictures",
-    "scene",
-    "sheet_of",
-    "sheets",
-]
-
-
-class AnswerText(NamedTuple):
-    """The results as text.
-
-    Parameters
-    ----------
-    standing
-        The worst standing of all notes.
-    answers, notes, papers
-        Sections of a page.
-    text
-        The study as a file.
-    moments, moment
-        Number of moments of the results, zero without a history; and the first one shown.
-    points
-        Of a sweep.
-    doubt
-        The worst statement on the results, and what to do about it; empty where nothing is doubtful.
-    numbers
-        For comparing this answer with another one: the last row of its table.
-    curves
-        Of several fitted curves, a list of them.
-    labels
-        What each moment is: its time, or another number with its unit; or the name of a fitted curve.
-    """
-
-    standing: str
-    answers: str
-    notes: str
-    papers: str
-    text: str
-    moments: int
-    moment: int
-    points: int = 1
-    doubt: str = ""
-    numbers: tuple[NamedNumber, ...] = ()
-    curves: str = ""
-    labels: tuple[str, ...] = ()
-
-
-class InteractivePicture(NamedTuple):
-    """One interactive picture, or the reason for its absence.
-
-    Parameters
-    ----------
-    name, title, sentence
-        Name, title and caption.
-    chart
-        The figure for plotly.js as JSON; empty where there is none.
-    missing
-        The reason for its absence.
-    """
-
-    name: str
-    title: str
-    sentence: str
-    chart: str
-    missing: str = ""
-
-
-class MomentComplete(NamedTuple):
-    """Marks the end of the interactive pictures of one moment.
-
-    Parameters
-    ----------
-    total
-        Their number.
-    remark
-        Remark on all of them.
-    """
-
-    total: int
-    remark: str
+__all__ = ["Scene", "answer_text", "method_pictures", "pictures", "scene", "sheet_of", "sheets"]
 
 
 class Scene(NamedTuple):
@@ -149,15 +64,6 @@ class Scene(NamedTuple):
     states: tuple[Any, ...]
     moment: int
     remark: str
-
-
-class DrawnSheet(NamedTuple):
-    """One sheet as SVG, or the reason for its absence."""
-
-    title: str
-    sentence: str
-    svg: str
-    missing: str = ""
 
 
 def answer_text(outcome: Outcome, text: str, moments: Moments, moment: int) -> AnswerText:

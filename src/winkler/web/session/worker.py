@@ -12,13 +12,13 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from winkler.web.pictures.replies import DrawnSheet, File, MomentComplete
 from winkler.web.session.batch import Progress, fitted_batch
 
 if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Outcome
     from winkler.study.language.study import Study
-    from winkler.web.session.export import File
 
 __all__ = [
     "MOST_POINTS",
@@ -102,7 +102,7 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     state = _WorkerState()
-    delays = {state.answer.MomentComplete: SHEET_DELAY, state.answer.DrawnSheet: 0.0, Progress: 0.0}
+    delays = {MomentComplete: SHEET_DELAY, DrawnSheet: 0.0, Progress: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         next_study: Any = None
@@ -274,7 +274,7 @@ class _WorkerState:
         for picture in pictures:
             count += 1
             yield picture
-        yield self.answer.MomentComplete(count, remark)
+        yield MomentComplete(count, remark)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput
