@@ -99,6 +99,8 @@ class Answer(NamedTuple):
         The same in words, of an answer that holds many contacts.
     verdict
         Name of the answer in words that stands before the headline; empty where the question is for numbers.
+    live
+        Whether the panels of the picture take milliseconds, so that the app draws them at each move of a slider.
     """
 
     kind: Kind
@@ -110,6 +112,7 @@ class Answer(NamedTuple):
     pictured: PicturedContact = PicturedContact.LOAD
     contact_shown: str = ""
     verdict: str = ""
+    live: bool = False
 
 
 def answer(
@@ -124,6 +127,7 @@ def answer(
     pictured: PicturedContact = PicturedContact.LOAD,
     contact_shown: str = "",
     verdict: str = "",
+    live: bool = False,
     **example: Any,
 ) -> Answer:
     """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
@@ -132,7 +136,7 @@ def answer(
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
     line = kind(path, *cites, **example)
-    return Answer(line, made, headline, picture, curves, compared, pictured, contact_shown, verdict)
+    return Answer(line, made, headline, picture, curves, compared, pictured, contact_shown, verdict, live)
 
 
 class Chapter(NamedTuple):

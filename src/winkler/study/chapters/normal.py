@@ -249,6 +249,7 @@ NORMAL = Chapter(
             ),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
             pictured=PicturedContact.NONE,
+            live=True,
             formulas=(ELLIPSE, BALL, POTENTIALS),
         ),
         "elliptic_yield_onset": answer(
@@ -263,6 +264,7 @@ NORMAL = Chapter(
                 "The von Mises stress below both axes when yielding begins.",
             ),
             pictured=PicturedContact.NONE,
+            live=True,
             formulas=(ELLIPSE, POTENTIALS, TRACTION, ONSET),
         ),
         "nearly_round_indentation": answer(
@@ -273,6 +275,7 @@ NORMAL = Chapter(
             picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
             curves=(("depth", "force"),),
             pictured=PicturedContact.NONE,
+            live=True,
             formulas=(BETTI, GREATEST),
         ),
     },

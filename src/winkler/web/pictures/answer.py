@@ -15,10 +15,11 @@ from winkler.plot.wear.wear import moment_panels
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import is_recovering, is_worn
 from winkler.study.batch.outcome import Outcome
+from winkler.study.chapters.answer import Caption
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.report.describe import settings_text
-from winkler.study.report.figure import ReportFigure, svg_element
+from winkler.study.report.figure import ReportFigure, capital, svg_element
 from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import safe
@@ -34,6 +35,7 @@ from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePict
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NO_VIEW, View, fitting, of_history
+from winkler.web.pictures.words import text_plain
 
 __all__ = ["Scene", "answer_text", "method_pictures", "pictures", "scene", "sheet_of", "sheets"]
 
@@ -130,9 +132,26 @@ def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
         yield from _worn(shown_scene.states, shown_scene.moment)
     if shown_scene.moment >= 0 and has_film(shown_scene.point.solution):
         yield from _zones(shown_scene.point.solution, shown_scene.moment)
+    caption = answer_of(shown_scene.point.problem).picture
+    if caption is not None and is_live(shown_scene.outcome):
+        yield from _panels(shown_scene.point.solution, caption)
     for pair in histories.curves_of(shown_scene.outcome, shown_scene.point):
         drawn = histories.draw_curves(shown_scene.outcome, shown_scene.point, pair, shown_scene.moment)
         yield InteractivePicture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
+
+
+def is_live(outcome: Outcome) -> bool:
+    """Return whether the panels of the whole answer are drawn in the browser, and no sheet of them is needed."""
+    return len(outcome.points) == 1 and answer_of(shown_point(outcome).problem).live
+
+
+def _panels(solution: Any, caption: Caption) -> Iterator[InteractivePicture]:
+    """Yield the panels of the picture of an answer."""
+    from winkler.plot import sheet_of as drawn_sheet  # loads all pictures, which those of the method do not need
+
+    for number, panel in enumerate(drawn_sheet(solution).panels):
+        title, sentence = capital(text_plain(panel.title)), "" if number else caption.sentence.partition("; of many")[0]
+        yield InteractivePicture(f"{caption.name}_{number + 1}", title, sentence, packed(chart(panel)))
 
 
 def _worn(states: tuple[Any, ...], moment: int) -> Iterator[InteractivePicture]:
@@ -189,7 +208,7 @@ def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> Inte
 
 def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:
     """Yield the sheets of the results."""
-    yield from map(sheet_of, answers_over(outcome))
+    yield from map(sheet_of, answers_over(outcome, pictured=not is_live(outcome)))
 
 
 def sheet_of(one: ReportFigure) -> DrawnSheet:

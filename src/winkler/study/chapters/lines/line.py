@@ -179,6 +179,7 @@ LINE = Chapter(
             ),
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
+            live=True,
             formulas=line_formulas,
         ),
         "roller_contact": answer(
