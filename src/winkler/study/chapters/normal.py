@@ -235,6 +235,7 @@ NORMAL = Chapter(
             "winkler.problems.normal.yielding:YieldOnset",
             "johnson_1985",
             "popov_hess_2015",
+            event="at which a body begins to yield",
             headline=("force", "depth", "radius", "z"),
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             formulas=followed_by(normal_formulas, ONSET),
@@ -255,6 +256,7 @@ NORMAL = Chapter(
         "elliptic_yield_onset": answer(
             "winkler.problems.normal.elliptic_yielding:EllipticYieldOnset",
             "johnson_1985",
+            event="at which a body begins to yield",
             headline=("force", "peak_pressure", "depth", "z"),
             medium={"kind": "half_space", **STRONG},
             friction={"kind": "coulomb", "coefficient": 0.1},
