@@ -19,6 +19,7 @@ from winkler.study.chapters.answer import Caption
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.report.describe import settings_text
+from winkler.study.report.extra_pictures import extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, svg_element
 from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.headline.section import doubt_line, doubt_of
@@ -37,7 +38,7 @@ from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NO_VIEW, View, fitting, of_history
 from winkler.web.pictures.words import text_plain
 
-__all__ = ["Scene", "answer_text", "method_pictures", "pictures", "scene", "sheet_of", "sheets"]
+__all__ = ["Scene", "answer_text", "has_sheets", "method_pictures", "pictures", "scene", "sheet_of", "sheets"]
 
 
 class Scene(NamedTuple):
@@ -150,7 +151,8 @@ def _panels(solution: Any, caption: Caption) -> Iterator[InteractivePicture]:
     from winkler.plot import sheet_of as drawn_sheet  # loads all pictures, which those of the method do not need
 
     for number, panel in enumerate(drawn_sheet(solution).panels):
-        title, sentence = capital(text_plain(panel.title)), "" if number else caption.sentence.partition("; of many")[0]
+        sentence = "" if number or "; of many" in caption.sentence else caption.sentence
+        title = capital(text_plain(panel.title))
         yield InteractivePicture(f"{caption.name}_{number + 1}", title, sentence, packed(chart(panel)))
 
 
@@ -204,6 +206,13 @@ def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> Inte
         return InteractivePicture(name, title, sentence, packed(make()))
     except WinklerError as error:
         return InteractivePicture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
+
+
+def has_sheets(outcome: Outcome) -> bool:
+    """Return whether sheets may follow the interactive pictures, which take a second."""
+    point = shown_point(outcome)
+    picture = answer_of(point.problem).picture or extra_pictures(point.solution)
+    return not is_live(outcome) and (bool(picture) or len(outcome.table()[0].content) > 1)
 
 
 def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:

@@ -114,7 +114,7 @@ def work(pipe: Connection) -> None:
                     pipe.send((request.number, reply))
                     # remaining points and sheets are left out when there is another study
                     if isinstance(request, Solve) and type(reply) in delays:
-                        next_study = _serve_waiting(pipe, state, delays[type(reply)])
+                        next_study = _serve_waiting(pipe, state, delays[type(reply)] if state.has_more else 0.0)
                         if next_study is not None:
                             break
             except StudyReplaced as end:
@@ -158,7 +158,7 @@ class _WorkerState:
         self.outcome: Outcome | FitOutcome | None = None
         self.report: Callable[[Progress], None] = lambda progress: None
         self.folder = Path()
-        self.halted = False
+        self.halted, self.has_more = False, True
         text = tomli_w.dumps(initial_table("indentation"))
         list(self.replies(Solve(0, text, Path(), True)))  # so that the first request does not wait for imports
         self.view, self.outcome = NO_VIEW, None
@@ -192,6 +192,7 @@ class _WorkerState:
         from winkler.study.language.reading import parsed
 
         self.outcome, self.moments, self.folder, self.halted = None, self.none, request.folder, False
+        self.has_more = True
         if request.anew:
             self.view = self.nothing
         yield from self._fitted(request) if "fit" in parsed(request.text, STUDY) else self._answered(request)
@@ -204,7 +205,7 @@ class _WorkerState:
 
         study = parse_study(request.text, file=STUDY, folder=request.folder)
         self.outcome = outcome = yield from self._run(study)
-        point = shown_point(outcome)
+        point, self.has_more = shown_point(outcome), self.answer.has_sheets(outcome)
         self.moments = moments_of(point)
         moment = initial_moment(point, self.moments)
         yield self.answer.answer_text(outcome, study_text(study), self.moments, moment)
