@@ -189,6 +189,7 @@ class AppPage:
         """Take a file along, and return its content."""
         with self.page.expect_download(timeout=60_000) as promise:
             self.page.locator(f'[data-export="{what}"]').click()
+        self.note()  # a file is a request, too
         return Path(promise.value.path()).read_bytes()
 
     def shot(self, name):

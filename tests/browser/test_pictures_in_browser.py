@@ -62,6 +62,12 @@ def test_a_against_b_zoom_and_one_picture(fresh):
     assert saved(page, "pressure", "SVG").startswith(b"<svg")
     assert saved(page, "shape", "PNG").startswith(b"\x89PNG")
 
+    page.locator("[data-pin]").click()
+    page.locator(".compared").wait_for()
+    page.get_by_role("button", name="Fit a curve").click()  # whose numbers are of another kind
+    page.locator("[data-pin]", has_text="Pin as A").wait_for()
+    assert not page.locator(".compared").is_visible()
+
 
 def test_numbers_beside_the_mouse_and_decades_along_an_axis(fresh):
     app_page = fresh()

@@ -183,6 +183,7 @@ class Result:
         self.answer, self.received = None, 0
         self.remark.text = ""
         self.keep_cards(0)
+        self.pinned.drop()
         self._clear_sheets()
         for part in (self.head, self.curves, *self.tail):
             part.set_content("")

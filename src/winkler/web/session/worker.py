@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from winkler.web.pictures.replies import DrawnSheet, File, MomentComplete
 from winkler.web.session.batch import Progress, fitted_batch
@@ -158,7 +158,7 @@ class _WorkerState:
         self.outcome: Outcome | FitOutcome | None = None
         self.report: Callable[[Progress], None] = lambda progress: None
         self.folder = Path()
-        self.halted, self.has_more = False, True
+        self.halted, self.fits, self.has_more = False, False, True
         text = tomli_w.dumps(initial_table("indentation"))
         list(self.replies(Solve(0, text, Path(), True)))  # so that the first request does not wait for imports
         self.view, self.outcome = NO_VIEW, None
@@ -191,11 +191,12 @@ class _WorkerState:
     def _solved(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parsed
 
-        self.outcome, self.moments, self.folder, self.halted = None, self.none, request.folder, False
-        self.has_more = True
+        self.outcome, self.moments, self.folder = None, self.none, request.folder
+        self.halted, self.has_more = False, True
         if request.anew:
             self.view = self.nothing
-        yield from self._fitted(request) if "fit" in parsed(request.text, STUDY) else self._answered(request)
+        self.fits = "fit" in parsed(request.text, STUDY)
+        yield from self._fitted(request) if self.fits else self._answered(request)
 
     def _answered(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parse_study
@@ -261,19 +262,19 @@ class _WorkerState:
 
     def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
         from winkler.errors import InvalidInput
-        from winkler.study.batch.fit_outcome import FitOutcome
-        from winkler.web.pictures.fitted import fit_pictures
 
         if self.outcome is None:
             raise InvalidInput("there are no results to show; wait for them, or correct the study first.")
-        if isinstance(self.outcome, FitOutcome):
-            pictures, remark = fit_pictures(self.outcome, moment)
+        if self.fits:
+            from winkler.web.pictures.fitted import fit_pictures
+
+            pictures, remark = fit_pictures(cast("FitOutcome", self.outcome), moment)
         else:
-            scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
+            outcome = cast("Outcome", self.outcome)
+            scene = self.answer.scene(outcome, self.moments, moment, self.view, still=still)
             pictures, remark, self.view = self.answer.pictures(scene), scene.remark, scene.view
         count = 0
-        for picture in pictures:
-            count += 1
+        for count, picture in enumerate(pictures, 1):  # noqa: B007 - their number stays
             yield picture
         yield MomentComplete(count, remark)
 
