@@ -2,15 +2,17 @@
 
     python benchmarks/app_latency.py [path of the browser]
 
-Starts the app, opens six kinds of problems, moves a slider of each 12 times by the keyboard, and takes the time from
-the key to the first new number at the head of the answer, and to the moment when every picture has been drawn again,
-also those below the window, and the page painted.  Prints one table with the load of the machine, and the processor
-time of a change, which other programs lengthen less.  The target is a
-median below 200 ms to all pictures of the first kind.
+Starts the app, opens every kind of the first chapter and four others, moves a slider of each 12 times by the keyboard,
+and takes the time from the key to the first new number at the head of the answer, and to the moment when every picture
+has been drawn again, also those below the window, and the page painted.  Of two kinds with temperatures it also takes
+the time from the choice of the kind to its first numbers.  Prints one table with the load of the machine, and the
+processor time of a change, which other programs lengthen less.  The target is a median below 150 ms to all pictures of
+each kind of the first chapter.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import statistics
@@ -26,19 +28,26 @@ from typing import Any, NamedTuple
 from playwright.sync_api import sync_playwright
 
 CHANGES = 12
-TARGET = 200.0
-KINDS = (
+TARGET = 150.0
+FIRST_CHAPTER = (
     "indentation",
-    "line_indentation",
+    "yield_onset",
     "elliptic_indentation",
-    "adhesive_indentation",
-    "tangential",
-    "viscoelastic_indentation",
+    "elliptic_yield_onset",
+    "nearly_round_indentation",
 )
+OTHERS = ("line_indentation", "adhesive_indentation", "tangential", "viscoelastic_indentation")
+TEMPERATURES = ("friction_heating", "joule_heating")
+KINDS = (*FIRST_CHAPTER, *OTHERS, *TEMPERATURES)
 
 SLIDER = "problem.bed.profile.curvature_radius"
-SLIDERS: dict[str, str] = {"elliptic_indentation": "problem.load.force"}
+SLIDERS: dict[str, str] = {
+    "elliptic_indentation": "problem.load.force",
+    "elliptic_yield_onset": "problem.bodies.longitudinal_curvature_radius",
+    "nearly_round_indentation": "problem.load.depth",
+}
 """Kind -> the slider that is moved, where it is another one."""
+HELD = "before => document.querySelector('.head').innerHTML !== before"
 
 READY = "count => window.numbers > 0 && (count === 0 || window.took > 0)"
 WATCH = """() => {
@@ -94,8 +103,8 @@ def begun(port: int) -> subprocess.Popen[bytes]:
     raise SystemExit("the app did not start within a minute")
 
 
-def processor(pid: int) -> float:
-    """Return the processor time of a process and its descendants so far [ms]; zero where the system has no /proc."""
+def processor(pid: int) -> dict[int, float]:
+    """Return the processor times of a process and its descendants so far [ms]; none where the system has no /proc."""
     parents, times = {}, {}
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -107,11 +116,19 @@ def processor(pid: int) -> float:
     family = {pid}
     while more := {one for one, parent in parents.items() if parent in family} - family:
         family |= more
-    return sum(times.get(one, 0) for one in family) * 1e3 / os.sysconf("SC_CLK_TCK")
+    return {one: times[one] * 1e3 / os.sysconf("SC_CLK_TCK") for one in family if one in times}
+
+
+def per_change(before: dict[int, float], after: dict[int, float]) -> float:
+    """Return the processor time of one change [ms]; processes that have ended meanwhile are left out."""
+    return sum(spent - before.get(one, 0.0) for one, spent in after.items()) / CHANGES
 
 
 class Latency(NamedTuple):
-    """Of every change [ms]: to numbers, to the pictures in sight and to all; and the mean processor times [ms]."""
+    """Of every change [ms]: to numbers, to the pictures in sight and to all; and the mean processor times [ms].
+
+    `first` is the time from the choice of the kind to its first numbers [s].
+    """
 
     numbers: list[float]
     seen: list[float]
@@ -119,14 +136,18 @@ class Latency(NamedTuple):
     count: int
     app: float
     browser: float
+    first: float
 
 
 def measured(page: Any, kind: str, app: int) -> Latency:
     """Return what the changes of one kind of problem took."""
+    first = math.nan
     if kind != KINDS[0]:
         page.locator('[data-choice="problem"]').first.click()
+        head, begun = page.locator(".head").inner_html(), monotonic()
         page.get_by_role("option", name=kind.replace("_", " "), exact=True).click()
-        page.locator('.answer-side[data-state="busy"]').wait_for(timeout=20_000)
+        page.wait_for_function(HELD, arg=head, timeout=90_000)
+        first = monotonic() - begun
     page.locator('.answer-side[data-state="done"]').wait_for(timeout=90_000)
     page.wait_for_timeout(1500)
     count = page.evaluate(WATCH)
@@ -140,8 +161,8 @@ def measured(page: Any, kind: str, app: int) -> Latency:
         for name, times in (("numbers", numbers), ("insight", seen), ("took", pictures)):
             times.append(float(page.evaluate(f"() => window.{name} || NaN")))
         page.wait_for_timeout(150)
-    spent = (processor(app) - before) / CHANGES
-    return Latency(numbers, seen, pictures, count, spent, (processor(os.getpid()) - all_before) / CHANGES - spent)
+    spent, both = per_change(before, processor(app)), per_change(all_before, processor(os.getpid()))
+    return Latency(numbers, seen, pictures, count, spent, both - spent, first)
 
 
 def main() -> int:
@@ -149,14 +170,14 @@ def main() -> int:
     path = sys.argv[1] if len(sys.argv) > 1 else shutil.which("chromium") or shutil.which("google-chrome")
     if not path:
         raise SystemExit("no browser was found; give the path of one")
-    port, medians = free_port(), []
+    port, medians = free_port(), {}
     began = monotonic()
     app = begun(port)
     print(f"the server answers {monotonic() - began:.1f} s after the command")
     print(
         "medians [ms]; processor time of one change [ms]: of the app with its worker, of the browser with this program"
     )
-    print(f"{'kind':26s} pictures  numbers  those in sight  all pictures  app  browser  load")
+    print(f"{'kind':26s} pictures  numbers  those in sight  all pictures  app  browser  load  first numbers [s]")
     try:
         with sync_playwright() as playwright:
             browser = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
@@ -170,18 +191,18 @@ def main() -> int:
                 page.locator('.answer-side[data-state="done"]').wait_for(timeout=90_000)
                 took = measured(page, kind, app.pid)
                 page.close()
-                medians.append(statistics.median(took.pictures))
+                medians[kind] = statistics.median(took.pictures)
+                numbers, seen = statistics.median(took.numbers), statistics.median(took.seen)
                 print(
-                    f"{kind:26s} {took.count:8d}  {statistics.median(took.numbers):7.0f}  "
-                    f"{statistics.median(took.seen):14.0f}  {medians[-1]:12.0f}  {took.app:3.0f}  {took.browser:7.0f}  "
-                    f"{os.getloadavg()[0]:.1f} of {os.cpu_count()}",
+                    f"{kind:26s} {took.count:8d}  {numbers:7.0f}  {seen:14.0f}  {medians[kind]:12.0f}  "
+                    f"{took.app:3.0f}  {took.browser:7.0f}  {os.getloadavg()[0]:4.1f}  {took.first:.1f}",
                     flush=True,
                 )
             browser.close()
     finally:
         app.terminate()
         app.wait(10.0)
-    return 0 if medians[0] < TARGET else 1
+    return 0 if all(medians[kind] < TARGET for kind in FIRST_CHAPTER) else 1
 
 
 if __name__ == "__main__":

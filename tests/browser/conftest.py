@@ -23,6 +23,8 @@ SHOTS = os.environ.get("WINKLER_SCREENSHOTS", "")
 """Folder for screenshots, to be looked at; none are taken without it."""
 
 
+ASKED = "() => document.querySelector('.answer-side')?.dataset.asked ?? '0'"
+"""How many requests the page has sent: the state itself may be busy for less than it takes to look at it."""
 OVER = """width => [...document.querySelectorAll('.study-side *, .answer-side *')].filter(one => {
   const { right, width: across } = one.getBoundingClientRect();
   if (!across || right <= width + 1) return false;
@@ -134,10 +136,15 @@ class AppPage:
     def settled(self, state="done"):
         """Wait until an answer is complete, or refused."""
         self.page.locator(f'.answer-side[data-state="{state}"]').wait_for(timeout=90_000)
+        self.note()
+
+    def note(self):
+        """Note how much was requested so far, before the next thing is done."""
+        self.asked = self.page.evaluate(ASKED)
 
     def busy(self):
-        """Wait until something was requested."""
-        self.page.locator('.answer-side[data-state="busy"]').wait_for(timeout=60_000)
+        """Wait until something was requested since it was noted, typed or chosen; it may have been answered already."""
+        self.page.wait_for_function(f"before => ({ASKED})() !== before", arg=self.asked, timeout=60_000)
 
     def show(self, text):
         """Show another study by its address; wait for its numbers, also for those below the pictures."""
@@ -160,11 +167,13 @@ class AppPage:
 
     def choose(self, path, name):
         """Choose a kind at a place of the form."""
+        self.note()
         self.page.locator(f'[data-choice="{path}"]').first.click()
         self.page.get_by_role("option", name=name.replace("_", " "), exact=True).click()
 
     def type(self, path, text):
         """Write into a field."""
+        self.note()
         self.page.locator(f'input[data-path="{path}"]').fill(text)
 
     def overflow(self):
@@ -180,6 +189,7 @@ class AppPage:
         """Take a file along, and return its content."""
         with self.page.expect_download(timeout=60_000) as promise:
             self.page.locator(f'[data-export="{what}"]').click()
+        self.note()  # a file is a request, too
         return Path(promise.value.path()).read_bytes()
 
     def shot(self, name):

@@ -112,8 +112,10 @@ def test_by_the_keyboard_alone(fresh):
     page.keyboard.press("Enter")
     page.get_by_role("option", name="paraboloid", exact=True).wait_for()
     page.keyboard.press("ArrowDown")
+    app_page.note()
     page.keyboard.press("Enter")
     page.get_by_role("option", name="paraboloid", exact=True).wait_for(state="detached")
+    app_page.busy()
     app_page.settled()
     assert 'kind = "paraboloid"' in app_page.taken("study").decode()
 

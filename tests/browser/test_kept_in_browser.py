@@ -37,6 +37,7 @@ def test_reload_back_undo_and_a_link(fresh):
 
     app_page.choose("problem.bed.profile", "paraboloid")
     page.locator('[data-choice="problem.bed.profile"]', has_text="paraboloid").wait_for()
+    app_page.busy()
     app_page.settled()
     page.go_back()
     page.locator('[data-choice="problem.bed.profile"]', has_text="sphere").wait_for()

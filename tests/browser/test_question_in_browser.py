@@ -24,6 +24,7 @@ def test_another_question_for_the_same_bodies(fresh):
     app_page.settled()
     app_page.choose("problem", "elliptic_indentation")
     page.get_by_text("Dropped, as elliptic indentation has no place for it: profile (sphere 5 mm).").wait_for()
+    app_page.busy()
     app_page.settled()
     assert page.locator(f'input[data-path="{FORCE}"]').input_value() == "40 N"
     assert page.locator(".head .card.sought .name").first.inner_text().startswith("peak pressure")
@@ -83,13 +84,14 @@ def test_the_page_begins_with_examples(fresh):
 
 def test_a_kind_is_found_by_its_name_or_chapter(fresh):
     """By the keyboard alone; the list is filtered in the browser, and whole again when it is opened next."""
-    page = fresh().page
+    app_page = fresh()
+    page = app_page.page
     page.locator('[data-choice="problem"]').click()
     page.get_by_role("searchbox", name="Find by name or chapter").wait_for()
     page.keyboard.type("adhes cycle")
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length === 1")
     page.keyboard.press("Enter")
-    page.locator(".answer-side[data-state=busy]").wait_for()
+    app_page.busy()
     assert page.locator('[data-choice="problem"]').inner_text().endswith("adhesive cycle")
     page.locator('[data-choice="problem"]').click()
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length > 40")

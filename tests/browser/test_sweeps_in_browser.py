@@ -24,8 +24,10 @@ def unfolded(app_page):
 def varied(app_page, words):
     """Let one more number vary, and wait for its answers."""
     app_page.page.locator('[data-choice="sweep"]').click()
+    app_page.note()
     app_page.page.get_by_role("option", name=words, exact=True).click()
     app_page.page.locator(".vary", has_text=words).wait_for()
+    app_page.busy()
     app_page.settled()
 
 
@@ -73,6 +75,7 @@ def test_which_number_matters(fresh):
     app_page.page.locator('[data-choice="sweep.design"]').click()
     app_page.page.get_by_role("option", name="which matters: Sobol indices", exact=True).click()
     app_page.page.locator('input[data-path="sweep.design.count"]').wait_for()
+    app_page.busy()
     app_page.settled()
     app_page.page.get_by_text("What makes depth scatter").first.wait_for(timeout=30_000)
     assert app_page.page.evaluate("document.documentElement.scrollWidth") <= 390

@@ -11,7 +11,8 @@ from winkler.cli import main
 from winkler.cli.show_fit import EXAMPLE
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.fit_grammar import fit_form
-from winkler.study.language.fit_reading import FITTED, parse_fit_study
+from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.language.fit_study import FITTED
 
 
 def test_it_shows_all_keys_models_corrections_and_flags(capsys):

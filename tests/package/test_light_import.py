@@ -38,3 +38,21 @@ def test_the_package_itself_is_loaded(loaded):
 @pytest.mark.parametrize("heavy", HEAVY)
 def test_import_stays_light(loaded, heavy):
     assert heavy not in loaded
+
+
+def test_the_server_of_the_app_neither_solves_nor_draws():
+    """That is done by the process of a page, which starts beside it: the page stands before what is behind it."""
+    code = "import winkler.web.page.visitors, sys; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(done.stdout.split())
+    assert "winkler.web.page.page" in loaded
+    heavy = ("scipy", "winkler.fields", "winkler.plot.method", "winkler.web.pictures.answer", "winkler.study.batch.run")
+    assert loaded.isdisjoint(heavy)
+    assert not [name for name in loaded if name.startswith("winkler.problems.")]
+
+
+@pytest.mark.slow
+def test_the_process_of_a_page_loads_fits_when_one_is_asked_for():
+    code = "from winkler.web.session.worker import _WorkerState as S; S(); import sys; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert {"winkler.web.pictures.fitted", "winkler.plot.registered", "matplotlib"}.isdisjoint(done.stdout.split())

@@ -15,7 +15,7 @@ from winkler.errors import InvalidInput
 from winkler.io.curves import read_curves
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_folder import sample_folder
-from winkler.web.pictures.answer import AnswerText, InteractivePicture, MomentComplete
+from winkler.web.pictures.replies import AnswerText, InteractivePicture, MomentComplete
 from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder
 from winkler.web.session.worker import Export, Halt, Look, Progress, Solve, _WorkerState
 

@@ -14,7 +14,8 @@ from winkler.study.report.tables import answer_section
 from winkler.web.form import form
 from winkler.web.form.front_examples import first_table
 from winkler.web.pictures.chart import chart
-from winkler.web.pictures.comparison import NamedNumber, comparison, numbers_of
+from winkler.web.pictures.comparison import comparison, numbers_of
+from winkler.web.pictures.replies import NamedNumber
 
 
 def solved(**changes):

@@ -18,14 +18,15 @@ from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_grammar import fit_form as section
-from winkler.study.language.fit_reading import FITTED, parse_fit_study
+from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.language.fit_study import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form, measurement_form
 from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.typed import typed
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.pictures.fitted import MOST_POINTS, drawn_points
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.upload_folder import UploadFolder, files_in
 from winkler.web.session.worker import Export, Look, Solve, Wrong, _WorkerState, beside_the_curve
 

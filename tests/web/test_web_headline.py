@@ -14,13 +14,15 @@ from winkler.readable import with_unit
 from winkler.study.batch.run import run
 from winkler.study.chapters.contents import answer_of
 from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.explain import keys_of
 from winkler.study.language.reading import parse_study
 from winkler.study.report.describe import inputs
 from winkler.study.report.report import page
-from winkler.vocabulary import word
+from winkler.vocabulary import GLOSSARY, word
 from winkler.web.form.form import initial_table
 from winkler.web.pictures.answer import answer_text
 from winkler.web.pictures.moments import Moments
+from winkler.web.pictures.words import symbol_html
 
 LONG = {
     "friction_heating", "viscoelastic_indentation", "viscoelastic_impact", "viscoelastic_tangential", "map_stress",
@@ -72,3 +74,27 @@ def test_the_kinds_that_take_long_are_headed_too(kind):
 def test_the_report_begins_with_the_same_number(kind):
     outcome, large, sentence = check(kind)
     assert first_of(page(outcome, ())) == (large, sentence)
+
+
+@pytest.mark.parametrize(
+    ("kind", "beginning"),
+    [
+        ("yield_onset", "The force at which a body begins to yield is 13.96 N"),
+        ("pull_off", "The force at which the contact comes apart is "),
+    ],
+)
+def test_a_number_of_an_event_says_which(kind, beginning):
+    """On the axis of Hertz's field p0 = 1.6128 strength where nu = 0.3; F = p0^3 pi^3 R^2 / (6 E*^2)."""
+    assert check(kind)[2].startswith(beginning)
+
+
+def test_no_symbol_shows_a_word_of_its_code():
+    """Symbols of the glossary and of all keys, as the app shows them: Greek letters and accents, not LaTeX names."""
+    words = [
+        *GLOSSARY.items(),
+        *((key.name, key.word) for slot in CATALOGUE.values() for kind in slot for key in keys_of(kind)),
+    ]
+    texts = {symbol_html(one.symbol) for _, one in words}
+    shown = {re.sub(r"<su[bp]>.*?</su[bp]>|<[^>]*>|_\S+", "", text) for text in texts}
+    assert {text for text in shown if re.search(r"\\|[A-Za-z]{2}", text)} == {"tan δ", "∫ F ds", "Pe"}
+    assert "a\u0307" in shown

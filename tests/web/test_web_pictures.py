@@ -37,3 +37,27 @@ def test_pictures_of_each_kind(kind):
         assert all(json.loads(picture.chart) if picture.chart else picture.missing for picture in drawn)
         sheets = [sheet for sheet in answer.sheets(outcome) if sheet.svg]
         assert len([picture for picture in drawn if picture.chart]) + len(sheets) >= 1
+
+
+@pytest.mark.parametrize(
+    ("kind", "titles"),
+    [
+        ("elliptic_indentation", ["Pressure over the ellipse", "Von Mises stress below x", "Von Mises stress below y"]),
+        ("elliptic_yield_onset", ["Von Mises stress below x", "Von Mises stress below y"]),
+        ("nearly_round_indentation", ["Contour of the contact"]),
+        ("line_indentation", ["Pressure", "Distance of the surfaces"]),
+    ],
+)
+def test_pictures_that_take_milliseconds_follow_the_sliders(kind, titles):
+    """They are interactive, and no sheet repeats them; in a sweep the sheets stand beside the curves, as before."""
+    outcome = run(parse_study(whole_text(kind)))
+    shown = answer.scene(outcome, moments_of(shown_point(outcome)), 0, NO_VIEW, still=False)
+    assert [one.title for one in answer.pictures(shown) if one.chart] == titles
+    assert not answer.has_sheets(outcome)
+    assert list(answer.sheets(outcome)) == []
+
+
+@pytest.mark.parametrize("kind", ["indentation", "pull_off", "constriction"])
+def test_whether_sheets_follow_is_known_before_they_are_drawn(kind):
+    outcome = run(parse_study(whole_text(kind)))
+    assert answer.has_sheets(outcome) == bool(list(answer.sheets(outcome)))

@@ -10,8 +10,7 @@ import pytest
 import tomli_w
 
 from winkler.web.form import form
-from winkler.web.pictures.answer import MomentComplete
-from winkler.web.session.export import File
+from winkler.web.pictures.replies import File, MomentComplete
 from winkler.web.session.requests import RequestQueue
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong, work
 

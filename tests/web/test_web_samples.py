@@ -9,7 +9,8 @@ import pytest
 import tomli_w
 
 from winkler.study.batch.fit_run import fit_study
-from winkler.study.language.fit_reading import FITTED, parse_fit_study
+from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import RELAXING_SAMPLE, SAMPLE, SAMPLES
 from winkler.web.form.study_form import StudyForm

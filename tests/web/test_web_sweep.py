@@ -13,7 +13,7 @@ from winkler.study.language.designs import DESIGNS
 from winkler.study.language.reading import parse_study
 from winkler.web.form import form, sweep_form
 from winkler.web.form.study_form import StudyForm
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, MomentComplete
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, MomentComplete
 from winkler.web.session.worker import MOST_POINTS, Export, Progress, Solve, Wrong, _WorkerState
 
 FORCE, RADIUS, POISSON = (

@@ -17,7 +17,7 @@ from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
 from winkler.web.form import form
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.solver import Solver
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong, _WorkerState
 

@@ -9,7 +9,7 @@ import pytest
 import tomli_w
 
 from winkler.web.form import form
-from winkler.web.pictures.answer import MomentComplete
+from winkler.web.pictures.replies import MomentComplete
 from winkler.web.session.worker import Look, Solve, _WorkerState
 
 

@@ -67,7 +67,7 @@ def _parts() -> list[tuple[str, tuple[str, ...], list[tuple[str, ...]]]]:
     from winkler.study.language.catalogue import kinds
     from winkler.study.language.correcting import CORRECTIONS
     from winkler.study.language.explain import summary
-    from winkler.study.language.fit_reading import FITTED
+    from winkler.study.language.fit_study import FITTED
     from winkler.study.language.grammar import SECTIONS
 
     known = {name: CORRECTION_MEANINGS.get(name, "see docs/fits.md") for name in CORRECTIONS}

@@ -96,6 +96,14 @@ def test_each_assumption_has_an_advice():
     assert set(ADVICE) == set(Assumption)
 
 
+def test_an_error_that_is_stated_asks_for_something_else_than_a_limit_that_is_passed():
+    """A pyramid, replaced by its cone, was measured as far as it was pressed."""
+    profile = {"kind": "vickers"}
+    doubt = doubt_of(ball(problem__bed__profile=profile, problem__load={"kind": "depth", "depth": "10 nm"}))
+    assert "pyramid" in doubt.statement
+    assert doubt.advice == "What to do: compare with another description of the shape, or allow for this error."
+
+
 def test_the_advice_names_the_load_that_the_size_allows():
     """A slope and a share of the radius of 0.1 are reached at F = 4/3 E* (0.1 R)^3 / R."""
     doubt = doubt_of(ball(problem__load={"kind": "force", "force": "100 kN"}))

@@ -70,7 +70,7 @@ class PoroelasticRelaxation:
 
     __words__ = words(
         diffusivity=("D", "m^2/s", "effective diffusivity of the liquid in the network"),
-        poisson=("nu", "", "Poisson's ratio of the drained network"),
+        poisson=(r"\nu", "", "Poisson's ratio of the drained network"),
     )
 
     profile: HeldProfile

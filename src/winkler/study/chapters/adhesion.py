@@ -117,6 +117,7 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.pull_off:PullOff",
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
+            event="at which the contact comes apart",
             headline=("force", "depth", "radius"),
             picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
             pictured=PicturedContact.EDGE,

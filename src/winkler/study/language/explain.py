@@ -20,7 +20,8 @@ __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_sy
 GREEK = {
     "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ", "nu": "ν", "phi": "φ", "sigma": "σ", "tau": "τ",
     "alpha": "α", "gamma": "γ", "rho": "ρ", "beta": "β", "eta": "η", "kappa": "κ", "omega": "ω", "varphi": "φ",
-    "psi": "ψ", "ell": "ℓ", "Delta": "Δ", "infty": "∞",
+    "psi": "ψ", "ell": "ℓ", "Delta": "Δ", "delta": "δ", "Lambda": "Λ", "xi": "ξ",
+    "infty": "∞", "tan": "tan ", "int": "∫",
 }  # fmt: skip
 
 
@@ -50,7 +51,9 @@ class Key(NamedTuple):
 
 def plain_symbol(symbol: str) -> str:
     """Return a LaTeX symbol as plain text."""
-    symbol = re.sub(r"\\bar ?\{?([A-Za-z])\}?", "\\1\u0304", symbol.replace(r"\mathrm", ""))
+    symbol = symbol.replace(r"\mathrm", "").replace(r"\,", " ")
+    for name, mark in {"bar": "\u0304", "dot": "\u0307"}.items():
+        symbol = re.sub(rf"\\{name} ?\{{?([A-Za-z])\}}?", rf"\g<1>{mark}", symbol)
     for name, letter in GREEK.items():
         symbol = symbol.replace(f"\\{name}", letter)
     return re.sub(r"[{}\\]", "", symbol.replace("^*", "*"))

@@ -22,15 +22,13 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
 from winkler.study.language.build import MOST_NEIGHBOURS
 from winkler.study.language.compared.alternatives import alternatives
-from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
+from winkler.study.language.fit_study import FITTED, OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.language.reading import checked, parsed, read_text, stated
 from winkler.study.language.segmenting import FOUND
 from winkler.study.language.study import Output
 
-__all__ = ["FITTED", "parse_fit_study", "read_fit_study"]
+__all__ = ["parse_fit_study", "read_fit_study"]
 
-FITTED = ("indentation", "adhesive_indentation", "viscoelastic_indentation")
-"""Problems that can be the model of a curve."""
 PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
 PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}
 GLOB_MARKS = re.compile(r"[*?\[]")

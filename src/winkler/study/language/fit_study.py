@@ -24,8 +24,10 @@ from winkler.study.language.study import Output
 from winkler.values import value
 from winkler.vocabulary import Word
 
-__all__ = ["OF_A_CURVE", "OF_A_TIMED_CURVE", "Alternative", "FitStudy", "Free", "word_of"]
+__all__ = ["FITTED", "OF_A_CURVE", "OF_A_TIMED_CURVE", "Alternative", "FitStudy", "Free", "word_of"]
 
+FITTED = ("indentation", "adhesive_indentation", "viscoelastic_indentation")
+"""Problems that can be the model of a curve."""
 OF_A_CURVE = {
     "contact_point": Word("D_0", "m", "position at which the curve first touches"),
     "baseline": Word("F_0", "N", "force out of contact"),

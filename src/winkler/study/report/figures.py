@@ -83,10 +83,18 @@ def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
 # ------------------------------------------------------------------------------------- answers over what was varied
 
 
-def answers_over(outcome: Outcome) -> Iterator[ReportFigure]:
-    """Yield a figure for every answer over the varied keys; none if no key is varied."""
+def answers_over(outcome: Outcome, *, pictured: bool = True) -> Iterator[ReportFigure]:
+    """Yield a figure for every answer over the varied keys; none if no key is varied.
+
+    Parameters
+    ----------
+    outcome
+        Outcome of a study.
+    pictured
+        Whether the picture of the whole answer comes first.
+    """
     columns = {column.name: column.content for column in outcome.table()}
-    yield from _sheets(outcome)
+    yield from _sheets(outcome) if pictured else ()
     answer = answer_of(shown_point(outcome).problem)
     if answer.compared:
         yield from _side_by_side(outcome, answer.compared)

@@ -17,8 +17,6 @@ from winkler.errors import WinklerError
 from winkler.plot.series import name_in_words
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import keys_of
-from winkler.study.language.fit_reading import parse_fit_study
-from winkler.study.language.reading import parse_study
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 
@@ -96,6 +94,9 @@ def is_sound(table: dict[str, Any], folder: Path) -> bool:
     folder
         Where its files are.
     """
+    from winkler.study.language.fit_reading import parse_fit_study  # with all that it solves: not before it is asked
+    from winkler.study.language.reading import parse_study
+
     text = tomli_w.dumps(table)
     try:
         (parse_fit_study if "fit" in table else parse_study)(text, folder=folder)

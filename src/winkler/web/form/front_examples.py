@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from winkler.study.language.fit_reading import FITTED
+from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE
 

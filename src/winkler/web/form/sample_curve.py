@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.special import beta, betainc
 
 __all__ = ["RELAXING_SAMPLE", "SAMPLE", "SAMPLES", "SAMPLE_REMARKS", "sample_curve", "sample_of"]
 
@@ -47,6 +46,8 @@ def relaxing_sample_curve() -> bytes:
     (1960) 438, doi:10.1115/1.3644020): of an incompressible body, with G(t) = G (t / 1 s)^-a and depth v t, it is
     8 G sqrt(R) v^(3/2) t^(3/2 - a) B(3/2, 1 - a) in the approach, and an incomplete beta function in the hold.
     """
+    from scipy.special import beta, betainc
+
     begun = -2e-7 / SPEED
     touched = DEEPEST / SPEED
     time = np.concatenate([np.linspace(begun, touched, 120), np.linspace(touched, touched + HOLD, 120)[1:]])

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from winkler.study.language.explain import completed
-from winkler.study.language.fit_reading import FITTED
+from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
 from winkler.web.form.carry import carried, is_sound
 from winkler.web.form.form import FormEntry

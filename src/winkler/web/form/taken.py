@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.fit_reading import FITTED
+from winkler.study.language.fit_study import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import form
 

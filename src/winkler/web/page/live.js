@@ -19,12 +19,13 @@ export default {
       place?.classList.toggle("hidden", !visible);
       place?.querySelector("button")?.classList.toggle("hidden", !button);
     },
-    // State of the enclosing answer: busy, done or wrong.
+    // State of the enclosing answer: busy, done or wrong; requests are counted, as the shortest are over within a frame.
     mark(word) {
       this.word = word;
       const place = this.$el?.closest(".answer-side");
       if (!place) return;
       place.dataset.state = word;
+      if (word === "busy") place.dataset.asked = Number(place.dataset.asked ?? 0) + 1;
       place.setAttribute("aria-busy", String(word === "busy"));
     },
   },

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,13 +9,12 @@ from typing import Any
 import tomli_w
 from nicegui import context, ui
 
-from winkler.errors import InvalidInput, WinklerError, mistake_in
+from winkler.errors import WinklerError, mistake_in
 from winkler.web.fields.fields import FormFields
 from winkler.web.fields.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
 from winkler.web.fields.sweep_fields import draw_sweep
 from winkler.web.form import fit_form, form
-from winkler.web.form.sample_curve import SAMPLE, SAMPLES
-from winkler.web.form.sample_folder import sample_folder
+from winkler.web.form.sample_curve import SAMPLE
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
@@ -25,12 +23,11 @@ from winkler.web.page.kept_studies import KeptStudies
 from winkler.web.page.question import Question
 from winkler.web.page.result import Result
 from winkler.web.page.stopping import Stopping
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
-from winkler.web.session.export import File
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, File, InteractivePicture, MomentComplete
 from winkler.web.session.files import Files
 from winkler.web.session.requests import RequestQueue
 from winkler.web.session.solver import Solver, Worker, no_process
-from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder
+from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder, keep_samples
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong
 
 __all__ = ["Page", "style"]
@@ -75,12 +72,7 @@ class Page:
         except OSError:
             self.uploads.close()
             raise
-        with contextlib.suppress(InvalidInput):  # a full disk: the form then asks for a curve
-            for name, made in SAMPLES.items():
-                self.uploads.keep(name, made())
-            for name, content in sample_folder():
-                self.uploads.keep(name, content, SAMPLE_CURVES)
-            form.put(self.entered.other_table, "fit.curve", SAMPLE)
+        form.put(self.entered.other_table, "fit.curve", SAMPLE)
         self.requests = RequestQueue(self.send)
         self.stopping = Stopping(limit, self.solver, self.requests)
         self.anew = True
@@ -207,6 +199,8 @@ class Page:
         """Rebuild the form, and solve its study."""
         self.anew = True
         self.front.show(visible=False)
+        if self.entered.task == "fit":
+            keep_samples(self.uploads)
         if self.entered.task != self.shown_task:
             self.shown_task = self.entered.task
             self.result.clear()

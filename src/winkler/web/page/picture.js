@@ -1,10 +1,12 @@
 // One interactive picture.  Numbers come as text and stay plain objects: plotly reads them many times, and every
 // look through the watched objects of the page would take longer than drawing.
 const PINNED = { color: "#6b5b00", width: 2, dash: "2px,3px" };
-const PAUSE = 120; // without another change, until pictures outside the window get another frame [ms]
+const PAUSE = 120; // the longest that pictures outside the window wait for another frame, after the last change [ms]
 const MOUSE = "(hover: hover) and (pointer: fine)";
 
 const plain = (html) => (html ?? "").replace(/<sub>/g, "_").replace(/<[^>]*>/g, "");
+const later = window.requestIdleCallback ?? ((call) => setTimeout(call, 0.5 * PAUSE));
+const notLater = window.cancelIdleCallback ?? clearTimeout;
 const cell = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 export default {
@@ -34,18 +36,18 @@ export default {
   beforeUnmount() {
     this.sized?.disconnect();
     this.sight?.disconnect();
-    clearTimeout(this.later);
+    notLater(this.later);
     this.Plotly?.purge(this.$el);
   },
   methods: {
     // All pictures that come before the next frame are drawn in it, so that the page is laid out once; those outside
-    // the window behind it, or after a pause if they need another frame, so that those in sight follow the slider.
+    // the window behind it, or when nothing else is to be done if they need another frame: those in sight follow the slider.
     draw(text) {
       this.newest = text;
       this.request();
     },
     request() {
-      clearTimeout(this.later);
+      notLater(this.later);
       this.later = undefined;
       this.requested ??= requestAnimationFrame(() => (this.unseen ? setTimeout(() => this.redraw(true)) : this.redraw()));
     },
@@ -55,7 +57,7 @@ export default {
       this.request();
     },
     redraw(patient = false) {
-      clearTimeout(this.later);
+      notLater(this.later);
       this.requested = this.later = undefined;
       if (!this.Plotly || !this.$el?.isConnected) return;
       const { data, layout, config } = JSON.parse(this.newest);
@@ -64,7 +66,7 @@ export default {
       const figure = { data: [...data, ...under], layout };
       if (this.moves(figure)) return;
       if (patient) {
-        this.later = setTimeout(() => this.redraw(), PAUSE);
+        this.later = later(() => this.redraw(), { timeout: PAUSE });
         return;
       }
       this.fast.remember(this.$el, figure);

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from nicegui import ui
 
 from winkler.study.report.markup import safe
-from winkler.web.pictures.answer import InteractivePicture
+from winkler.web.pictures.replies import InteractivePicture
 
 __all__ = ["Card", "PictureLoader", "caption"]
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from nicegui import ui
 
-from winkler.web.pictures.answer import AnswerText
 from winkler.web.pictures.comparison import comparison
+from winkler.web.pictures.replies import AnswerText
 
 __all__ = ["PinnedAnswer"]
 
@@ -37,7 +37,15 @@ class PinnedAnswer:
 
     def _toggle(self) -> None:
         answer, charts = self.current
-        self.answer, self.charts = (None, {}) if self.answer or answer is None else (answer, dict(charts))
+        self._pin(*((None, {}) if self.answer else (answer, dict(charts))))
+
+    def drop(self) -> None:
+        """Forget both answers, as the next ones are of another task."""
+        self.current = (None, {})
+        self._pin(None, {})
+
+    def _pin(self, answer: AnswerText | None, charts: dict[str, str]) -> None:
+        self.answer, self.charts = answer, charts
         self.button.text = "Unpin A" if self.answer else "Pin as A, to compare"
         self.show(*self.current)
         self.redraw()

@@ -10,7 +10,7 @@ from nicegui import ui
 from winkler.study.chapters.contents import CHAPTERS
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import summary
-from winkler.study.language.fit_reading import FITTED
+from winkler.study.language.fit_study import FITTED
 from winkler.study.report.markup import safe
 from winkler.web.form.study_form import TASKS, StudyForm
 

@@ -11,7 +11,7 @@ from winkler.study.report.markup import safe
 from winkler.web.page.live import LiveHtml
 from winkler.web.page.picture import Card, PictureLoader, caption
 from winkler.web.page.pinned import PinnedAnswer
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.batch import Progress
 
 __all__ = ["Result"]
@@ -183,6 +183,7 @@ class Result:
         self.answer, self.received = None, 0
         self.remark.text = ""
         self.keep_cards(0)
+        self.pinned.drop()
         self._clear_sheets()
         for part in (self.head, self.curves, *self.tail):
             part.set_content("")

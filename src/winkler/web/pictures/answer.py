@@ -15,10 +15,12 @@ from winkler.plot.wear.wear import moment_panels
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import is_recovering, is_worn
 from winkler.study.batch.outcome import Outcome
+from winkler.study.chapters.answer import Caption
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.report.describe import settings_text
-from winkler.study.report.figure import ReportFigure, svg_element
+from winkler.study.report.extra_pictures import extra_pictures
+from winkler.study.report.figure import ReportFigure, capital, svg_element
 from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import safe
@@ -27,100 +29,16 @@ from winkler.study.report.tables import answer_section, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
-from winkler.web.pictures.comparison import NamedNumber, numbers_of
+from winkler.web.pictures.comparison import numbers_of
 from winkler.web.pictures.moments import Moments, contact_at, labels_of
 from winkler.web.pictures.packing import packed
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture
 from winkler.web.pictures.solid import draw_solid
 from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NO_VIEW, View, fitting, of_history
+from winkler.web.pictures.words import text_plain
 
-__all__ = [
-    "AnswerText",
-    "DrawnSheet",
-    "InteractivePicture",
-    "MomentComplete",
-    "Scene",
-    "answer_text",
-    "method_pictures",
-    "pictures",
-    "scene",
-    "sheet_of",
-    "sheets",
-]
-
-
-class AnswerText(NamedTuple):
-    """The results as text.
-
-    Parameters
-    ----------
-    standing
-        The worst standing of all notes.
-    answers, notes, papers
-        Sections of a page.
-    text
-        The study as a file.
-    moments, moment
-        Number of moments of the results, zero without a history; and the first one shown.
-    points
-        Of a sweep.
-    doubt
-        The worst statement on the results, and what to do about it; empty where nothing is doubtful.
-    numbers
-        For comparing this answer with another one: the last row of its table.
-    curves
-        Of several fitted curves, a list of them.
-    labels
-        What each moment is: its time, or another number with its unit; or the name of a fitted curve.
-    """
-
-    standing: str
-    answers: str
-    notes: str
-    papers: str
-    text: str
-    moments: int
-    moment: int
-    points: int = 1
-    doubt: str = ""
-    numbers: tuple[NamedNumber, ...] = ()
-    curves: str = ""
-    labels: tuple[str, ...] = ()
-
-
-class InteractivePicture(NamedTuple):
-    """One interactive picture, or the reason for its absence.
-
-    Parameters
-    ----------
-    name, title, sentence
-        Name, title and caption.
-    chart
-        The figure for plotly.js as JSON; empty where there is none.
-    missing
-        The reason for its absence.
-    """
-
-    name: str
-    title: str
-    sentence: str
-    chart: str
-    missing: str = ""
-
-
-class MomentComplete(NamedTuple):
-    """Marks the end of the interactive pictures of one moment.
-
-    Parameters
-    ----------
-    total
-        Their number.
-    remark
-        Remark on all of them.
-    """
-
-    total: int
-    remark: str
+__all__ = ["Scene", "answer_text", "has_sheets", "method_pictures", "pictures", "scene", "sheet_of", "sheets"]
 
 
 class Scene(NamedTuple):
@@ -149,15 +67,6 @@ class Scene(NamedTuple):
     states: tuple[Any, ...]
     moment: int
     remark: str
-
-
-class DrawnSheet(NamedTuple):
-    """One sheet as SVG, or the reason for its absence."""
-
-    title: str
-    sentence: str
-    svg: str
-    missing: str = ""
 
 
 def answer_text(outcome: Outcome, text: str, moments: Moments, moment: int) -> AnswerText:
@@ -224,9 +133,27 @@ def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
         yield from _worn(shown_scene.states, shown_scene.moment)
     if shown_scene.moment >= 0 and has_film(shown_scene.point.solution):
         yield from _zones(shown_scene.point.solution, shown_scene.moment)
+    caption = answer_of(shown_scene.point.problem).picture
+    if caption is not None and is_live(shown_scene.outcome):
+        yield from _panels(shown_scene.point.solution, caption)
     for pair in histories.curves_of(shown_scene.outcome, shown_scene.point):
         drawn = histories.draw_curves(shown_scene.outcome, shown_scene.point, pair, shown_scene.moment)
         yield InteractivePicture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
+
+
+def is_live(outcome: Outcome) -> bool:
+    """Return whether the panels of the whole answer are drawn in the browser, and no sheet of them is needed."""
+    return len(outcome.points) == 1 and answer_of(shown_point(outcome).problem).live
+
+
+def _panels(solution: Any, caption: Caption) -> Iterator[InteractivePicture]:
+    """Yield the panels of the picture of an answer."""
+    from winkler.plot import sheet_of as drawn_sheet  # loads all pictures, which those of the method do not need
+
+    for number, panel in enumerate(drawn_sheet(solution).panels):
+        sentence = "" if number or "; of many" in caption.sentence else caption.sentence
+        title = capital(text_plain(panel.title))
+        yield InteractivePicture(f"{caption.name}_{number + 1}", title, sentence, packed(chart(panel)))
 
 
 def _worn(states: tuple[Any, ...], moment: int) -> Iterator[InteractivePicture]:
@@ -281,9 +208,16 @@ def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> Inte
         return InteractivePicture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
 
 
+def has_sheets(outcome: Outcome) -> bool:
+    """Return whether sheets may follow the interactive pictures, which take a second."""
+    point = shown_point(outcome)
+    picture = answer_of(point.problem).picture or extra_pictures(point.solution)
+    return not is_live(outcome) and (bool(picture) or len(outcome.table()[0].content) > 1)
+
+
 def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:
     """Yield the sheets of the results."""
-    yield from map(sheet_of, answers_over(outcome))
+    yield from map(sheet_of, answers_over(outcome, pictured=not is_live(outcome)))
 
 
 def sheet_of(one: ReportFigure) -> DrawnSheet:

@@ -4,33 +4,27 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.plot.series import name_in_words
 from winkler.readable import with_unit
-from winkler.study.batch.outcome import Outcome
 from winkler.study.report.markup import number, safe, table
 from winkler.study.report.mathml import symbol
 from winkler.web.form.fit_form import key_in_words
 from winkler.web.form.typed import field_text
+from winkler.web.pictures.replies import NamedNumber
 
-__all__ = ["NamedNumber", "comparison", "numbers_of"]
+if TYPE_CHECKING:
+    from winkler.study.batch.outcome import Outcome
+
+__all__ = ["comparison", "numbers_of"]
 
 MOST_DIFFERENCES = 12
 """Most differences of two studies that are listed."""
 NO_INPUTS = ("title", "source")
 """Sections of a study that change no number."""
-
-
-class NamedNumber(NamedTuple):
-    """One number of an answer: name, LaTeX symbol, unit, and the number in SI units."""
-
-    name: str
-    symbol: str
-    unit: str
-    number: float
 
 
 def numbers_of(outcome: Outcome) -> tuple[NamedNumber, ...]:

@@ -26,11 +26,11 @@ from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
 from winkler.web.form.fit_form import key_in_words
-from winkler.web.pictures.answer import AnswerText, DrawnSheet, InteractivePicture, method_pictures, sheet_of
+from winkler.web.pictures.answer import method_pictures, sheet_of
 from winkler.web.pictures.chart import chart
-from winkler.web.pictures.comparison import NamedNumber
 from winkler.web.pictures.curve_list import cards_of_many, curve_list, curve_names, overviews
 from winkler.web.pictures.packing import packed
+from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, NamedNumber
 from winkler.web.pictures.view import fitting
 
 __all__ = ["drawn_points", "fit_pictures", "fit_sheets", "fit_text"]

@@ -6,7 +6,7 @@ import re
 
 from winkler.study.language.explain import plain_symbol
 
-__all__ = ["symbol_html", "text_html"]
+__all__ = ["symbol_html", "text_html", "text_plain"]
 
 
 def symbol_html(symbol: str) -> str:
@@ -50,3 +50,14 @@ def text_html(text: str) -> str:
         " − ".join(map(symbol_html, part.split(" - "))) if place % 2 else part for place, part in enumerate(parts)
     )
     return re.sub(r"\^\{?([\w/]+)\}?", r"<sup>\1</sup>", "".join(parts_html)).replace("\n", "<br>")
+
+
+def text_plain(text: str) -> str:
+    """Return text with LaTeX symbols between dollars as text alone.
+
+    Examples
+    --------
+    >>> text_plain("stress below $x$")
+    'stress below x'
+    """
+    return "".join(plain_symbol(part) if place % 2 else part for place, part in enumerate(text.split("$")))

@@ -6,22 +6,15 @@ import io
 import tempfile
 import zipfile
 from pathlib import Path
-from typing import NamedTuple
 
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
 from winkler.study.report.figure import ReportFigure, save
 from winkler.study.report.page_parts import REPORT
+from winkler.web.pictures.replies import File
 
-__all__ = ["File", "exported"]
-
-
-class File(NamedTuple):
-    """A file for download."""
-
-    name: str
-    content: bytes
+__all__ = ["exported"]
 
 
 def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:

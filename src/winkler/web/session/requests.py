@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from winkler.web.pictures.answer import MomentComplete
-from winkler.web.session.export import File
+from winkler.web.pictures.replies import File, MomentComplete
 from winkler.web.session.worker import Done, Progress, Wrong
 
 __all__ = ["RequestQueue"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import re
 import shutil
@@ -13,8 +14,10 @@ from typing import Any
 from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, member
 from winkler.io.foreign import reason_of
+from winkler.web.form.sample_curve import SAMPLE, SAMPLES
+from winkler.web.form.sample_folder import sample_folder
 
-__all__ = ["CURVES", "LARGEST", "SAMPLE_CURVES", "UploadFolder", "files_in", "plain_name"]
+__all__ = ["CURVES", "LARGEST", "SAMPLE_CURVES", "UploadFolder", "files_in", "keep_samples", "plain_name"]
 
 LARGEST = 20_000_000
 """Greatest size of an upload [bytes]."""
@@ -181,3 +184,14 @@ class UploadFolder:
     def close(self) -> None:
         """Remove everything."""
         shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def keep_samples(uploads: UploadFolder) -> None:
+    """Write the curves with which a fit begins, when the first one is asked for; a full disk leaves them out."""
+    if SAMPLE in uploads.names:
+        return
+    with contextlib.suppress(InvalidInput):
+        for name, made in SAMPLES.items():
+            uploads.keep(name, made())
+        for name, content in sample_folder():
+            uploads.keep(name, content, SAMPLE_CURVES)

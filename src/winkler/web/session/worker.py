@@ -10,15 +10,15 @@ import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
+from winkler.web.pictures.replies import DrawnSheet, File, MomentComplete
 from winkler.web.session.batch import Progress, fitted_batch
 
 if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Outcome
     from winkler.study.language.study import Study
-    from winkler.web.session.export import File
 
 __all__ = [
     "MOST_POINTS",
@@ -102,7 +102,7 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     state = _WorkerState()
-    delays = {state.answer.MomentComplete: SHEET_DELAY, state.answer.DrawnSheet: 0.0, Progress: 0.0}
+    delays = {MomentComplete: SHEET_DELAY, DrawnSheet: 0.0, Progress: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         next_study: Any = None
@@ -114,7 +114,7 @@ def work(pipe: Connection) -> None:
                     pipe.send((request.number, reply))
                     # remaining points and sheets are left out when there is another study
                     if isinstance(request, Solve) and type(reply) in delays:
-                        next_study = _serve_waiting(pipe, state, delays[type(reply)])
+                        next_study = _serve_waiting(pipe, state, delays[type(reply)] if state.has_more else 0.0)
                         if next_study is not None:
                             break
             except StudyReplaced as end:
@@ -158,7 +158,7 @@ class _WorkerState:
         self.outcome: Outcome | FitOutcome | None = None
         self.report: Callable[[Progress], None] = lambda progress: None
         self.folder = Path()
-        self.halted = False
+        self.halted, self.fits, self.has_more = False, False, True
         text = tomli_w.dumps(initial_table("indentation"))
         list(self.replies(Solve(0, text, Path(), True)))  # so that the first request does not wait for imports
         self.view, self.outcome = NO_VIEW, None
@@ -191,10 +191,12 @@ class _WorkerState:
     def _solved(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parsed
 
-        self.outcome, self.moments, self.folder, self.halted = None, self.none, request.folder, False
+        self.outcome, self.moments, self.folder = None, self.none, request.folder
+        self.halted, self.has_more = False, True
         if request.anew:
             self.view = self.nothing
-        yield from self._fitted(request) if "fit" in parsed(request.text, STUDY) else self._answered(request)
+        self.fits = "fit" in parsed(request.text, STUDY)
+        yield from self._fitted(request) if self.fits else self._answered(request)
 
     def _answered(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parse_study
@@ -204,7 +206,7 @@ class _WorkerState:
 
         study = parse_study(request.text, file=STUDY, folder=request.folder)
         self.outcome = outcome = yield from self._run(study)
-        point = shown_point(outcome)
+        point, self.has_more = shown_point(outcome), self.answer.has_sheets(outcome)
         self.moments = moments_of(point)
         moment = initial_moment(point, self.moments)
         yield self.answer.answer_text(outcome, study_text(study), self.moments, moment)
@@ -260,21 +262,21 @@ class _WorkerState:
 
     def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
         from winkler.errors import InvalidInput
-        from winkler.study.batch.fit_outcome import FitOutcome
-        from winkler.web.pictures.fitted import fit_pictures
 
         if self.outcome is None:
             raise InvalidInput("there are no results to show; wait for them, or correct the study first.")
-        if isinstance(self.outcome, FitOutcome):
-            pictures, remark = fit_pictures(self.outcome, moment)
+        if self.fits:
+            from winkler.web.pictures.fitted import fit_pictures
+
+            pictures, remark = fit_pictures(cast("FitOutcome", self.outcome), moment)
         else:
-            scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
+            outcome = cast("Outcome", self.outcome)
+            scene = self.answer.scene(outcome, self.moments, moment, self.view, still=still)
             pictures, remark, self.view = self.answer.pictures(scene), scene.remark, scene.view
         count = 0
-        for picture in pictures:
-            count += 1
+        for count, picture in enumerate(pictures, 1):  # noqa: B007 - their number stays
             yield picture
-        yield self.answer.MomentComplete(count, remark)
+        yield MomentComplete(count, remark)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput

@@ -179,6 +179,7 @@ LINE = Chapter(
             ),
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
+            live=True,
             formulas=line_formulas,
         ),
         "roller_contact": answer(
@@ -229,6 +230,7 @@ LINE = Chapter(
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
             "johnson_1985",
+            event="at which a body begins to yield",
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
@@ -239,6 +241,7 @@ LINE = Chapter(
         "line_shakedown": answer(
             "winkler.problems.line.shakedown:LineShakedown",
             "johnson_1985",
+            event="up to which the body shakes down",
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},

@@ -80,6 +80,7 @@ MASTER_CURVES = Chapter(
     answers={
         "master_curve": answer(
             "winkler.problems.master_curves.master_curve:MasterCurve",
+            event="of Williams, Landel and Ferry",
             headline=("first_constant", "second_constant", "activation_energy"),
             sweeps=SWEEPS,
             reference_temperature=WARM,

@@ -44,6 +44,11 @@ ADVICE = {
     Assumption.CURVE: "look at the residuals, and measure again if they have a trend",
 }
 """Assumption -> what to do where it does not hold."""
+WITHIN_AN_ERROR = {
+    Assumption.ELASTIC: "press less, until the contact stays elastic in any case",
+    Assumption.SHAPE: "compare with another description of the shape, or allow for this error",
+}
+"""The same where it holds within an error that is stated, if that is something else."""
 NEXT_BETTER = {Standing.OUTSIDE: Standing.APPROXIMATE, Standing.APPROXIMATE: Standing.ASYMPTOTIC}
 OF_SIZE = (Assumption.HALF_SPACE, Assumption.SMALL_SLOPES)
 """Assumptions whose check follows from the contact radius alone."""
@@ -82,9 +87,8 @@ def worst_doubt(notes: tuple[Note, ...], contact: Any = None) -> Doubt:
     note = max(notes, key=lambda one: order.index(one.standing), default=None)
     if note is None or note.standing in (Standing.EXACT, Standing.ASYMPTOTIC):
         return Doubt(Standing.EXACT if note is None else note.standing, "", "")
-    advice = ADVICE[note.assumption]
-    if note.assumption is Assumption.ELASTIC and note.standing is Standing.APPROXIMATE:
-        advice = "press less, until the contact stays elastic in any case"
+    is_close = note.standing is Standing.APPROXIMATE
+    advice = (is_close and WITHIN_AN_ERROR.get(note.assumption)) or ADVICE[note.assumption]
     load = load_within(contact, NEXT_BETTER[note.standing]) if note.assumption in OF_SIZE else math.nan
     if not math.isnan(load):
         advice = f"{advice}: use at most {with_unit(load, 'N', 3)}"

@@ -90,15 +90,15 @@ class SoughtNumber(NamedTuple):
             return f"the {self.extreme_name}; {self._of(0.0)} {self.end}"
         return f"{self.extreme_name} {self._of(self.extreme)}"
 
-    @property
-    def sentence(self) -> str:
-        """The number with its unit in a sentence, without its full stop."""
+    def sentence(self, event: str = "") -> str:
+        """Return the number with its unit in a sentence, without its full stop; `event` is what it belongs to."""
+        label = f"{self.label} {event}".rstrip()
         if self.is_range:
-            return f"the {self.label} is between {self._of(self.low)} and {self._of(self.high)}"
+            return f"the {label} is between {self._of(self.low)} and {self._of(self.high)}"
         if self.ends_at_zero:
-            return f"the {self.extreme_name} {self.label} is {self.text}, and {self._of(0.0)} {self.end}"
+            return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end}"
         beside = f", and the {self.extreme_name} {self._of(self.extreme)}" if self.varies else ""
-        return f"{f'{self.end} ' if self.many else ''}the {self.label} is {self.text}{beside}"
+        return f"{f'{self.end} ' if self.many else ''}the {label} is {self.text}{beside}"
 
     @property
     def varies(self) -> bool:

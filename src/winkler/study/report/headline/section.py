@@ -78,10 +78,11 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
     given = [one for one in numbers[1:] if one.prescribed and not one.many]
     how = "under" if given and "force" in given[0].label else "with"
     under = f" {how} a {' and a '.join(f'{one.label} of {one.text}' for one in given)}" if given else ""
+    event = answer_of(shown_point(outcome).problem).event
     where = ""
     if sought.is_range:
         where = f"over {len(outcome.points)} points " if outcome.study.sweep else "along the curve "
-    return capital(f"{where}{sought.sentence}{under}.")
+    return capital(f"{where}{sought.sentence(event)}{under}.")
 
 
 def _card(one: SoughtNumber, *, first: bool) -> str:
