@@ -6,7 +6,7 @@ import functools
 
 import numpy as np
 import pytest
-from layer_waves import Stack, sliding_disc
+from layer_waves import Stack, sliding_disc, twist_stiffness
 from scipy.special import digamma
 
 import winkler as wk
@@ -66,6 +66,15 @@ def test_a_layer_that_slides_is_a_sheet_held_far_away(a):
     assert stack.punch_torsional_stiffness(np.array(a)) == pytest.approx(16.0 * (weights * x) @ theta, rel=1e-12)
     wide = float(film.punch_torsional_stiffness(np.array(1000.0)))
     assert wide == pytest.approx(4.0 * np.pi * 1000.0**2, rel=2e-3)
+
+
+@pytest.mark.parametrize("stiffer", [1e-3, 1e3])
+def test_a_sheet_of_two_layers_by_least_energy(stiffer):
+    lower = wk.StackLayer(wk.Elastic(2.5 * stiffer, 0.25), 0.03, False)
+    film = wk.StackedHalfSpace([wk.StackLayer(GLASS, 0.02, True), lower], on=SOFT)
+    nearly_free = Stack([(1.0, 0.25, 0.02), (stiffer, 0.25, 0.03)], (1e-12, 0.25), longest_disc=0.04)
+    found = float(film.punch_torsional_stiffness(np.array(0.04)))
+    assert found == pytest.approx(twist_stiffness(nearly_free, 0.04), rel=1e-9)
 
 
 def test_partial_slip_on_a_sheet_by_least_energy_inside_the_stick_zone():
