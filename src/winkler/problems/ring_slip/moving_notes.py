@@ -23,8 +23,8 @@ IN_IMPACTS = (
 )
 IN_CYCLES = (
     "for a/h from 1 to 10, losses of a cycle were off by up to 0.055 of mu F_N A_x on a base a hundred times softer "
-    "than the layer (motions in phase seem to lose nothing), by up to 0.012 on one ten times softer, and by 0.002 on one "
-    "ten times stiffer."
+    "than the layer (motions in phase seem to lose nothing), by up to 0.012 on one ten times softer, and by 0.002 on "
+    "one ten times stiffer."
 )
 RINGS_NOTE = Note(
     Assumption.RESOLUTION,
