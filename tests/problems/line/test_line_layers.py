@@ -283,7 +283,7 @@ def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strength
 
 def test_the_greatest_stress_of_a_deep_layer_lies_far_beside_a_narrow_strip():
     """A soft layer between stiff ones: 3.5 half-widths beside the middle, on a grid apart from the search."""
-    solids = (wk.Elastic(3.4, 0.0), wk.Elastic(1.5, 0.5), wk.Elastic(97.0, 0.0))
+    solids = (wk.Elastic(3.4, 0.0), wk.Elastic(1.5, 0.5, strength=0.0251), wk.Elastic(97.0, 0.0))
     layers = [wk.Layer(solid, thickness) for solid, thickness in zip(solids, (0.6, 0.38, 0.46), strict=True)]
     contact = of_width(wk.LayeredLineFoundation(CYLINDER, wk.CoatedHalfSpace(layers, wk.Rigid())), 0.14)
     found = contact.layer_stresses()[1]
@@ -294,6 +294,9 @@ def test_the_greatest_stress_of_a_deep_layer_lies_far_beside_a_narrow_strip():
     assert found.von_mises >= level[place]
     assert found.x == pytest.approx(x[place[0]], abs=0.005)
     assert found.x > 0.4
+    note = next(note for note in contact.validity if note.assumption is wk.Assumption.ELASTIC)
+    assert note.standing is wk.Standing.OUTSIDE  # less than 1.02 times the strength, that of the middle is 0.9
+    assert "times the strength of the layer 2" in note.statement
 
 
 def test_the_greatest_stress_on_a_flat_ridge():

@@ -83,7 +83,7 @@ def panel_width(owner: str, medium: Medium, widest: float) -> float:
     if widest > 0.05 * MOST_NODES * width:
         raise OutsideValidity(
             f"{owner}: the contact of radius {widest:.3g} m is too wide against the length of {width:.3g} m over which "
-            f"the stack changes; at most {0.05 * MOST_NODES:g} times that can be followed: request less load."
+            f"the medium changes; at most {0.05 * MOST_NODES:g} times that can be followed: request less load."
         )
     if any(each.smooth > each.length for each in responses):
         width = min(width, LOGARITHMIC_WIDTH * widest)
