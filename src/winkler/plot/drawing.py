@@ -14,6 +14,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.foundation.measured import MeasuredBed
 from winkler.loading import Force
+from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, checked_extent, typical
@@ -169,8 +170,8 @@ def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
 def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Sheet:
     contact = Indentation(item.problem.bed, Force(item.force)).solve()
     to = around(contact.pressed, extent)
-    slides = item.problem.friction.coefficient > 0.0
-    left = sliding_stress_panel(item, contact.pressed, to) if slides else stress_panel(contact, to, item.radius)
+    plain = item.problem.friction.coefficient == 0.0 and isinstance(item.problem.bed.medium, HalfSpace)
+    left = stress_panel(contact, to, item.radius) if plain else sliding_stress_panel(item, contact.pressed, to)
     curve = curve_panel(force_depth(contact.pressed), marker="", name="elastic")
     right = curve.plus(
         points(item.depth, item.force, name="yielding begins"),

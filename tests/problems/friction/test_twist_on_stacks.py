@@ -6,7 +6,8 @@ import functools
 
 import numpy as np
 import pytest
-from layer_waves import Stack, sliding_disc
+from layer_waves import Stack, sliding_disc, twist_stiffness
+from scipy.optimize import brentq
 from scipy.special import digamma
 
 import winkler as wk
@@ -68,6 +69,15 @@ def test_a_layer_that_slides_is_a_sheet_held_far_away(a):
     assert wide == pytest.approx(4.0 * np.pi * 1000.0**2, rel=2e-3)
 
 
+@pytest.mark.parametrize("stiffer", [1e-3, 1e3])
+def test_a_sheet_of_two_layers_by_least_energy(stiffer):
+    lower = wk.StackLayer(wk.Elastic(2.5 * stiffer, 0.25), 0.03, False)
+    film = wk.StackedHalfSpace([wk.StackLayer(GLASS, 0.02, True), lower], on=SOFT)
+    nearly_free = Stack([(1.0, 0.25, 0.02), (stiffer, 0.25, 0.03)], (1e-12, 0.25), longest_disc=0.04)
+    found = float(film.punch_torsional_stiffness(np.array(0.04)))
+    assert found == pytest.approx(twist_stiffness(nearly_free, 0.04), rel=1e-9)
+
+
 def test_partial_slip_on_a_sheet_by_least_energy_inside_the_stick_zone():
     film = wk.SlidingFilm([wk.Layer(GLASS, 0.02)], on=SOFT)
     problem = twisted(film, 0.04, (0.0, 0.8))
@@ -110,6 +120,49 @@ def test_a_body_graded_in_depth_twists_as_ever_thinner_layers():
         known.append(float(wk.Torsion(bed, wk.Coulomb(MU), path).solve().torque[1]))
     assert abs(found.torque[1] / known[1] - 1.0) < 0.3 * abs(found.torque[1] / known[0] - 1.0)
     assert found.torque[1] == pytest.approx((4.0 * known[1] - known[0]) / 3.0, rel=3e-4)
+
+
+class GradedWaves(Stack):
+    """Shear across waves in 4000 thin layers of a body that stiffens from a modulus of 1 by exp(-20 z)."""
+
+    def __init__(self, deep, poisson, disc):
+        nodes, weights = np.polynomial.legendre.leggauss(16)
+        step, most = 6.0 / disc, 2e4
+        edges = np.concatenate([[0.0], step * 2.0 ** -np.arange(14.0, 0.0, -1.0), np.arange(step, most + step, step)])
+        self.xi = (edges[:-1, None] + np.diff(edges)[:, None] * 0.5 * (nodes + 1.0)).ravel()
+        self.weights = (0.5 * np.diff(edges)[:, None] * weights).ravel()
+        depth = np.concatenate([[0.0], np.geomspace(1e-7, 3.0, 4000)])
+        shear = (deep + (1.0 - deep) * np.exp(-10.0 * (depth[1:] + depth[:-1]))) / (2.0 + 2.0 * poisson)
+        stiff = np.full(self.xi.size, shear[-1])
+        for own, thickness in zip(shear[::-1], np.diff(depth)[::-1], strict=True):
+            fall = np.tanh(self.xi * thickness)
+            stiff = own * (stiff + own * fall) / (own + stiff * fall)
+        self.across, self.short = 1.0 / stiff, (0.0, 2.0 + 2.0 * poisson)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("deep", "off"), [(3.0, 2e-5), (30.0, 2e-4)])
+def test_the_torque_on_a_graded_body_is_known_as_far_as_the_manual_says(deep, off):
+    """At the same angle, by least energy inside the stick zone and thin layers of waves."""
+    a, grading = 0.05, ExponentialGrading(1.0, deep, depth_scale=0.05, poisson=0.3)
+    problem = twisted(wk.DepthGradedHalfSpace(grading), a, (0.0, 0.8))
+    found = problem.solve().at(1)
+    place = 0.5 + 0.5 * np.polynomial.chebyshev.chebpts1(60)
+    springs = PressedSprings(problem.bed, found.depth, a)
+    values = problem.bed.medium.pressure(springs, a * np.sqrt(place))
+    fit = np.polynomial.Chebyshev.fit(place, values / np.sqrt(1.0 - place), 59, domain=[0.0, 1.0])
+
+    def pressure(r):
+        inner = np.minimum((r / a) ** 2, 1.0)
+        return MU * np.sqrt(1.0 - inner) * fit(inner)
+
+    waves = GradedWaves(deep, 0.3, a)
+    assert float(problem.bed.medium.punch_torsional_stiffness(np.array(a))) == pytest.approx(
+        twist_stiffness(waves, a), rel=1e-5
+    )
+    stick = brentq(lambda c: sliding_disc(waves, pressure, a, c, 1)[0] - found.angle, 0.03, 0.036, xtol=1e-9)
+    assert found.torque == pytest.approx(sliding_disc(waves, pressure, a, stick, 1)[1], rel=off)
+    assert found.stick_radius == pytest.approx(stick, rel=20.0 * off)
 
 
 @pytest.mark.slow

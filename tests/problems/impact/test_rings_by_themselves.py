@@ -35,13 +35,22 @@ class Pressed:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("softer", "wide", "off"), [(100.0, 3.0, 0.013), (0.1, 1.0, 0.003)])
-def test_an_impact(softer, wide, off, monkeypatch):
+@pytest.mark.parametrize(
+    ("softer", "wide", "slow", "heavy", "off"),
+    [
+        (100.0, 2.0, 0.3, 2.5, 0.035),
+        (100.0, 3.0, 0.1, 3.5, 0.035),
+        (10.0, 3.0, 0.6, 2.0, 0.028),
+        (0.1, 1.0, 0.8, 3.5, 0.002),
+    ],
+)
+def test_an_impact(softer, wide, slow, heavy, off, monkeypatch):
+    """Velocities are off by a part of the coefficient times that of approach, however slow the motion is."""
     monkeypatch.setattr(ring_march, "STEPS", 150)
-    pressed, mobility = Pressed(softer, wide), 3.5 / MASS
+    pressed, mobility = Pressed(softer, wide), heavy / MASS
     curve = normal_curve(pressed.bed, pressed.depth)
     speed = math.sqrt(2.0 * curve.at(pressed.depth)[2] / MASS)
-    sliding = 0.7 * MU * speed
+    sliding = slow * MU * speed
     motion = ImpactProblem(curve, pressed.depth, MASS, mobility, speed, sliding, 1.0, MU)
     thrown = ring_march.march_rings(motion, ring_table("Impact", pressed.bed, MU, WIDE, 150))
     count = thrown.time.size - 1
@@ -56,20 +65,23 @@ def test_an_impact(softer, wide, off, monkeypatch):
             following = float(pressed.area @ new)
         velocity -= 0.5 * mobility * step * (force + following)
         traction = new
-    assert abs(thrown.sliding[-1] - velocity) < off * sliding
+    assert abs(thrown.sliding[-1] - velocity) < off * MU * speed
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("softer", "wide", "off"), [(100.0, 3.0, 0.04), (10.0, 3.0, 0.004), (0.1, 1.0, 0.002)])
-def test_a_cycle_of_depth_and_shift(softer, wide, off):
+@pytest.mark.parametrize(
+    ("softer", "wide", "part", "phase", "off"),
+    [(100.0, 3.0, 0.3, 0.0, 0.055), (10.0, 3.0, 1.5, 0.7, 0.012), (0.1, 1.0, 0.7, 0.7, 0.002)],
+)
+def test_a_cycle_of_depth_and_shift(softer, wide, part, phase, off):
     pressed = Pressed(softer, wide)
     depth = pressed.depth / 1.5
     force = MU * float(wk.Indentation(pressed.bed, wk.Depth(depth)).solve().force)
-    aside = 0.7 * force / float(pressed.bed.medium.punch_shear_stiffness(np.array([WIDE]))[0])
-    found = wk.BimodalDamping(pressed.bed, wk.Coulomb(MU), depth, 0.5 * depth, aside, 0.7).solve().loss_per_cycle
+    aside = part * force / float(pressed.bed.medium.punch_shear_stiffness(np.array([WIDE]))[0])
+    found = wk.BimodalDamping(pressed.bed, wk.Coulomb(MU), depth, 0.5 * depth, aside, phase).solve().loss_per_cycle
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
     half = free_rings.pressures(pressed.normal, pressed.edges, 1.0, depth * (1.0 + 0.5 * np.cos(angle[:181])))
-    limits, moved = MU * np.concatenate([half, half[-2::-1]]), aside * np.cos(angle + 0.7)
+    limits, moved = MU * np.concatenate([half, half[-2::-1]]), aside * np.cos(angle + phase)
     traction, losses = np.zeros(COUNT), []
     for _ in range(2):
         lost = 0.0

@@ -281,6 +281,33 @@ def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strength
     assert float(contact.stresses(onset.x, onset.z).von_mises) == pytest.approx(strengths[part], rel=1e-8)
 
 
+def test_the_greatest_stress_of_a_deep_layer_lies_far_beside_a_narrow_strip():
+    """A soft layer between stiff ones: 3.5 half-widths beside the middle, on a grid apart from the search."""
+    solids = (wk.Elastic(3.4, 0.0), wk.Elastic(1.5, 0.5, strength=0.0251), wk.Elastic(97.0, 0.0))
+    layers = [wk.Layer(solid, thickness) for solid, thickness in zip(solids, (0.6, 0.38, 0.46), strict=True)]
+    contact = of_width(wk.LayeredLineFoundation(CYLINDER, wk.CoatedHalfSpace(layers, wk.Rigid())), 0.14)
+    found = contact.layer_stresses()[1]
+    x, z = np.linspace(0.0, 1.5, 301), 0.6 + 0.38 * np.linspace(1e-9, 1.0, 41)
+    level = contact.stresses(x[:, None], z[None, :]).von_mises
+    place = np.unravel_index(np.argmax(level), level.shape)
+    assert found.von_mises == pytest.approx(level[place], rel=1e-4)
+    assert found.von_mises >= level[place]
+    assert found.x == pytest.approx(x[place[0]], abs=0.005)
+    assert found.x > 0.4
+    note = next(note for note in contact.validity if note.assumption is wk.Assumption.ELASTIC)
+    assert note.standing is wk.Standing.OUTSIDE  # less than 1.02 times the strength, that of the middle is 0.9
+    assert "times the strength of the layer 2" in note.statement
+
+
+def test_the_greatest_stress_on_a_flat_ridge():
+    """Under an incompressible layer the stress about the middle changes by 3e-4 over a quarter of the half-width."""
+    layers = [wk.Layer(wk.Elastic(0.61, 0.5), 0.557), wk.Layer(wk.Elastic(0.0157, 0.49), 0.649)]
+    contact = of_width(wk.LayeredLineFoundation(CYLINDER, wk.CoatedHalfSpace(layers, wk.Elastic(1.0, 0.3))), 0.0364)
+    x, z = np.linspace(0.0, 0.0364, 81), 0.0364 * np.linspace(0.6, 1.0, 81)
+    level = contact.stresses(x[:, None], z[None, :]).von_mises
+    assert contact.layer_stresses()[0].von_mises >= np.max(level)
+
+
 def test_yield_onset_on_layers_refuses_friction_and_sharp_tips():
     solid = wk.Elastic(0.91, 0.3, strength=0.3)
     with pytest.raises(OutsideValidity, match="slides on layers"):

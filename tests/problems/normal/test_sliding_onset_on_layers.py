@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from layer_waves import _base, _plane
 from scipy.linalg import expm
+from scipy.optimize import minimize_scalar
 from scipy.special import j0
-from sliding_ball import mises, on_the_surface
+from sliding_ball import mises, on_the_surface, point_loads
 
 import winkler as wk
 from winkler.foundation.bed import PressedSprings
@@ -152,6 +153,28 @@ def test_the_onset_below_the_surface_is_that_of_the_ellipse():
     assert plain.force == pytest.approx(ellipse.force, rel=1e-10)
     assert found.force == pytest.approx(ellipse.force, rel=1e-9)
     assert (found.x, found.z) == (pytest.approx(ellipse.x, abs=1e-9), pytest.approx(ellipse.z, rel=1e-5))
+
+
+@pytest.mark.slow
+def test_a_base_far_below_a_narrow_contact_yields_off_the_axis():
+    """Several contact radii beside the middle: by point loads on the disc, in the plane of the interface."""
+    thick, mu, p0 = 30.0 * A, 0.5, 2.0 * E / (1.0 - 0.3**2) * A / (np.pi * R)
+    most = minimize_scalar(lambda x: -point_loads(mu, 0.3, x, 30.0), (3.0, 5.0, 7.0), tol=1e-9)
+    base, layer = wk.Elastic(E, 0.3, strength=-most.fun * p0), wk.Elastic(E, 0.3)
+    bed = wk.Foundation(wk.Paraboloid(R), wk.CoatedHalfSpace([wk.Layer(layer, thick)], on=base))
+    found = wk.YieldOnset(bed, wk.Coulomb(mu)).solve()
+    assert found.radius == pytest.approx(A, rel=1e-7)
+    assert (found.x, found.z) == (pytest.approx(most.x * A, rel=1e-3), pytest.approx(thick, rel=1e-6))
+
+
+def test_the_surface_of_the_second_body_yields():
+    """Where its depth is -0.0."""
+    weak = wk.Elastic(E, 0.3, strength=Y)
+    for first in (wk.Elastic(E, 0.3), wk.Elastic(E, 0.3, strength=3.0 * Y)):
+        bed = wk.Foundation(wk.Paraboloid(R), wk.HalfSpace(first, weak))
+        found = wk.YieldOnset(bed, wk.Coulomb(0.5)).solve()
+        assert found.z == 0.0
+        assert found.validity[-1].statement.startswith("Yielding begins in the second body, ")
 
 
 def test_stresses_in_layers_of_one_solid_are_those_of_a_half_space():

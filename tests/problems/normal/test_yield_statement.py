@@ -203,6 +203,19 @@ def test_layers_are_checked_one_by_one():
 
 
 @pytest.mark.slow
+@pytest.mark.slow
+def test_friction_on_a_bonded_stack_is_that_on_a_coating():
+    layer, said = steel(2.0 * Y), []
+    for medium in (
+        wk.CoatedHalfSpace([wk.Layer(layer, 1e-4)], on=wk.Elastic(0.5 * E, NU)),
+        wk.StackedHalfSpace([wk.StackLayer(layer, 1e-4, True)], on=wk.Elastic(0.5 * E, NU)),
+    ):
+        path = wk.Path([0.0, 1.0], wk.Force(5.0), wk.Shift([0.0, 1e-8]))
+        said.append(statement(wk.Tangential(wk.Foundation(wk.Paraboloid(R), medium), wk.Coulomb(0.3), path).solve()))
+    assert said[0].statement == said[1].statement
+    assert said[1].standing is wk.Standing.EXACT
+
+
 def test_friction_on_layers_is_known_and_wide_contacts_are_not():
     medium = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-4)], on=wk.Elastic(E, NU))
     bed = wk.Foundation(wk.Paraboloid(R), medium)

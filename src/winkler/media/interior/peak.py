@@ -63,7 +63,8 @@ def greatest(
         Takes r and z of one shape [m], z >= 0 into the body; returns the quantity.  Values that are not finite do not
         count.
     radius
-        Contact radius [m]; the search goes to 1.2 radii from the axis and 3 radii deep.
+        Contact radius [m]; the search goes to 1.2 radii from the axis and 3 radii deep.  In a layer that lies deeper
+        than the contact is wide, it goes to as many depths of its upper face.
     top, bottom
         Depths between which is searched [m].
     both_sides
@@ -75,6 +76,7 @@ def greatest(
         Whether the field has no sharp places; the top of a paraboloid through the values of a box is then the middle
         of the next one, and fewer rounds are needed.
     """
+    radius = math.hypot(radius, top)  # over such a distance a load has spread in that depth
     r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 0.98, 1.0, 1.02, 1.05, 1.2]]) * radius
     if both_sides:
         r = np.concatenate([-r[:0:-1], r])

@@ -87,11 +87,11 @@ class FloatingAcross(StackResponse):
         stiff, less, sheet = np.zeros_like(xi), np.zeros_like(xi), 0.0
         for g, d in reversed(self._plates):
             x = xi * d
-            missing = _missing(x)
-            bent = stiff * xi * x * (1.0 - missing) / g
+            missing, left = _missing(x)
+            bent = stiff * xi * x * left / g
             less = (less + g * d * missing + (sheet + g * d) * bent) / (1.0 + bent)
+            stiff = (stiff + g * d * left) / (1.0 + bent)
             sheet += g * d
-            stiff = sheet - less
         pole, y = self._pole / self._share, -2.0 * xi * self.length
         short = np.divide(np.expm1(y), y, out=np.ones_like(y), where=y != 0.0)  # (1 - exp(y)) / -y
         bent = np.divide(less, xi * stiff, out=np.zeros_like(y), where=xi != 0.0)
@@ -102,9 +102,10 @@ class FloatingAcross(StackResponse):
         return np.asarray(-self._pole / math.pi * np.log1p((0.5 * x / self.length) ** 2))
 
 
-def _missing(x: ComplexArray) -> ComplexArray:
-    """Return 1 - tanh(x)/x."""
+def _missing(x: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
+    """Return 1 - tanh(x)/x, and tanh(x)/x."""
     square = x * x
     series = square * (1 / 3 - square * (2 / 15 - square * (17 / 315 - square * (62 / 2835 - square * 1382 / 155925))))
     safe = np.where(x == 0.0, 1.0, x)
-    return np.asarray(np.where(np.abs(x) < SMALL_DEPTH, series, 1.0 - np.tanh(safe) / safe))
+    small, left = np.abs(x) < SMALL_DEPTH, np.tanh(safe) / safe
+    return np.where(small, series, 1.0 - left), np.where(small, 1.0 - series, left)

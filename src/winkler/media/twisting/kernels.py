@@ -37,7 +37,8 @@ SMALL_RATIO = 0.25
 LEAST_EXPONENT = 1e-4
 """Of a power law, below which its function is interpolated between exponents."""
 LOGARITHMIC_WIDTH = 1.0 / 12.0
-"""Width of a panel, over the widest contact, where kernels have a logarithm: what is left of it errs like 1e-5."""
+"""Width of a panel, over the widest contact, where kernels have a logarithm: what is left of it errs
+by 1e-5 where the modulus grows threefold, 2e-4 where it grows thirtyfold."""
 MOST_NODES = 2000
 """Wider contacts, against the uppermost layer, are refused."""
 
@@ -94,7 +95,7 @@ def panel_width(owner: str, responses: Sequence[SurfaceResponse], widest: float)
     if widest > 0.05 * MOST_NODES * width:
         raise OutsideValidity(
             f"{owner}: the contact of radius {widest:.3g} m is too wide against the length of {width:.3g} m over which "
-            f"the stack changes; at most {0.05 * MOST_NODES:g} times that can be followed: request less load."
+            f"the medium changes; at most {0.05 * MOST_NODES:g} times that can be followed: request less load."
         )
     if any(each.smooth > each.length for each in responses):
         width = min(width, LOGARITHMIC_WIDTH * widest)

@@ -1,10 +1,15 @@
-"""The stress where a contact that slides begins to yield: a map of the plane of sliding."""
+"""The stress where a contact begins to yield that slides, or lies on layers: a map of the plane of sliding."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
 from winkler.foundation.bed import PressedSprings
+from winkler.materials.elastic import TransverselyIsotropic
+from winkler.media.families import LayeredBody
+from winkler.media.medium import Medium
 from winkler.plot import style
 from winkler.plot.medium import interfaces
 from winkler.plot.normal.stresses import stress_map
@@ -18,6 +23,8 @@ __all__ = ["sliding_stress_panel"]
 POINTS_ACROSS, POINTS_DOWN = 113, 49
 DEPTH_IN_RADII = 1.6
 """Depth of the map in contact radii."""
+BEYOND = 1.25
+"""Depth and half of the width of the map, at least, over how far the place lies where yielding begins."""
 INTERFACE_OFFSET = 1e-6
 """Distance of a row of points from an interface, of its depth."""
 
@@ -28,25 +35,36 @@ def sliding_stress_panel(item: YieldOnsetSolution, pressed: PressedSprings, exte
     Parameters
     ----------
     item : YieldOnsetSolution
-        With friction.
+        With friction, or on layers.
     pressed : PressedSprings
         Its springs.
     extent : float
-        Drawn up to this distance from the axis [m].
+        Drawn up to this distance from the axis [m], or farther if it yields farther away.
     """
+    medium, friction = pressed.bed.medium, item.problem.friction.coefficient
     part, radius = part_that_yields(item), item.radius
     sign = 1.0 if part.first else -1.0
-    x = np.linspace(-extent, extent, POINTS_ACROSS)
-    z = DEPTH_IN_RADII * radius * (np.linspace(0.0, 1.0, POINTS_DOWN) ** 1.6 + 1e-3)
-    borders = np.array([h for h in interfaces(pressed.bed.medium) if part.first and h < z[-1]])
+    x = max(extent, BEYOND * math.hypot(item.x, item.z)) * np.linspace(-1.0, 1.0, POINTS_ACROSS)
+    z = max(DEPTH_IN_RADII * radius, BEYOND * abs(item.z)) * (np.linspace(0.0, 1.0, POINTS_DOWN) ** 1.6 + 1e-3)
+    borders = np.array([h for h in interfaces(medium) if part.first and h < z[-1]])
     if borders.size:  # stresses jump there: one row of points on either side
         z = np.unique(np.concatenate([z, borders * (1.0 - INTERFACE_OFFSET), borders * (1.0 + INTERFACE_OFFSET)]))
+    if part.first:
+        z = z[z > _unknown_above(medium)]
     across, down = np.broadcast_arrays(x[:, None], z)
-    stress = stress_in_plane(pressed, part, item.problem.friction.coefficient, across.ravel(), down.ravel())
+    stress = stress_in_plane(pressed, part, friction, across.ravel(), down.ravel())
     shown = series("von_mises", stress.reshape(across.shape))
-    panel = stress_map(series("x", across), series("z", sign * down), shown, label="along the sliding $x$")
+    label = "along the sliding $x$" if friction > 0.0 else ""
+    panel = stress_map(series("x", across), series("z", sign * down), shown, label=label)
     look = {"dash": (4.0, 2.0), "order": 7.0}
     rules = [Rule(float(depth), colour=style.INK, width=0.9, **look) for depth in borders]  # type: ignore[arg-type]
     place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0, clipped=False)
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.RED, width=3.0, clipped=False, blunt=True, order=8.0)
     return panel.plus(*rules, place, edge)
+
+
+def _unknown_above(medium: Medium) -> float:
+    """Return the depth down to which stresses are not known [m]: in a transversely isotropic uppermost layer."""
+    if isinstance(medium, LayeredBody) and isinstance(medium.layers[0].solid, TransverselyIsotropic):  # type: ignore[attr-defined]
+        return float(medium.layers[0].thickness)  # type: ignore[attr-defined]
+    return 0.0

@@ -80,7 +80,7 @@ def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float)
 def _greatest(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, sharp: bool) -> tuple[float, float, float]:
     """Return the greatest von Mises stress of a part at sampled places, and its place."""
     a = strip.half_width
-    x = 2.0 * a * np.linspace(0.0, 1.0, PLACES)
+    x = 2.0 * math.hypot(a, part.top) * np.linspace(0.0, 1.0, PLACES)  # as far as the load has spread
     bottom = min(part.bottom, part.top + DEEPEST * (a + part.top))
     z = part.top + (bottom - part.top) * np.linspace(0.0, 1.0, DEPTHS) ** 2
     if part.top > 0.0:

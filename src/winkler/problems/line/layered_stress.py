@@ -16,13 +16,21 @@ from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.line.strip import Strip
 from winkler.values import value, words
 
-__all__ = ["LayerStress", "greatest_within", "layer_stresses", "layered_fields", "refuse_friction", "waves_below"]
+__all__ = [
+    "LayerStress",
+    "greatest_within",
+    "layer_stresses",
+    "layered_fields",
+    "refuse_friction",
+    "waves_below",
+    "waves_for_search",
+]
 
 PLACES, DEPTHS = 25, 13
 """Places and depths of the first grid in each layer."""
 FINE, REFINEMENTS = 7, 11
 WIDTHS_SEARCHED, DEEPEST_SEARCHED = 2.0, 4.0
-"""How far beside the middle and below the surface a maximum is sought, over the half-width or the thickness."""
+"""How far beside the middle and below its upper face the maximum in a layer is sought, over the width of its load."""
 CLOSEST = 1e-4
 INTERFACE_PLACES = 65
 
@@ -75,6 +83,16 @@ def waves_below(bed: LayeredLineFoundation, strip: Strip, farthest: float) -> Pl
     return plane_waves(bed.medium, strip.half_width, farthest, transform)
 
 
+def waves_for_search(bed: LayeredLineFoundation, strip: Strip, deepest: float) -> PlaneWaves:
+    """Return the pressure of a strip as waves, for `greatest_within` layers that begin at most so deep [m]."""
+    return waves_below(bed, strip, WIDTHS_SEARCHED * _spread(strip, deepest))
+
+
+def _spread(strip: Strip, depth: float) -> float:
+    """Return half of the width over which the load is spread at a depth [m]."""
+    return math.hypot(strip.half_width, depth)
+
+
 def layered_fields(
     bed: LayeredLineFoundation, strip: Strip, x: Array, z: Array, below: bool, waves: PlaneWaves | None = None
 ) -> LineFields:
@@ -119,7 +137,7 @@ def layer_stresses(bed: LayeredLineFoundation, strip: Strip) -> tuple[LayerStres
     """
     medium = bed.medium
     bottoms = np.cumsum([layer.thickness for layer in medium.layers]).tolist()
-    waves = waves_below(bed, strip, WIDTHS_SEARCHED * strip.half_width)
+    waves = waves_for_search(bed, strip, bottoms[-1])
     found, top = [], 0.0
     for number, bottom in enumerate(bottoms, 1):
         shear, place = _interface(bed, strip, bottom)
@@ -148,28 +166,37 @@ def greatest_within(
     top, bottom : float
         Depths of one layer [m], or of the body under the layers, which ends at infinity.
     waves : PlaneWaves
-        Of the strip, for places up to twice its half-width from the middle.
+        Of the strip, from `waves_for_search`.
     refinements : int
         How often the grid is refined.
     """
+    wide = _spread(strip, top)
     if math.isinf(bottom):
-        top, bottom = np.nextafter(top, math.inf), top + DEEPEST_SEARCHED * max(strip.half_width, top)
-    a = strip.half_width
-    x = np.unique(np.concatenate([a * np.linspace(0.0, WIDTHS_SEARCHED, PLACES), [a * (1.0 - CLOSEST)]]))
-    lower = min(bottom, top + DEEPEST_SEARCHED * a)
+        top, bottom = np.nextafter(top, math.inf), top + DEEPEST_SEARCHED * wide
+    near = strip.half_width * np.array([1.0 - CLOSEST, 1.0])
+    x = np.unique(np.concatenate([wide * np.linspace(0.0, WIDTHS_SEARCHED, PLACES), near]))
+    lower = min(bottom, top + DEEPEST_SEARCHED * wide)
     below = np.geomspace(CLOSEST, 1.0, DEPTHS)
     z = np.unique(np.concatenate([[top], top + (lower - top) * below, np.linspace(top, lower, DEPTHS), [bottom]]))
     z = z[z <= bottom]
     first = top if top == 0.0 else np.nextafter(top, math.inf)
-    best = (0.0, 0.0, 0.0)
+    best, whole = (0.0, 0.0, 0.0), ((x[0], x[-1]), (z[0], z[-1]))
     for _ in range(refinements + 1):
         depth = np.maximum(z, first)
         level = layered_fields(bed, strip, x[:, None], depth[None, :], True, waves).von_mises
         i, j = (int(index) for index in np.unravel_index(np.argmax(level), level.shape))
         if level[i, j] > best[0]:
             best = (float(level[i, j]), float(x[i]), float(depth[j]))
-        x, z = (np.linspace(row[max(at - 1, 0)], row[min(at + 1, row.size - 1)], FINE) for row, at in ((x, i), (z, j)))
+        x, z = (_nearer(row, at, last) for row, at, last in ((x, i, whole[0]), (z, j, whole[1])))
     return best
+
+
+def _nearer(places: Array, at: int, ends: tuple[float, float]) -> Array:
+    """Return a finer grid about one of ascending places; one as wide, farther on, about the first or the last."""
+    if 0 < at < places.size - 1:
+        return np.linspace(places[at - 1], places[at + 1], FINE)
+    half = 0.5 * (places[-1] - places[0]) if places.size == FINE else abs(places[at] - places[1 if at == 0 else at - 1])
+    return np.linspace(max(places[at] - half, ends[0]), min(places[at] + half, ends[1]), FINE)
 
 
 def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float) -> tuple[float, float]:

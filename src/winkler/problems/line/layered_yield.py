@@ -13,7 +13,7 @@ from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed, sought, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips
-from winkler.problems.line.layered_stress import REFINEMENTS, WIDTHS_SEARCHED, greatest_within, waves_below
+from winkler.problems.line.layered_stress import REFINEMENTS, greatest_within, waves_for_search
 from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
@@ -101,7 +101,7 @@ def _nearest(
 ) -> tuple[float, Placed]:
     """Return the greatest von Mises stress over the strength of its part, and the place."""
     strip = Strip(half_width, 0.0)
-    waves = waves_below(bed, strip, WIDTHS_SEARCHED * half_width)
+    waves = waves_for_search(bed, strip, max(part.top for part in parts))
 
     def found(part: StrongPart, times: int) -> tuple[float, Placed]:
         if part.first:

@@ -154,11 +154,17 @@ def _refuse_costly(pressed: PressedSprings) -> None:
 def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
     """Return why the stresses under friction are not known, or nothing."""
     medium = pressed.bed.medium
-    if not isinstance(medium, HalfSpace | CoatedBody):
+    if not (isinstance(medium, HalfSpace | CoatedBody) or (isinstance(medium, StackedBody) and _is_bonded(medium))):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"
     return ""
+
+
+def _is_bonded(medium: StackedBody) -> bool:
+    from winkler.media.layered.climb import is_bonded  # loaded with layers
+
+    return all(is_bonded(layer) for layer in medium.stack)
 
 
 def _frictionless(

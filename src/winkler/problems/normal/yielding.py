@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar
 
 import numpy as np
@@ -119,7 +120,8 @@ class YieldOnsetSolution:
     depth, force, radius : float
         [m], [N], [m] when yielding begins.
     r, z : float
-        Distance from the axis and depth [m] where it begins; z > 0 in the first body, z < 0 in the second.
+        Distance from the axis and depth [m] where it begins; z > 0 in the first body, z < 0 in the second, on whose
+        surface it is -0.0.
     x : float
         The same distance in the direction in which the surface of that body is dragged [m]: negative behind the middle.
         Without friction it is `r`.
@@ -157,6 +159,7 @@ def _radius(onset: tuple[float, GreatestStress, StrongPart]) -> float:
 
 def part_that_yields(solution: YieldOnsetSolution) -> StrongPart:
     """Return the body, layer or base that yields first."""
-    parts = [part for part in strong_parts(solution.problem.bed.medium) if part.first == (solution.z >= 0.0)]
+    first = math.copysign(1.0, solution.z) > 0.0  # on the surface of the second body z is -0.0
+    parts = [part for part in strong_parts(solution.problem.bed.medium) if part.first == first]
     depth = abs(solution.z)
     return min(parts, key=lambda part: max(part.top - depth, depth - part.bottom, 0.0))

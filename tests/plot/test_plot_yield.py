@@ -1,4 +1,4 @@
-"""Pictures of where a line contact begins to yield, and of its shakedown limit."""
+"""Pictures of where line contacts and contacts on layers begin to yield, and of the shakedown limit."""
 
 from __future__ import annotations
 
@@ -10,6 +10,12 @@ from winkler.plot import sheet_of
 from winkler.plot.marks import Line, Map
 
 STRONG = wk.Elastic(210e9, 0.3, strength=700e6)
+BALL, E = wk.Paraboloid(1e-2), 210e9
+BASE = wk.Elastic(E, 0.3, strength=1e9)
+WEAVE = wk.TransverselyIsotropic(400e9, 160e9, 120e9, 240e9, 80e9)
+UNDER_WEAVE = wk.StackedHalfSpace([wk.StackLayer(WEAVE, 5e-5, True)], on=BASE)
+FAR_BELOW = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, 0.3), 1e-3)], on=wk.Elastic(E, 0.3, strength=3e6))
+STRONG_LAYER = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(4.0 * E, 0.25, strength=9e9), 5e-5)], on=BASE)
 
 
 @pytest.mark.parametrize("problem", [wk.LineYieldOnset, wk.LineShakedown])
@@ -36,3 +42,17 @@ def test_the_marked_place_has_the_greatest_of_what_is_drawn():
         place = np.unravel_index(np.argmax(level), level.shape)
         across, down = (np.broadcast_to(part, level.shape)[place] for part in (drawn.x, drawn.y))
         assert np.hypot(across - limit.x, down - limit.z) < 0.1 * limit.half_width
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mu", [0.0, 0.3])
+@pytest.mark.parametrize("medium", [UNDER_WEAVE, FAR_BELOW, STRONG_LAYER])
+def test_the_place_that_yields_is_on_the_map(medium, mu):
+    """Also far below the contact, and under a layer whose stresses are not known."""
+    onset = wk.YieldOnset(wk.Foundation(BALL, medium), wk.Coulomb(mu)).solve()
+    (panel, _) = sheet_of(onset).panels
+    (stress,) = (mark for mark in panel.marks if isinstance(mark, Map))
+    (place,) = (mark for mark in panel.marks if getattr(mark, "marker", "") == "+")
+    assert (place.x[0], place.y[0]) == (onset.x, onset.z)
+    assert np.min(stress.x) <= onset.x <= np.max(stress.x)
+    assert 0.99999 * np.min(stress.y) <= onset.z <= np.max(stress.y)  # a row lies just below the interface
