@@ -87,6 +87,15 @@ def test_media_and_parts_without_an_onset_are_refused():
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
 
 
+@pytest.mark.slow
+def test_a_stiff_layer_that_bends_away_says_so():
+    """A million times as stiff as its base: at five thicknesses the disc would pull inside, and p(0) cancels."""
+    layer = wk.Layer(wk.Elastic(1e9, 0.3, strength=1e7), 1.0)
+    bed = wk.Foundation(wk.Paraboloid(1e4), wk.CoatedHalfSpace([layer], on=wk.Elastic(1e3, 0.3)))
+    with pytest.raises(wk.OutsideValidity, match="a round contact of .* m would need tension .* the layers bend away"):
+        wk.YieldOnset(bed).solve()
+
+
 def test_a_sharp_body_does_not_yield_what_lies_below_a_layer():
     base = wk.Elastic(E, 0.3, strength=1e8)
     medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(3e9, 0.4), H)], on=base)

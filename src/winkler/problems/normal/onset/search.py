@@ -12,6 +12,7 @@ from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.families import LayeredBody
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
+from winkler.problems.normal.single_contact import refuse_unless_disc
 from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import RADIUS_SHARES, WIDEST_ON_LAYER
@@ -146,8 +147,21 @@ def _crossing(
 
 
 def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float) -> GreatestStress:
-    """Return the greatest stress in a part at a contact radius."""
-    return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part, mu, fine=fine)
+    """Return the greatest stress in a part at a contact radius.
+
+    Raises
+    ------
+    OutsideValidity
+        If the stress is not found since the contact is no disc.
+    NotConverged
+        If it is not found although it is one.
+    """
+    pressed = PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius)
+    try:
+        return greatest_stress(pressed, part, mu, fine=fine)
+    except NotConverged:  # where a stiff layer bends away nearly all of the pressure cancels
+        refuse_unless_disc(bed, pressed.depth, radius, min(bed.reach, bed.rim))
+        raise
 
 
 def _too_wide(part: StrongPart, widest: float) -> str:
