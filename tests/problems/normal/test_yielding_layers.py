@@ -96,6 +96,20 @@ def test_a_stiff_layer_that_bends_away_says_so():
         wk.YieldOnset(bed).solve()
 
 
+@pytest.mark.slow
+def test_a_base_that_yields_far_below_a_stiff_layer():
+    """An incompressible base under a layer a million times as stiff: nowhere on the axis more than its strength."""
+    base = wk.Elastic(1e3, 0.5, strength=10.0)
+    bed = wk.Foundation(wk.Paraboloid(100.0), wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1.0)], on=base))
+    found = wk.YieldOnset(bed).solve()
+    z = np.concatenate([np.geomspace(1.001, 300.0, 60), [found.z]])
+    springs = wk.Indentation(bed, wk.Depth(found.depth)).solve().pressed
+    stress = bed.medium.interior(springs, np.zeros(z.size), z, below=True)
+    mises = np.abs(stress.axial_stress - stress.radial_stress)
+    assert np.max(mises) == pytest.approx(10.0, rel=1e-6)
+    assert mises[-1] == pytest.approx(10.0, rel=1e-6)
+
+
 def test_a_sharp_body_does_not_yield_what_lies_below_a_layer():
     base = wk.Elastic(E, 0.3, strength=1e8)
     medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(3e9, 0.4), H)], on=base)

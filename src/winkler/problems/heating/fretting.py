@@ -111,7 +111,8 @@ class FrettingHeat(RubbingBodies):
         InvalidInput
             If the path does not end with a closed cycle.
         OutsideValidity
-            If nothing slips or but a ring that is too narrow, or the traction is not known in this medium; else as `Tangential`.
+            If nothing slips, or a ring that is too narrow, or the traction is not known in this medium; else as
+            `Tangential`.
         """
         march = self.motion.solve()
         begin = _begin(march)
@@ -127,9 +128,9 @@ class FrettingHeat(RubbingBodies):
         joints = [joint for joint in joints if joint < end * (1.0 - NARROWEST_RING)]
         if joints and min(joints) > end * (1.0 - NARROWEST_SLIP):
             raise OutsideValidity(
-                f"FrettingHeat: in the last cycle of the path a ring slips that is {1.0 - min(joints) / end:.1g} of the "
-                f"contact radius wide, at least {NARROWEST_SLIP:.0g} are needed to resolve its heat; move further, or "
-                "press less."
+                f"FrettingHeat: in the last cycle of the path a ring slips that is {1.0 - min(joints) / end:.1g} of "
+                f"the contact radius wide, at least {NARROWEST_SLIP:.0g} are needed to resolve its heat; move further, "
+                "or press less."
             )
         flux = round_flux(lambda r: _losses(march, begin, r), joints, end)
         source = projected(flux.at, joints, end)
