@@ -97,6 +97,14 @@ def test_a_stiff_layer_that_bends_away_says_so():
 
 
 @pytest.mark.slow
+def test_a_stress_that_is_lost_in_rounding_says_at_which_radius():
+    layer = wk.Layer(wk.Elastic(1e9, 0.3, strength=1e7), 1.0)
+    bed = wk.Foundation(wk.Paraboloid(1e4), wk.SlidingFilm([layer], on=wk.Elastic(1e3, 0.3, strength=10.0)))
+    with pytest.raises(wk.NotConverged, match="at a contact radius of .* the stress in the layer 1 is not found"):
+        wk.YieldOnset(bed).solve()
+
+
+@pytest.mark.slow
 def test_a_base_that_yields_far_below_a_stiff_layer():
     """An incompressible base under a layer a million times as stiff: nowhere on the axis more than its strength."""
     base = wk.Elastic(1e3, 0.5, strength=10.0)

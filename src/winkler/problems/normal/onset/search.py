@@ -161,7 +161,13 @@ def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float
         return greatest_stress(pressed, part, mu, fine=fine)
     except NotConverged:  # where a stiff layer bends away nearly all of the pressure cancels
         refuse_unless_disc(bed, pressed.depth, radius, min(bed.reach, bed.rim))
-        raise
+        if not isinstance(bed.medium, LayeredBody):
+            raise
+        raise NotConverged(
+            f"YieldOnset: at a contact radius of {radius:.6g} m the stress in the {part.name} is not found: the "
+            "pressure on layers of very different moduli is lost in rounding, or the profile is not smooth; give moduli that "
+            "differ less, or list the kinks of the profile."
+        ) from None
 
 
 def _too_wide(part: StrongPart, widest: float) -> str:
