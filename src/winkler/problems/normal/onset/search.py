@@ -165,8 +165,8 @@ def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float
             raise
         raise NotConverged(
             f"YieldOnset: at a contact radius of {radius:.6g} m the stress in the {part.name} is not found: the "
-            "pressure on layers of very different moduli is lost in rounding, or the profile is not smooth; give moduli that "
-            "differ less, or list the kinks of the profile."
+            "pressure on layers of very different moduli is lost in rounding, or the profile is not smooth; give "
+            "moduli that differ less, or list the kinks of the profile."
         ) from None
 
 
