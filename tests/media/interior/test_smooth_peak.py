@@ -99,3 +99,11 @@ def test_a_place_that_rounding_moves_off_the_axis_lies_on_it():
     assert found.r == 0.0
     beside = greatest(lambda r, z: stress(z) * (1.0 - 0.3 * (r - 1e-3) ** 2), 1.0, smooth=True)
     assert beside.r == pytest.approx(1e-3, rel=1e-3)
+
+
+@pytest.mark.parametrize(("top", "bottom", "place"), [(1.0, np.inf, 30.0), (1.0, 20.0, 20.0), (0.0, np.inf, 30.0)])
+def test_a_greatest_value_far_deeper_than_the_contact_is_wide(top, bottom, place):
+    """As in a soft base whose stiff layer spreads the pressure: z exp(-z/30) under a contact of 0.1."""
+    found = greatest(lambda r, z: z * np.exp(-z / 30.0 - r**2), 0.1, top=top, bottom=bottom, smooth=True)
+    assert (found.r, found.z) == (pytest.approx(0.0, abs=1e-6), pytest.approx(place, rel=1e-5))
+    assert found.value == pytest.approx(place * np.exp(-place / 30.0), rel=1e-10)

@@ -94,6 +94,8 @@ def test_what_is_refused():
     stuck = wk.Tangential(BALL, wk.Coulomb(math.inf), wk.Path.oscillation(force=FORCE, amplitude=1e-6, cycles=2))
     with pytest.raises(wk.OutsideValidity, match="nothing slips"):
         wk.FrettingHeat(stuck, 50.0, PAIR).solve()
+    with pytest.raises(wk.OutsideValidity, match="a ring slips that is .* of the contact radius wide, at least 2e-06"):
+        wk.FrettingHeat(motion(1e-14), 50.0, PAIR).solve()
     with pytest.raises(wk.InvalidInput, match="frequency"):
         wk.FrettingHeat(motion(1e-6), 0.0, PAIR)
     with pytest.raises(wk.InvalidInput, match="give Tangential"):

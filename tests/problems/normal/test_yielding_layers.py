@@ -87,6 +87,37 @@ def test_media_and_parts_without_an_onset_are_refused():
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
 
 
+@pytest.mark.slow
+def test_a_stiff_layer_that_bends_away_says_so():
+    """A million times as stiff as its base: at five thicknesses the disc would pull inside, and p(0) cancels."""
+    layer = wk.Layer(wk.Elastic(1e9, 0.3, strength=1e7), 1.0)
+    bed = wk.Foundation(wk.Paraboloid(1e4), wk.CoatedHalfSpace([layer], on=wk.Elastic(1e3, 0.3)))
+    with pytest.raises(wk.OutsideValidity, match="a round contact of .* m would need tension .* the layers bend away"):
+        wk.YieldOnset(bed).solve()
+
+
+@pytest.mark.slow
+def test_a_stress_that_is_lost_in_rounding_says_at_which_radius():
+    layer = wk.Layer(wk.Elastic(1e9, 0.3, strength=1e7), 1.0)
+    bed = wk.Foundation(wk.Paraboloid(1e4), wk.SlidingFilm([layer], on=wk.Elastic(1e3, 0.3, strength=10.0)))
+    with pytest.raises(wk.NotConverged, match="at a contact radius of .* the stress in the layer 1 is not found"):
+        wk.YieldOnset(bed).solve()
+
+
+@pytest.mark.slow
+def test_a_base_that_yields_far_below_a_stiff_layer():
+    """An incompressible base under a layer a million times as stiff: nowhere on the axis more than its strength."""
+    base = wk.Elastic(1e3, 0.5, strength=10.0)
+    bed = wk.Foundation(wk.Paraboloid(100.0), wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1.0)], on=base))
+    found = wk.YieldOnset(bed).solve()
+    z = np.concatenate([np.geomspace(1.001, 300.0, 60), [found.z]])
+    springs = wk.Indentation(bed, wk.Depth(found.depth)).solve().pressed
+    stress = bed.medium.interior(springs, np.zeros(z.size), z, below=True)
+    mises = np.abs(stress.axial_stress - stress.radial_stress)
+    assert np.max(mises) == pytest.approx(10.0, rel=1e-6)
+    assert mises[-1] == pytest.approx(10.0, rel=1e-6)
+
+
 def test_a_sharp_body_does_not_yield_what_lies_below_a_layer():
     base = wk.Elastic(E, 0.3, strength=1e8)
     medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(3e9, 0.4), H)], on=base)

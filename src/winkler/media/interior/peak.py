@@ -21,6 +21,9 @@ NARROWED, FITTED, WIDENED = 0.36, 0.04, 6.0
 one of these on whose face the best point lies."""
 MISFIT = 0.02
 """Largest root mean square of the misfit of a paraboloid that counts as one, over the range of the values."""
+DEEPER = np.geomspace(1.0, 4.0, 6)[1:]
+"""How much deeper the coarse search goes on where the greatest value is the lowest one."""
+MOST_DEEPENINGS = 12
 ROUNDING = 1e-13
 """Range of the values of a box, over the greatest, below which they differ by rounding alone."""
 
@@ -63,8 +66,9 @@ def greatest(
         Takes r and z of one shape [m], z >= 0 into the body; returns the quantity.  Values that are not finite do not
         count.
     radius
-        Contact radius [m]; the search goes to 1.2 radii from the axis and 3 radii deep.  In a layer that lies deeper
-        than the contact is wide, it goes to as many depths of its upper face.
+        Contact radius [m]; the search begins within 1.2 radii from the axis and 3 radii of depth.  In a layer that lies
+        deeper than the contact is wide, these are depths of its upper face; it goes deeper as long as values rise there,
+        as below a stiff layer that spreads a narrow contact.
     top, bottom
         Depths between which is searched [m].
     both_sides
@@ -84,6 +88,11 @@ def greatest(
     if top > 0.0 or bottom < math.inf:
         z = _within(z, top, bottom, radius)
     values = _values(field, r, z)
+    for _ in range(MOST_DEEPENINGS):
+        if _highest(r, z, values).z < z[-1] or z[-1] >= bottom:
+            break
+        deeper = np.unique(np.minimum(top + (z[-1] - top) * DEEPER, bottom))
+        z, values = np.append(z, deeper), np.hstack([values, _values(field, r, deeper)])
     if not both_sides:
         return _followed(field, _highest(r, z, values), radius, (top, bottom), False, zooms, smooth)
     found = []

@@ -42,6 +42,8 @@ CLOSURE_TOLERANCE = 1e-6
 SAMPLES = 513
 NARROWEST_RING = 1e-9
 """Part of the contact radius below which a ring is none."""
+NARROWEST_SLIP = 2e-6
+"""Part of the contact radius below which the heat of a ring that slips is lost in rounding."""
 LOSS_TOLERANCE = 0.01
 """Part of the loss by which the sum over the steps may miss it before a note gives more than the number."""
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
@@ -109,7 +111,8 @@ class FrettingHeat(RubbingBodies):
         InvalidInput
             If the path does not end with a closed cycle.
         OutsideValidity
-            If nothing slips, or the traction is not known in this medium; else as `Tangential`.
+            If nothing slips, or a ring that is too narrow, or the traction is not known in this medium; else as
+            `Tangential`.
         """
         march = self.motion.solve()
         begin = _begin(march)
@@ -123,6 +126,12 @@ class FrettingHeat(RubbingBodies):
         narrow = float(np.min(march.radius[begin:]))
         joints = [float(np.min(march.stick_radius[begin:])), narrow]
         joints = [joint for joint in joints if joint < end * (1.0 - NARROWEST_RING)]
+        if joints and min(joints) > end * (1.0 - NARROWEST_SLIP):
+            raise OutsideValidity(
+                f"FrettingHeat: in the last cycle of the path a ring slips that is {1.0 - min(joints) / end:.1g} of "
+                f"the contact radius wide, at least {NARROWEST_SLIP:.0g} are needed to resolve its heat; move further, "
+                "or press less."
+            )
         flux = round_flux(lambda r: _losses(march, begin, r), joints, end)
         source = projected(flux.at, joints, end)
         entries = source.heat

@@ -12,6 +12,7 @@ from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.families import LayeredBody
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
+from winkler.problems.normal.single_contact import refuse_unless_disc
 from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import RADIUS_SHARES, WIDEST_ON_LAYER
@@ -146,8 +147,27 @@ def _crossing(
 
 
 def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float) -> GreatestStress:
-    """Return the greatest stress in a part at a contact radius."""
-    return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part, mu, fine=fine)
+    """Return the greatest stress in a part at a contact radius.
+
+    Raises
+    ------
+    OutsideValidity
+        If the stress is not found since the contact is no disc.
+    NotConverged
+        If it is not found although it is one.
+    """
+    pressed = PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius)
+    try:
+        return greatest_stress(pressed, part, mu, fine=fine)
+    except NotConverged:  # where a stiff layer bends away nearly all of the pressure cancels
+        refuse_unless_disc(bed, pressed.depth, radius, min(bed.reach, bed.rim))
+        if not isinstance(bed.medium, LayeredBody):
+            raise
+        raise NotConverged(
+            f"YieldOnset: at a contact radius of {radius:.6g} m the stress in the {part.name} is not found: the "
+            "pressure on layers of very different moduli is lost in rounding, or the profile is not smooth; give "
+            "moduli that differ less, or list the kinks of the profile."
+        ) from None
 
 
 def _too_wide(part: StrongPart, widest: float) -> str:
