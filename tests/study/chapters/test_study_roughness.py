@@ -222,7 +222,7 @@ def test_a_report_states_what_a_random_surface_is_made_of():
     message = {row.name: row.text for row in inputs(study)}
     assert message["shape"] == "64 × 64"
     assert message["lengths"] == "1 mm, 1 mm"
-    assert message["hurst"] == "0.8"
+    assert message["Hurst exponent"] == "0.8"
     assert "heights" not in message  # they follow from the others
 
 

@@ -67,8 +67,8 @@ def greatest(
         count.
     radius
         Contact radius [m]; the search begins within 1.2 radii from the axis and 3 radii of depth.  In a layer that lies
-        deeper than the contact is wide, these are depths of its upper face; it goes deeper as long as values rise there,
-        as below a stiff layer that spreads a narrow contact.
+        deeper than the contact is wide, these are depths of its upper face; it goes deeper as long as values rise
+        there, as below a stiff layer that spreads a narrow contact.
     top, bottom
         Depths between which is searched [m].
     both_sides

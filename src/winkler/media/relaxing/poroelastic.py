@@ -77,7 +77,7 @@ class PoroelasticFilm(RelaxingByWaves):
 
     __words__ = words(
         diffusivity=("D", "m^2/s", "effective diffusivity of the liquid in the network"),
-        poisson=("nu", "", "Poisson's ratio of the drained network"),
+        poisson=(r"\nu", "", "Poisson's ratio of the drained network"),
     )
 
     reason: ClassVar[str] = "the liquid leaves the film the later, the wider the contact is,"
