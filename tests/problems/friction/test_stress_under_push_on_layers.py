@@ -107,6 +107,17 @@ def test_the_traction_near_the_axis_is_that_on_it():
     assert state.traction(r) == pytest.approx(state.traction(np.zeros(1))[0], rel=1e-6)
 
 
+@pytest.mark.parametrize("index", [1, 2])
+def test_the_stress_on_the_axis_is_that_beside_it(index):
+    """What the tables of layers leave of a slope at the axis is no apex."""
+    layer = wk.Layer(wk.Elastic(420e9, 0.25), 50e-6)
+    state = pushed(wk.CoatedTangential, wk.CoatedHalfSpace([layer], on=STEEL), (0.0, 3e-7, 1e-7)).at(index)
+    field = wk.restore_body(state, np.array([0.0, 1e-3]) * state.radius, 0.0, 0.0)
+    assert field.von_mises[0] == pytest.approx(field.von_mises[1], rel=1e-3)
+    cone = wk.Indentation(wk.Foundation(wk.Cone(1.4), wk.HalfSpace(STEEL)), wk.Depth(1e-6)).solve()
+    assert np.isinf(wk.restore_body(cone, 0.0, 0.0, 0.0).von_mises)
+
+
 @pytest.mark.slow
 def test_the_greatest_stress_and_its_picture():
     from winkler.plot import draw

@@ -22,6 +22,8 @@ __all__ = ["superposed_on"]
 
 Place = Callable[[Indices, Array], tuple[Array, Array]]
 
+ROUNDED_APEX = 1e-6
+"""A slope at the axis that is less than this part of the slope half a panel away is rounding, not an apex."""
 RULE_NODES, LONGEST_INTERVAL = 48, 4.0
 """Points are few here: one rule of many nodes on short intervals of v."""
 
@@ -108,7 +110,9 @@ def _tip(displacement: Displacement, panel: LoadPanel) -> float:
     """Integrate -u'(t)/t over the first panel: infinite where u' does not vanish at the axis, as under a cone."""
     refined = panel.upper < 1e-6 * displacement.radius  # u' is no power series there
     place = panel.upper * (1.0 if refined else 1e-9)
-    far, near = (-float(displacement.slope(np.array([x]))[0]) for x in (place, 1e-2 * place))
+    outer, far, near = -np.asarray(displacement.slope(np.array([0.5 * panel.upper, place, 1e-2 * place])))
+    if not refined and max(abs(far), abs(near)) <= ROUNDED_APEX * abs(outer):  # what is left there is rounding
+        near = 0.0
     rising = abs(near) <= abs(far)
     power = 0.5 * math.log10(far / near) if far * near > 0.0 else float(rising)
     if power < 0.01:
