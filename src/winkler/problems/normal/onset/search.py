@@ -24,6 +24,9 @@ ROUGH_MISS = 0.02
 """Logarithm of stress over strength below which stresses in layers are sought finely."""
 SEEN_DISTANCE = 0.15
 """Part of the contact radius at the onset within which the stress at a smaller radius need not be sought again."""
+BEYOND_ONSET, NEARER_STEPS = 6.0, 4
+"""Slope of the equivalent profile of a ball that yields, times modulus over strength, or a little more (it is 5.1 for
+Poisson's ratios of 0.3); steps towards the radius at which a profile has it."""
 REACH_SHARE = 0.999
 """Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
 
@@ -78,6 +81,8 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
             below = (math.log(a - flat), math.log(share)) if share > 0.0 else None
             a = min(flat + 2.0 * (a - flat), end)
         end = a
+    elif isinstance(bed.medium, HalfSpace) and math.isfinite(end) and stress(a).value >= strength:
+        end = a  # what happens at the end of the profile does not matter
     elif end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
         place = stress(end)
         if place.value < strength:
@@ -179,11 +184,12 @@ def _too_wide(part: StrongPart, widest: float) -> str:
 
 
 def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
-    """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength."""
+    """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength.
+
+    On half-spaces it lies a little beyond the onset under a ball, so that no larger radius need be looked at.
+    """
     assert isinstance(bed.medium, HalfSpace | LayeredBody)
     wanted = strength / bed.medium.modulus
-    if isinstance(bed.medium, HalfSpace) and math.isfinite(end):
-        return 0.5 * (flat + end)
     a, before = 0.5 * (flat + end) if math.isfinite(end) else 2.0 * flat or 1.0, math.nan
     for _ in range(OCTAVES):
         slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
@@ -192,6 +198,11 @@ def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
         if math.isfinite(end) and slope < wanted:
             break
         a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
+    if isinstance(bed.medium, HalfSpace):
+        for _ in range(NEARER_STEPS):
+            slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
+            nearer = flat + (a - flat) * min(max(BEYOND_ONSET * wanted / slope, 0.25), 4.0) if slope > 0.0 else a
+            a = min(nearer, 0.5 * (a + end)) if math.isfinite(end) else nearer
     return a
 
 
