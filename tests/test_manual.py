@@ -111,11 +111,10 @@ def test_each_cell_of_the_table_of_media_is_what_its_problem_answers(media, medi
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["bimodal_damping", "fretting_heat"])
-def test_what_needs_one_ratio_of_stiffnesses_is_refused_on_gradings(kind):
-    """As coatings.md states; for an oblique impact see tests/problems/impact/test_impact.py."""
-    with pytest.raises(wk.OutsideValidity, match="tangential"):
-        build(example_study(kind, medium="depth_graded_half_space")["problem"]).solve()
+def test_heat_of_fretting_on_gradings_takes_rings_and_no_springs():
+    """The springs of `Tangential`, which its example has, are refused there; docs/media/examples.toml takes rings."""
+    with pytest.raises(wk.OutsideValidity, match="CoatedTangential"):
+        build(example_study("fretting_heat", medium="depth_graded_half_space")["problem"]).solve()
 
 
 def test_pages_lead_on_to_pages_that_are_there(root):

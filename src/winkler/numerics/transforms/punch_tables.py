@@ -40,6 +40,8 @@ EDGE_PANEL_WIDTH_ROUNDED = 4.0
 """The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 IN_LENGTHS = "times the thickness of the uppermost layer (or the length over which moduli change)"
 """The unit of radii in sentences: tables have no metres."""
+WIDEST = 8e5
+"""Radii over the thickness of the uppermost layer beyond which tables are lost in rounding, and halved without end."""
 MOST_HALVINGS = 4
 """How often an octave of radii may be halved."""
 
@@ -102,6 +104,11 @@ def _stretched(response: WaveResponse, octave: int, unit: float) -> tuple[Punche
 @cached_by_value(512)
 def _tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
     high = first_radius(response) * 2.0**octave
+    if response.smooth <= response.length and high > WIDEST * response.length:
+        raise NotConverged(
+            f"Flat punches with radii of up to {high / response.length:.3g} times the thickness of the uppermost layer "
+            "are lost in rounding: request narrower contacts, or leave out a layer that is so thin."
+        )
     waiting = [(0.5 * high if octave else 0.0, high, 0)]
     done: list[Punches] = []
     while waiting:
