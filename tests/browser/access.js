@@ -48,6 +48,11 @@
     const large = size >= 24 || (size >= 18.66 && fontWeight >= 700) || one.closest(".q-icon");
     if (ratio < (large ? 3 : 4.5) - 0.01) found.push(`contrast ${ratio.toFixed(2)}: ${called(one)} ${color}`);
   }
+  for (const one of all("th")) if (!one.textContent.trim()) found.push(`empty heading: ${called(one.closest("table"))}`);
+  for (const one of all(".scroll")) {
+    const scrolls = one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1;
+    if (scrolls && one.tabIndex < 0) found.push(`not reached by the keyboard: ${called(one)}`);
+  }
   if (document.documentElement.scrollWidth > innerWidth) found.push(`wider than the window: ${document.documentElement.scrollWidth}`);
   return found;
 }

@@ -118,6 +118,6 @@ def _tip(displacement: Displacement, panel: LoadPanel) -> float:
     if power < 0.01:
         return math.copysign(math.inf, near)
     if refined:
-        return far / power
+        return float(far / power)
     nodes, weights = gauss_legendre(RULE_NODES)
     return float(np.sum(panel.weight(panel.upper * nodes) * weights / nodes))

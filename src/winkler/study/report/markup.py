@@ -43,10 +43,17 @@ def table(heads: list[str], rows: list[str]) -> str:
     Parameters
     ----------
     heads
-        Cells of the heading, without their tags; one that begins with ``#`` stands over numbers.  None for no heading.
+        Cells of the heading, without their tags; one that begins with ``#`` stands over numbers, an empty one over what
+        needs no heading.  None for no heading.
     rows
         Whole rows, with their tags.
     """
-    cells = [f'<th class="number">{head[1:]}</th>' if head.startswith("#") else f"<th>{head}</th>" for head in heads]
+    cells = [_heading(head) for head in heads]
     top = f"<thead><tr>{''.join(cells)}</tr></thead>" if heads else ""
-    return f'<div class="scroll"><table>{top}<tbody>{"".join(rows)}</tbody></table></div>'
+    return f'<div class="scroll" tabindex="0"><table>{top}<tbody>{"".join(rows)}</tbody></table></div>'
+
+
+def _heading(head: str) -> str:
+    if head.startswith("#"):
+        return f'<th class="number">{head[1:]}</th>'
+    return f"<th>{head}</th>" if head else "<td></td>"
