@@ -28,7 +28,8 @@ def solved(**changes):
 
 def rows_of(page):
     """Return name -> cells of a table."""
-    rows = [re.findall(r"<td.*?>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", page.partition("</thead>")[2])]
+    body = page.partition("</thead>")[2]
+    rows = [re.findall(r"<td.*?>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
     return {row[0]: [html.unescape(one) for one in row[2:]] for row in rows if row}
 
 
