@@ -106,11 +106,13 @@ def test_a_film_far_thinner_than_the_contact_consolidates_as_terzaghi_says():
     """F = pi R M d^2 / h (1 + 2 sum exp(-n^2 pi^2 D t / h^2)); what flows sideways counts like (h / a)^2."""
     h, d, diffusivity = 1e-4, 1e-4, 1e-8
     film = wk.PoroelasticFilm(1.0, 0.2, diffusivity, h)
-    time = np.array([0.03, 0.1, 0.3, 1.0]) * film.diffusion_time
+    time = np.array([1e-4, 1e-3, 0.03, 0.1, 0.3, 1.0]) * film.diffusion_time
     found = wk.RelaxationTest(bed(film), d, time).solve()
-    decay = np.exp(-np.outer(time / film.diffusion_time, (np.pi * np.arange(1, 60)) ** 2)).sum(axis=1)
+    decay = np.exp(-np.outer(time / film.diffusion_time, (np.pi * np.arange(1, 400)) ** 2)).sum(axis=1)
     uniaxial = 2.0 * 0.8 / 0.6
-    assert found.force == pytest.approx(np.pi * uniaxial * d**2 / h * (1.0 + 2.0 * decay), rel=4e-4)
+    wanted = np.pi * uniaxial * d**2 / h * (1.0 + 2.0 * decay)
+    assert found.force[2:] == pytest.approx(wanted[2:], rel=4e-4)
+    assert found.force[:2] / wanted[:2] - 1.0 == pytest.approx([0.03, 0.003], rel=0.2)  # as its note states
 
 
 def punch_forces(waves, local, time, count=160):

@@ -7,8 +7,8 @@ Torsion of a round contact is exact in springs.  A spring at x is displaced by :
 
 its bound depends on the pressure of all rings farther out.  What sticks is the inner part of the contact: towards the
 axis the bound grows without limit against the displacement, so that no finite angle makes all of it slide, and the
-greatest torque is only approached.  On layers and on gradings of the depth other springs are as exact
-(`winkler.media.twisting.kernels`), since a twist and a pressure do not act on each other there either.
+greatest torque is only approached.  On layers other springs are as exact (`winkler.media.twisting.kernels`), since
+a twist and a pressure do not act on each other there either; on bodies graded in depth tables err by 2e-5 to 2e-4.
 """
 
 from __future__ import annotations
