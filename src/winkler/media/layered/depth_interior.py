@@ -24,7 +24,7 @@ from winkler.media.interior import subsurface
 from winkler.media.layered.coated_interior import (
     LARGEST_PHASE,
     MOST_PAIRS,
-    HankelWaves,
+    RadialWaves,
     WaveState,
     half_space_decay,
     superposed,
@@ -94,6 +94,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
             f"{a:.6g} m would need too many waves; request points deeper or nearer to the axis, or for the surface."
         )
     waves = waves_of(load, modulus, farthest, end)
+    radial = RadialWaves(waves.xi)
     for start in range(0, depths.size, WAVES_AT_ONCE):
         part = depths[start : start + WAVES_AT_ONCE]
         for depth, state, last in _states(grading, tolerance, part, waves.xi, load.response.span):
@@ -104,7 +105,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
                 own_moved = half_space(top.poisson) @ own_load / (2.0 * top.shear)
                 state = WaveState(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, HankelWaves(waves.xi[:last], waves.weights[:last]), r[members])
+            result[:, members] += superposed(state, waves, radial, r[members], last)
     return BodyField(*(part.reshape(shape) for part in result))
 
 
