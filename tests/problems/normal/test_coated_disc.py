@@ -172,3 +172,10 @@ def test_both_bodies_are_in_the_table():
         assert second.z == pytest.approx(-2.0 * first.z, rel=1e-6)
     rows = wk.LineYieldOnset(wk.LineFoundation(wk.Paraboloid(1e-2), pair)).solve().onsets
     assert rows[1].force_per_length == pytest.approx(4.0 * rows[0].force_per_length, rel=1e-9)
+
+
+def test_a_sharp_body_yields_its_layer_at_the_first_touch_though_the_base_has_a_load():
+    medium = wk.CoatedHalfSpace([wk.Layer(CHROMIUM, 1e-4)], on=wk.Elastic(210e9, 0.3, strength=1e7))
+    bed = wk.Foundation(wk.Cone(np.radians(5.0)), medium)
+    with pytest.raises(wk.OutsideValidity, match="the apex is pointed, so the stress is infinite"):
+        wk.YieldOnset(bed).solve()

@@ -23,7 +23,7 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["YieldOnset", "YieldOnsetSolution", "part_that_yields"]
+__all__ = ["YieldOnset", "YieldOnsetSolution", "onset_of_part", "part_that_yields"]
 
 FRICTIONLESS = Coulomb(0.0)
 
@@ -85,38 +85,46 @@ class YieldOnset:
         NotConverged
             If the contact radius at the onset is not found.
         """
-        failures: list[OutsideValidity | NotConverged] = []
-        rows = [self._onset(number, part, failures) for number, part in enumerate(strong_parts(self.bed.medium), 1)]
+        parts, rows = strong_parts(self.bed.medium), []
+        failures: dict[StrongPart, OutsideValidity | NotConverged] = {}
+        for number, part in enumerate(parts, 1):
+            try:
+                rows.append(onset_of_part(self, number, part))
+            except (OutsideValidity, NotConverged) as error:
+                failures[part] = error
+                never, nowhere = math.inf, math.nan
+                rows.append(PartOnset(number, never, never, never, nowhere, nowhere, part.name, str(error)))
         first = min(rows, key=lambda row: row.radius)
         if math.isinf(first.radius):
-            raise failures[0]
-        for row, part in zip(rows, strong_parts(self.bed.medium), strict=True):
-            if row.why:  # elastic where another part yields?
-                greatest = greatest_in(self.bed, part, first.radius, True, self.friction.coefficient)
-                if greatest.value >= part.solid.strength:
-                    raise failures[0]
+            raise failures[parts[0]]
+        for part, error in failures.items():  # is it elastic where another part yields?
+            greatest = greatest_in(self.bed, part, first.radius, True, self.friction.coefficient)
+            if greatest.sharp or greatest.value >= part.solid.strength:
+                raise error
         return YieldOnsetSolution(
             self, first.depth, first.force, first.radius, abs(first.x), first.z, first.x, tuple(rows)
         )
 
-    def _onset(self, number: int, part: StrongPart, failures: list[OutsideValidity | NotConverged]) -> PartOnset:
-        """Return the onset of one part; why there is none is added to the failures."""
-        bed = self.bed
-        try:
-            found = onset_in(bed, part, self.friction.coefficient)
-            if isinstance(found, str):
-                raise OutsideValidity(found)
-            radius, place = found
-            at = np.array([radius])
-            depth = float(bed.gap(at)[0])
-            if not bed.certain:
-                refuse_unless_disc(bed, depth, radius, min(bed.reach, bed.rim))
-        except (OutsideValidity, NotConverged) as error:
-            failures.append(error)
-            return PartOnset(number, math.inf, math.inf, math.inf, math.nan, math.nan, part.name, str(error))
-        force = float((bed.stiffness(at) * depth - bed.gap_load(at))[0])
-        z = place.z if part.first else -place.z
-        return PartOnset(number, force, radius, depth, place.x, z, part.name)
+
+def onset_of_part(problem: YieldOnset, number: int, part: StrongPart) -> PartOnset:
+    """Return the onset of one part of the bodies of a problem, the first of which has the number 1.
+
+    Raises
+    ------
+    OutsideValidity, NotConverged
+        As of `YieldOnset.solve`.
+    """
+    bed = problem.bed
+    found = onset_in(bed, part, problem.friction.coefficient)
+    if isinstance(found, str):
+        raise OutsideValidity(found)
+    radius, place = found
+    at = np.array([radius])
+    depth = float(bed.gap(at)[0])
+    if not bed.certain:
+        refuse_unless_disc(bed, depth, radius, min(bed.reach, bed.rim))
+    force = float((bed.stiffness(at) * depth - bed.gap_load(at))[0])
+    return PartOnset(number, force, radius, depth, place.x, place.z if part.first else -place.z, part.name)
 
 
 @value

@@ -95,5 +95,5 @@ def onset_note(rows: Sequence[tuple[str, float]], unit: str, *, fades: bool = Fa
         ]
         text += f"; each as if the others stayed elastic: {', '.join(loads)}"
     if fades:
-        text += "; the layers are so thin that within a hundredth of the contact from its edge their stresses are rounded off"
+        text += "; in layers as thin as these, stresses within a hundredth of the contact from its edge are rounded off"
     return Note(Assumption.ELASTIC, Standing.ASYMPTOTIC if fades else Standing.EXACT, f"{text}.", MISES)
