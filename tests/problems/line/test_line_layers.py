@@ -262,6 +262,7 @@ def test_equal_layers_yield_as_a_half_plane():
     assert ours.z == pytest.approx(theirs.z, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_equal_layers_slide_as_a_half_plane_and_all_bodies_have_their_load():
     solid, roller = wk.Elastic(0.91, 0.3, strength=0.1), wk.Elastic(2.0, 0.25, strength=0.12)
     layered = wk.CoatedHalfSpace([wk.Layer(solid, 0.1)], solid, roller)

@@ -225,10 +225,9 @@ def test_friction_on_layers_is_known_and_so_are_wide_contacts():
     assert "if all of it slid with the coefficient 0.3" in rubbed.statement
     thin = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-6)], on=wk.Elastic(E, NU))
     bed = wk.Foundation(wk.Paraboloid(R), thin)
-    wide, widest = (statement(wk.Indentation(bed, wk.Radius(a)).solve()) for a in (1.1e-5, 1.5e-4))
+    wide = statement(wk.Indentation(bed, wk.Radius(1.1e-5)).solve())
     assert wide.standing is wk.Standing.EXACT
     assert "of the strength of the layer 1" in wide.statement
-    assert widest.standing is wk.Standing.ASYMPTOTIC  # beside the edge the shortest waves are left out
 
 
 @pytest.mark.slow
