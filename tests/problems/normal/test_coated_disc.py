@@ -12,7 +12,7 @@ from scipy.special import j0
 
 import winkler as wk
 from winkler.foundation.bed import PressedSprings
-from winkler.media.layered import coated_interior
+from winkler.media.layered import hankel_waves
 from winkler.peaks import peak_stress
 from winkler.problems.normal.onset.search import greatest_in
 from winkler.problems.normal.strong_parts import strong_parts
@@ -134,10 +134,10 @@ def test_waves_that_fade_round_off_the_edge_alone(monkeypatch):
     r = a * np.array([0.0, 0.5, 0.9, 0.98, 1.0])
     places = [part.ravel() for part in np.meshgrid(r, z, indexing="ij")]
     found = bed.medium.interior(springs, *places, below=True)
-    monkeypatch.setattr(coated_interior, "SHORTEST_WAVES", 2.0 * coated_interior.SHORTEST_WAVES)
-    coated_interior.waves_of.cache_clear()
+    monkeypatch.setattr(hankel_waves, "SHORTEST_WAVES", 2.0 * hankel_waves.SHORTEST_WAVES)
+    hankel_waves.waves_of.cache_clear()
     finer = bed.medium.interior(springs, *places, below=True)
-    coated_interior.waves_of.cache_clear()
+    hankel_waves.waves_of.cache_clear()
     peak = float(bed.medium.pressure(springs, np.zeros(1))[0])
     change = np.max(np.abs(np.array(found[:4]) - np.array(finer[:4])), axis=0).reshape(5, 3) / peak
     assert np.all(change[:4] < 1e-8)

@@ -21,18 +21,11 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.interior import subsurface
-from winkler.media.layered.coated_interior import (
-    LARGEST_PHASE,
-    MOST_PAIRS,
-    RadialWaves,
-    WaveState,
-    half_space_decay,
-    superposed,
-    waves_of,
-)
+from winkler.media.layered.coated_interior import WaveState, half_space_decay, superposed
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_recursion import Mesh, mesh, states_with_depth
 from winkler.media.layered.depth_response import solid_at
+from winkler.media.layered.hankel_waves import LARGEST_PHASE, MOST_PAIRS, RadialWaves, waves_of
 from winkler.media.layered.layers import half_space
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from

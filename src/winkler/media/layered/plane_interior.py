@@ -23,7 +23,8 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.coated_interior import SHORTEST_WAVES, WaveState, fading, wave_states
+from winkler.media.layered.coated_interior import WaveState, wave_states
+from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.types import Array
 

@@ -32,18 +32,9 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import shear_field
 from winkler.media.interior.shear_field_punch import ShearField
 from winkler.media.layered.climb import AnyLayer
-from winkler.media.layered.coated_interior import (
-    PAIRS_PER_CHUNK,
-    HankelWaves,
-    RadialWaves,
-    WaveState,
-    reach_of,
-    reaching,
-    refuse_unknown_places,
-    wave_states,
-    waves_of,
-)
+from winkler.media.layered.coated_interior import WaveState, reaching, refuse_unknown_places, wave_states
 from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.hankel_waves import PAIRS_PER_CHUNK, HankelWaves, RadialWaves, reach_of, waves_of
 from winkler.media.layered.shear_responses import across_layer
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN

@@ -15,7 +15,7 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb, Overcome
-from winkler.media.layered.coated_interior import blurred
+from winkler.media.layered.hankel_waves import blurred
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.at_strength import at_strength, refuse_sharp, refuse_without_strength

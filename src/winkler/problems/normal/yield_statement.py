@@ -164,7 +164,7 @@ def _resolved(pressed: PressedSprings) -> Standing:
     medium = pressed.bed.medium
     if not isinstance(medium, CoatedBody | StackedBody):
         return Standing.EXACT
-    from winkler.media.layered.coated_interior import blurred  # loaded with layers
+    from winkler.media.layered.hankel_waves import blurred  # loaded with layers
 
     return Standing.ASYMPTOTIC if blurred(medium.layers[0].thickness, pressed.radius) else Standing.EXACT
 

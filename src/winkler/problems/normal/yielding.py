@@ -12,7 +12,7 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace, LayeredMedium
-from winkler.media.layered.coated_interior import blurred
+from winkler.media.layered.hankel_waves import blurred
 from winkler.media.stacked.stacked import SlidingStack
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
