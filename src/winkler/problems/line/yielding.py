@@ -170,7 +170,7 @@ class LineYieldOnsetSolution:
         """What is assumed."""
         rows = [(one.name, one.force_per_length) for one in self.onsets]
         bed = self.problem.bed
-        slid = sliding_note(bed.medium, self.problem.friction.coefficient)
+        slid = sliding_note(bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
         if isinstance(bed, LayeredLineFoundation):
             fades = blurred(bed.medium.response.length, self.half_width)
             return (*strip_notes(bed, self.half_width, 0.0), slid, onset_note(rows, "N/m", fades=fades))
