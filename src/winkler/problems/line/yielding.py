@@ -24,7 +24,7 @@ from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.layered_notes import strip_notes
 from winkler.problems.line.layered_yield import at_strength_on_layers
 from winkler.problems.line.validity import line_notes
-from winkler.problems.normal.onset.part_onset import PART, onset_note
+from winkler.problems.normal.onset.part_onset import NAME, PART, onset_note
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -55,6 +55,7 @@ class LinePartOnset:
     __words__ = words(
         part=PART,
         x=("x", "m", "place along the surface"),
+        name=NAME,
         why=("", None, "why no onset was found"),
     )
 

@@ -97,10 +97,10 @@ class YieldOnset:
         first = min(rows, key=lambda row: row.radius)
         if math.isinf(first.radius):
             raise failures[parts[0]]
-        for part, error in failures.items():  # is it elastic where another part yields?
+        for part, failure in failures.items():  # is it elastic where another part yields?
             greatest = greatest_in(self.bed, part, first.radius, True, self.friction.coefficient)
             if greatest.sharp or greatest.value >= part.solid.strength:
-                raise error
+                raise failure
         return YieldOnsetSolution(
             self, first.depth, first.force, first.radius, abs(first.x), first.z, first.x, tuple(rows)
         )

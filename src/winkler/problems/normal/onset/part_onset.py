@@ -9,10 +9,11 @@ from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["PART", "EllipticPartOnset", "PartOnset", "onset_note"]
+__all__ = ["NAME", "PART", "EllipticPartOnset", "PartOnset", "onset_note"]
 
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582"
 PART = ("", "", "number of the part that has a strength, from the surface of the first body down")
+NAME = ("", None, "what the part is called")
 
 
 @value
@@ -36,6 +37,7 @@ class PartOnset:
     __words__ = words(
         part=PART,
         x=("x", "m", "place in the direction in which the surface is dragged"),
+        name=NAME,
         why=("", None, "why no onset was found"),
     )
 
@@ -65,7 +67,7 @@ class EllipticPartOnset:
         What it is called.
     """
 
-    __words__ = words(part=PART, x=("x", "m", "place along the surface"))
+    __words__ = words(part=PART, name=NAME, x=("x", "m", "place along the surface"))
 
     part: int
     force: float
