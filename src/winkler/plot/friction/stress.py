@@ -16,7 +16,7 @@ from winkler.plot import style
 from winkler.plot.normal.stresses import depths_through, faces_above, interface_rules, stress_map
 from winkler.plot.panel import Line, Panel, note
 from winkler.plot.series import series, with_unit
-from winkler.problems.answer import Dragged, SelfRestoring, is_self_restoring
+from winkler.problems.answer import Dragged, SelfRestoring, is_dragged, is_self_restoring
 
 __all__ = ["body_stress_panel", "dragged_stress_panel", "in_first"]
 
@@ -53,7 +53,11 @@ def dragged_stress_panel(
     across, down = (COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN) if scale else (POINTS_ACROSS, POINTS_DOWN)
     x = np.linspace(-extent, extent, across)
     z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
-    medium = solution.medium if is_self_restoring(solution) else solution.sheared.pressed.bed.medium
+    if is_self_restoring(solution):
+        medium = solution.medium
+    else:
+        assert is_dragged(solution)
+        medium = solution.sheared.pressed.bed.medium
     faces = faces_above(medium, z[-1]) if first else ()
     fields = restore_body(solution, x[:, None], 0.0, sign * depths_through(z, faces)[None, :])
     rules = interface_rules(fields, medium) if first else ()

@@ -176,7 +176,7 @@ def stress_map(along: Series, down: Series, stress: Series, label: str = "", fac
         place="inset",
     )
     layer_of = np.searchsorted(np.array(faces), np.abs(down.content[0]))
-    parts = []
+    parts: list[Map] = []
     for layer in np.unique(layer_of):
         (columns,) = np.nonzero(layer_of == layer)
         part = [each[:, columns] for each in (along.content, down.content, clipped_stress)]
