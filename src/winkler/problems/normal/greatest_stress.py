@@ -30,7 +30,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
-from winkler.media.interior.peak import REFINEMENTS, greatest
+from winkler.media.interior.peak import greatest
 from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.numerics.types import Array
@@ -44,9 +44,10 @@ EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""
 INFINITE = ", so the elastic stress is infinite there and it yields there"
 UNRESOLVED = ", where the von Mises stress of an incompressible body is finite but was not sought"
-REFINEMENTS_IN_LAYERS = 4
-"""Rounds of refinement in layers, whose stresses are Hankel integrals: the value is good to about a per mille."""
-FINE_REFINEMENTS_IN_LAYERS = 7
+STARTS_IN_LAYERS = 2
+ROUNDS_IN_LAYERS = 4
+"""Starts and rounds of the search in layers, whose stresses are Hankel integrals: good to about a per mille."""
+FINE_ROUNDS_IN_LAYERS = 7
 """The same where it is asked for: good to 1e-7."""
 INTERFACE_OFFSET = 1e-9
 """How far below an interface the lower layer begins, of its depth."""
@@ -103,15 +104,14 @@ def greatest_stress(
         return stress
 
     layered = isinstance(bed.medium, DepthVaryingMedium)
-    in_layers = FINE_REFINEMENTS_IN_LAYERS if fine else REFINEMENTS_IN_LAYERS
+    costly = {"starts": STARTS_IN_LAYERS, "rounds": FINE_ROUNDS_IN_LAYERS if fine else ROUNDS_IN_LAYERS}
     place = greatest(
         field,
         pressed.radius,
         top=part.top * (1.0 + INTERFACE_OFFSET),
         bottom=part.bottom,
         both_sides=friction > 0.0,
-        zooms=in_layers if layered else REFINEMENTS,
-        smooth=not sharp,
+        **(costly if layered else {}),
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 
@@ -202,7 +202,5 @@ def _ball(poisson: float, friction: float) -> GreatestStress:
     medium = HalfSpace(solid)
     unit, part = PressedSprings(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
     peak = 2.0 * medium.modulus / math.pi
-    largest = greatest(
-        lambda x, z: stress_in_plane(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0, smooth=True
-    )
+    largest = greatest(lambda x, z: stress_in_plane(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0)
     return GreatestStress(largest.value, largest.r, largest.z, "")
