@@ -14,11 +14,11 @@ import pytest
 
 import winkler as wk
 from winkler.foundation.sheared import ShearedSprings
-from winkler.media.interior import half_ellipsoid_peak as ellipse
+from winkler.media.interior import tensor
 from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
+from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
-from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.numerics.equations.highest import highest, highest_of_curve
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.line_strips.profile_notes import _greatest as greatest_below_strips
@@ -99,8 +99,8 @@ def drawn(count, seed=20261127):
 def test_below_an_ellipse(ratio, poisson, friction, angle):
     """Also for the opposite traction, the mirrored one, and that of the ellipse with its axes exchanged."""
     along, across = friction * math.cos(angle), friction * math.sin(angle)
-    found = ellipse.greatest_in_half_ellipsoid(ellipse.von_mises, ratio, poisson, (along, across))
-    field = below_ellipse(ellipse.von_mises, ratio, poisson, (along, across))
+    found = greatest_in_half_ellipsoid(tensor.von_mises, ratio, poisson, (along, across))
+    field = below_ellipse(tensor.von_mises, ratio, poisson, (along, across))
     assert by_chance(field, in_disc(3), 0.1, 3) <= found.value * (1.0 + 1e-12)
     place = np.array([found.x, found.y, found.z])
     assert float(field(*place[:, None])[0]) == pytest.approx(found.value, rel=2e-8)
@@ -110,17 +110,17 @@ def test_below_an_ellipse(ratio, poisson, friction, angle):
         ((ratio, (along, -across)), (found.x, -found.y)),
         ((1.0 / ratio, (across, along)), (found.y, found.x)),
     ):
-        again = ellipse.greatest_in_half_ellipsoid(ellipse.von_mises, other[0], poisson, other[1])
+        again = greatest_in_half_ellipsoid(tensor.von_mises, other[0], poisson, other[1])
         assert again.value == pytest.approx(found.value, rel=2e-8 if on_edge else 1e-12)
         assert (again.x, again.y, again.z) == pytest.approx((*turned, found.z), abs=2e-4 if on_edge else 1e-6)
 
 
 @pytest.mark.few(2)
-@pytest.mark.parametrize("measure", [ellipse.max_shear, ellipse.orthogonal_shear])
+@pytest.mark.parametrize("measure", [tensor.max_shear, tensor.orthogonal_shear])
 @pytest.mark.parametrize(("ratio", "friction", "angle"), [(0.3, 0.0, 0.0), (3.0, 0.1, 0.0), (0.5, 0.2, 1.0)])
 def test_other_stresses_below_an_ellipse(measure, ratio, friction, angle):
     traction = friction * math.cos(angle), friction * math.sin(angle)
-    found = ellipse.greatest_in_half_ellipsoid(measure, ratio, 0.3, traction).value
+    found = greatest_in_half_ellipsoid(measure, ratio, 0.3, traction).value
     assert by_chance(below_ellipse(measure, ratio, 0.3, traction), in_disc(4), 0.1, 4) <= found * (1.0 + 1e-12)
 
 
@@ -129,11 +129,9 @@ def test_other_stresses_below_an_ellipse(measure, ratio, friction, angle):
 @pytest.mark.parametrize("slenderness", [1.0, 0.3, 0.02])
 def test_without_friction_it_lies_on_the_axis_or_at_the_ends(slenderness, poisson):
     found = greatest_under_ellipse(slenderness, poisson).value
-    field = below_ellipse(ellipse.von_mises, slenderness, poisson, (0.0, 0.0))
+    field = below_ellipse(tensor.von_mises, slenderness, poisson, (0.0, 0.0))
     assert by_chance(field, in_disc(5), 0.1, 5) <= found * (1.0 + 1e-12)
-    assert ellipse.greatest_in_half_ellipsoid(ellipse.von_mises, slenderness, poisson).value == pytest.approx(
-        found, rel=1e-9
-    )
+    assert greatest_in_half_ellipsoid(tensor.von_mises, slenderness, poisson).value == pytest.approx(found, rel=1e-9)
 
 
 @pytest.mark.few(3)
@@ -145,7 +143,7 @@ def test_below_a_ball_it_lies_in_the_plane_of_friction(friction, poisson):
     bed = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(solid, solid))
     onset = wk.YieldOnset(bed, wk.Coulomb(friction)).solve()
     peak = 2.0 * bed.medium.modulus * onset.radius / (math.pi * 10e-3)
-    field = below_ellipse(ellipse.von_mises, 1.0, poisson, (friction, 0.0))
+    field = below_ellipse(tensor.von_mises, 1.0, poisson, (friction, 0.0))
     most = by_chance(field, in_disc(6), 0.1, 6)
     assert 1e9 / peak * (1.0 - 3e-3) <= most <= 1e9 / peak * (1.0 + 1e-9)
 
@@ -263,7 +261,7 @@ def test_below_a_map(turns, mirrored):
     found = greatest_below_map(field)
 
     def stress(x, y, z):
-        return von_mises_of_tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6])
+        return tensor.von_mises_of_tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6])
 
     random = np.random.default_rng(10)
     places = random.random((3, 250)) * np.array([*loads[0].shape, 8.0])[:, None]

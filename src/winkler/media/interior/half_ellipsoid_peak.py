@@ -3,34 +3,13 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 
-import numpy as np
-
-from winkler.media.interior.half_ellipsoid import Tensor, half_ellipsoid_stresses
+from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
 from winkler.media.interior.peak import StressSpot, greatest_around
-from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
+from winkler.media.interior.tensor import Measure
 from winkler.numerics.types import Array
 
-__all__ = ["Measure", "greatest_in_half_ellipsoid", "max_shear", "orthogonal_shear", "von_mises"]
-
-Measure = Callable[[Tensor], Array]
-
-
-def von_mises(stress: Tensor) -> Array:
-    """Return the equivalent stress after von Mises."""
-    return von_mises_of_tensor(*stress)
-
-
-def max_shear(stress: Tensor) -> Array:
-    """Return the greatest shear stress, half the difference of the outermost principal stresses."""
-    principal = principal_of_tensor(*stress)
-    return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
-
-
-def orthogonal_shear(stress: Tensor) -> Array:
-    """Return the shear stress in the plane along the surface."""
-    return np.hypot(stress.xz, stress.yz)
+__all__ = ["greatest_in_half_ellipsoid"]
 
 
 @functools.lru_cache(maxsize=512)

@@ -12,12 +12,14 @@ import numpy as np
 from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.media.interior import tensor
+from winkler.media.interior.tensor import Tensor
 from winkler.numerics.equations.highest import highest
 from winkler.numerics.types import Array
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["Measure", "Placed", "greatest", "sought", "von_mises"]
+__all__ = ["Measure", "Placed", "greatest", "in_strip", "sought", "von_mises"]
 
 Measure = Callable[[LineFields], Array]
 PLACES_BESIDE, DEPTHS = 10, 24
@@ -39,6 +41,17 @@ class Placed(NamedTuple):
 def von_mises(fields: LineFields) -> Array:
     """Return the equivalent stress after von Mises [Pa]."""
     return fields.von_mises
+
+
+@functools.cache
+def in_strip(measure: tensor.Measure) -> Measure:
+    """Return the measure of fields below a strip that compares the same as one of a tensor."""
+
+    def compared(fields: LineFields) -> Array:
+        none = np.zeros(fields.xx_stress.shape)
+        return measure(Tensor(fields.xx_stress, fields.yy_stress, fields.zz_stress, none, fields.xz_stress, none))
+
+    return compared
 
 
 def greatest(contact: LineContact, measure: Measure) -> Placed:
