@@ -66,7 +66,7 @@ def greatest(
     top, bottom
         Depths between which is searched [m].
     both_sides
-        Whether r is a coordinate along a line through the axis, also negative.
+        Whether r is a coordinate along a line through the axis, also negative, as below a contact that slides.
     starts, rounds
         As of `highest`, for fields that are costly.
     """
@@ -83,7 +83,7 @@ def greatest(
 
     ends = [(-math.inf, math.inf), (top, bottom)]
     found = highest(mirrored, [r, z], ends, starts=starts, rounds=rounds)
-    if top == 0.0:  # it may be narrower on the surface than the grid shows
+    if both_sides and top == 0.0:  # friction may make it narrower on the surface than the grid shows
         dense = np.interp(np.arange(0, r.size - 1 + 0.5 * FINER, FINER), np.arange(r.size), r)
         surface = highest(mirrored, [dense, z[:1]], ends, starts=starts, rounds=rounds, above=found.value)
         found = max(found, surface, key=lambda one: one.value)

@@ -102,15 +102,17 @@ def highest(
 
 
 def highest_of_curve(curve: Curve, end: float) -> float:
-    """Return the greatest of the values between zero and the edge of a contact, places dense towards the edge.
+    """Return the greatest of the values from zero to the edge of a contact, infinite if one of both is.
 
     Parameters
     ----------
     curve : callable
-        Finite values at places x >= 0 [m].
+        Values at places x >= 0 [m], finite between zero and the edge.
     end : float
         Where the edge is [m].
     """
+    if np.any(np.isposinf(curve(np.array([0.0, end])))):
+        return math.inf
     return highest(lambda angle: curve(end * np.sin(angle)), [np.linspace(0.0, 0.5 * np.pi, SAMPLES)]).value
 
 
