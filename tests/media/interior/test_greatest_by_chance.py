@@ -23,7 +23,8 @@ from winkler.numerics.equations.highest import highest, highest_of_curve
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.line_strips.profile_notes import _greatest as greatest_below_strips
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
-from winkler.problems.normal.strong_parts import StrongPart
+from winkler.problems.normal.greatest_stress import greatest_stress
+from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 
 KEPT, CHILDREN, ROUNDS = 8, 24, 16
 STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
@@ -300,3 +301,42 @@ def test_of_any_function_of_three_coordinates(seed):
         step = rise * np.eye(3)[axis]
         near = np.clip(np.array(found.place)[:, None] + np.outer(step, [-1.0, 1.0]), -1.0, 1.0)
         assert np.max(field(*near)) <= found.value * (1.0 + 1e-15)
+
+
+COATED = wk.CoatedHalfSpace(
+    [wk.Layer(wk.Elastic(180e9, 0.22), 2e-5), wk.Layer(wk.Elastic(90e9, 0.3), 1e-5)], on=wk.Elastic(210e9, 0.3)
+)
+
+
+def in_part(field, top, bottom, width, seed):
+    """Return the greatest value of a field between two depths that a random search finds."""
+    middle, half = 0.5 * (top + bottom), 0.5 * (bottom - top) * (1.0 - 1e-9)
+    random = np.random.default_rng(seed)
+    places = random.uniform(-1.0, 1.0, (2, 200)) * np.array([[2.0 * width], [half]]) + np.array([[0.0], [middle]])
+
+    def inside(x, z):
+        return field(np.abs(x), np.clip(z, middle - half, middle + half))
+
+    return by_chance(inside, places, 0.1 * half, seed, surface=False, rounds=5)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("radius", [1e-5, 6e-5])
+def test_below_a_coated_ball(radius):
+    contact = wk.Indentation(wk.Foundation(wk.Paraboloid(1e-3), COATED), wk.Radius(radius)).solve()
+    for part in solid_parts(COATED):
+        found = greatest_stress(contact.pressed, part, fine=True).value
+        bottom = min(part.bottom, part.top + 2.0 * (radius + part.top))
+        most = in_part(lambda r, z: wk.restore(contact, r, z).von_mises, part.top, bottom, radius + part.top, 11)
+        assert most <= found * (1.0 + 1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("half_width", [1e-5, 6e-5])
+def test_below_a_coated_strip(half_width):
+    bed = wk.LayeredLineFoundation(wk.Paraboloid(1e-3), COATED)
+    contact = wk.LineIndentation(bed, wk.HalfWidth(half_width)).solve()
+    tops = [0.0, 2e-5, 3e-5, 3e-5 + 2.0 * (half_width + 3e-5)]
+    for layer, top, bottom in zip(contact.layer_stresses(), tops[:-1], tops[1:], strict=True):
+        most = in_part(lambda x, z: contact.stresses(x, z).von_mises, top, bottom, half_width + top, 12)
+        assert most <= layer.von_mises * (1.0 + 1e-6)
