@@ -149,7 +149,10 @@ def test_an_area_that_shrinks_from_the_apex_on(bad):
 
 @pytest.mark.parametrize("bad", [["a"], "24.5", [[1.0, 2.0], 3.0], None])
 def test_coefficients_that_are_no_numbers(bad):
-    with pytest.raises(wk.InvalidInput, match="^AreaFunction: coefficients are"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"^AreaFunction: coefficients are .*; give finite numbers",
+    ):
         wk.AreaFunction(bad)
 
 
