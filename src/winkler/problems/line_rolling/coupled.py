@@ -33,7 +33,7 @@ from winkler.numerics.surfaces.strip_elements import linear_slope
 from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
 
-__all__ = ["CoupledStrip", "coupled_strip"]
+__all__ = ["CoupledStrip", "coupled_strip", "creepage_error"]
 
 COUNT = 400
 """Elements of the strip."""
@@ -83,13 +83,13 @@ class CoupledStrip(NamedTuple):
         mean = 0.5 * (self.traction[1:] + self.traction[:-1])
         return float(np.diff(self.x) @ np.abs(mean * self.slip))
 
-    @property
-    def error(self) -> float:
-        """Bound of the error of the creepage, over it or that of a free strip that sticks, whichever is greater."""
-        return ELEMENT_ERROR + ZONE_ERROR / max(1, int(np.count_nonzero(self.slips == 0.0)))
+
+def creepage_error(strip: CoupledStrip) -> float:
+    """Return the bound of the error of a creepage, over it or that of a free strip that sticks, if that is greater."""
+    return ELEMENT_ERROR + ZONE_ERROR / max(1, int(np.count_nonzero(strip.slips == 0.0)))
 
 
-class _Grid(NamedTuple):
+class _EdgeDenseGrid(NamedTuple):
     """A strip from -1 to 1: the equations at the middles of its elements, the unknowns at the nodes inside.
 
     Parameters
@@ -111,16 +111,16 @@ class _Grid(NamedTuple):
 
 
 @functools.cache
-def _grid(count: int) -> _Grid:
+def _grid(count: int) -> _EdgeDenseGrid:
     nodes = -np.cos(np.pi * np.arange(count + 1) / count)
     widths, middles = np.diff(nodes), 0.5 * (nodes[1:] + nodes[:-1])
     slope = 2.0 * linear_slope(nodes, middles)
     mean = 0.5 * (np.eye(count, count - 1) + np.eye(count, count - 1, -1))
     solved = np.linalg.solve(np.hstack([slope, -np.ones((count, 1))]), np.column_stack([middles, mean]))[:-1]
-    return _Grid(nodes, 0.5 * (widths[1:] + widths[:-1]), slope, mean, solved[:, 0], solved[:, 1:])
+    return _EdgeDenseGrid(nodes, 0.5 * (widths[1:] + widths[:-1]), slope, mean, solved[:, 0], solved[:, 1:])
 
 
-class _Rubbed(NamedTuple):
+class _UnitStrip(NamedTuple):
     """A strip from -1 to 1 with a slope of the gap of one: at nodes inside; slip at elements, the last one first."""
 
     traction: Array
@@ -130,19 +130,19 @@ class _Rubbed(NamedTuple):
     creepage: float
 
 
-class _Strip:
+class _StripEquations:
     """The strip under one coefficient of friction and one of Dundurs' constants.
 
     Of each element but the one at the trailing edge the node behind it sticks or slips as the element does.
     """
 
-    def __init__(self, grid: _Grid, beta: float, friction: float) -> None:
+    def __init__(self, grid: _EdgeDenseGrid, beta: float, friction: float) -> None:
         self.grid, self.friction = grid, friction
         self.follows = 2.0 * beta * grid.follows
         self.passing = grid.slope + 2.0 * beta * grid.mean @ self.follows
         self.drawn = -2.0 * beta * grid.mean @ grid.alone
 
-    def state(self, slips: Array, ratio: float | None, creepage: float) -> _Rubbed:
+    def state(self, slips: Array, ratio: float | None, creepage: float) -> _UnitStrip:
         """Return the strip whose nodes stick or slip so, under a force of this part of the load or with a creepage."""
         grid, sticks = self.grid, slips == 0.0
         rubs = (slips * self.friction)[:, None]
@@ -157,16 +157,16 @@ class _Strip:
             traction = np.array(rest)
         slip = creepage + self.drawn - self.passing @ traction
         slip[1:][sticks] = 0.0
-        return _Rubbed(traction, grid.alone + self.follows @ traction, slip, slips, float(creepage))
+        return _UnitStrip(traction, grid.alone + self.follows @ traction, slip, slips, float(creepage))
 
-    def sliding(self, side: float) -> _Rubbed:
+    def sliding(self, side: float) -> _UnitStrip:
         """Return the strip that slips everywhere to one side, with the least creepage at which it does."""
         slips = np.full(self.grid.alone.size, side)
         free = self.state(slips, None, 0.0)
         least = float(side * np.max(-side * free.slip[1:]))
         return free._replace(slip=free.slip + least, creepage=least)
 
-    def settled(self, slips: Array, ratio: float | None, creepage: float) -> _Rubbed | None:
+    def settled(self, slips: Array, ratio: float | None, creepage: float) -> _UnitStrip | None:
         """Return the strip that obeys Coulomb's law, from a guess of what slips; None if it is not found."""
         least, best = math.inf, None
         for turn in range(MOST_ROUNDS):
@@ -247,18 +247,18 @@ def coupled_strip(
 
 
 def _searched(
-    grid: _Grid, beta: float, friction: float, steps: int, ratio: float | None, creepage: float
-) -> _Rubbed | None:
+    grid: _EdgeDenseGrid, beta: float, friction: float, steps: int, ratio: float | None, creepage: float
+) -> _UnitStrip | None:
     """Return the strip of a slope of one under Q/P or a creepage, from Carter's zones or a strip that sticks."""
     drive = creepage if ratio is None else ratio
     side, used = math.copysign(1.0, drive), abs(drive) / friction
-    strips = [_Strip(grid, beta * step / steps, friction) for step in range(1, steps + 1)]
+    strips = [_StripEquations(grid, beta * step / steps, friction) for step in range(1, steps + 1)]
     if ratio is not None and used >= 1.0 - ROUNDING:
         return strips[-1].sliding(side)
     share = max(1.0 - used, 0.0) if ratio is None else math.sqrt(1.0 - used)
     carter = np.where(grid.nodes[1:-1] < 1.0 - 2.0 * share, side, 0.0)
     for slips in (carter, np.zeros(carter.size)):
-        found: _Rubbed | None = None
+        found: _UnitStrip | None = None
         for strip in strips:
             found = _wide(strip, slips if found is None else found.slips, ratio, creepage)
             if found is None:
@@ -268,7 +268,7 @@ def _searched(
     return None
 
 
-def _wide(strip: _Strip, slips: Array, ratio: float | None, creepage: float) -> _Rubbed | None:
+def _wide(strip: _StripEquations, slips: Array, ratio: float | None, creepage: float) -> _UnitStrip | None:
     """Return the strip at its own width: a creepage is that of the strip from -1 to 1 times the half-width."""
     half = 1.0
     for _ in range(MOST_WIDTHS):
@@ -281,12 +281,12 @@ def _wide(strip: _Strip, slips: Array, ratio: float | None, creepage: float) -> 
     return None
 
 
-def _half(grid: _Grid, found: _Rubbed) -> float:
+def _half(grid: _EdgeDenseGrid, found: _UnitStrip) -> float:
     """Return the half-width over that of similar bodies under the same load."""
     return math.sqrt(0.25 * math.pi / float(grid.weights @ found.pressure))
 
 
-def _middle(grid: _Grid, beta: float, found: _Rubbed) -> float:
+def _middle(grid: _EdgeDenseGrid, beta: float, found: _UnitStrip) -> float:
     """Return how far ahead of the axis the middle of the strip is, over its half-width."""
     sloped = grid.slope[0] @ found.pressure - 2.0 * beta * grid.mean[0] @ found.traction
     return float(sloped) - 0.5 * float(grid.nodes[0] + grid.nodes[1])

@@ -8,7 +8,7 @@ from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineFields
-from winkler.problems.line_rolling.coupled import CoupledStrip
+from winkler.problems.line_rolling.coupled import CoupledStrip, creepage_error
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
@@ -59,7 +59,8 @@ def coupled_note(strip: CoupledStrip) -> Note:
         Assumption.SLIP,
         Standing.APPROXIMATE,
         f"Coulomb friction, steady rolling in plane strain on {strip.slip.size} elements: the creepage is within "
-        f"{100.0 * strip.error:.2g} % of itself, or of that without a force where all sticks if that is greater.",
+        f"{100.0 * creepage_error(strip):.2g} % of itself, or of that without a force where all sticks if that is "
+        "greater.",
         "closed form where all sticks; random strips compared with finer elements",
     )
 
