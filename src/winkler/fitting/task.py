@@ -17,6 +17,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import LINE_PARAMETERS
@@ -218,7 +219,24 @@ class FitTask(_TaskFields):
 
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
-        return self.decorrelated((self.measured - self.prediction(coordinates).fitted) * self.weights)
+        return self.residuals_of(self.prediction(coordinates))
+
+    def residuals_of(self, prediction: Prediction) -> Array:
+        """Return the weighted misfit of a prediction.
+
+        Raises
+        ------
+        OutsideValidity
+            If the model predicts what is no finite number.
+        """
+        residuals = self.decorrelated((self.measured - prediction.fitted) * self.weights)
+        if not np.all(np.isfinite(residuals)):
+            place = float(self.curve.position[int(np.argmax(~np.isfinite(prediction.fitted)))])
+            raise OutsideValidity(
+                f"fit: the model predicts no finite number at the position {place:.4g} m of curve '{self.curve.name}'; "
+                "give a profile that reaches so far, or starts and bounds nearer to the answer."
+            )
+        return residuals
 
     def decorrelated(self, columns: Array) -> Array:
         """Return weighted columns ``(n,)`` or ``(n, c)`` as least squares count them."""
