@@ -69,6 +69,8 @@ class _TaskFields(NamedTuple):
         What all predictions of a fit share (`winkler.fitting.elastic.model_tables`); of contacts that do not relax.
     acceleration : ndarray, (n,), optional
         Of the tip into the body [m/s^2]; none without inertia.
+    misfits : ndarray, (n,), optional
+        What the model misses at each point relative to the noise, by which the weights are divided; 1 unless given.
     """
 
     curve: ForceCurve
@@ -81,6 +83,7 @@ class _TaskFields(NamedTuple):
     whitening: Whitening | None = None
     tables: Any = None
     acceleration: Array | None = None
+    misfits: Array | None = None
 
 
 class FitTask(_TaskFields):
@@ -91,6 +94,8 @@ class FitTask(_TaskFields):
     coarse_count: ClassVar[int]
     """Number of points for the choice between starts, of which a coarse fit improves the first `starts_improved`."""
     starts_improved: ClassVar[int]
+    most_reweightings: ClassVar[int] = 2
+    """Most changes of the weights, or of the points that count, by the last fit."""
     starts_are_trials: ClassVar[bool]
     """Whether some starts may lie outside the validity of the model, and a single one is improved too."""
 
@@ -98,6 +103,11 @@ class FitTask(_TaskFields):
     def measured(self) -> Array:
         """The fitted quantity ``(n,)``: forces [N], unless a subclass overrides it."""
         return self.curve.force
+
+    @property
+    def stated_weights(self) -> Array:
+        """Factors of the residuals by the noise alone ``(n,)``."""
+        return self.weights if self.misfits is None else self.weights * self.misfits
 
     @property
     def size(self) -> float:
@@ -294,6 +304,7 @@ class FitTask(_TaskFields):
             velocity=self.velocity[indices],
             per_force=self.per_force[indices],
             acceleration=None if self.acceleration is None else self.acceleration[indices],
+            misfits=None if self.misfits is None else self.misfits[indices],
         )
 
     @functools.cached_property
