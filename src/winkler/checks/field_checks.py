@@ -115,7 +115,7 @@ def _check_of(hint: Any, argument: Argument) -> Check | None:
         return _exact(plain_hint, argument)
     members = _union(plain_hint)
     if ANY_ARRAY in members and set(members) <= {float, bool, ANY_ARRAY}:
-        return _array(argument, bool in members)
+        return _array(argument, bool in members, alone=len(members) == 1)
     for kind, left_out in ABSENT.items():
         if kind in members:
             return _unless(left_out, _check_of(Union[tuple(one for one in members if one != kind)], argument))  # noqa: UP007
@@ -169,8 +169,8 @@ def _exact(kind: type, argument: Argument) -> Check:
     return checked
 
 
-def _array(argument: Argument, masks: bool) -> Check:
-    """Return the check of numbers in any shape; arrays of truth values are taken where nothing has a unit."""
+def _array(argument: Argument, masks: bool, *, alone: bool) -> Check:
+    """Return the check of numbers in any shape; of truth values where an array stands alone and has no unit."""
 
     def checked(content: Any) -> Any:
         found = plain(content, argument)
@@ -180,7 +180,7 @@ def _array(argument: Argument, masks: bool) -> Check:
             return found
         if type(found) is bool and masks:
             return found
-        if type(found) is np.ndarray and found.dtype.kind == "b" and (masks or argument.unit() is None):
+        if type(found) is np.ndarray and found.dtype.kind == "b" and (masks or (alone and not argument.unit())):
             return found
         raise argument.refused(f"is {as_text(content)}", "give a number or an array of numbers")
 
