@@ -201,12 +201,16 @@ def _row(argument: Argument) -> Check:
     return checked
 
 
-def _entries(kinds: tuple[Any, ...], argument: Argument) -> Check:
-    """Return the check of a tuple: of entries of one kind, or of one entry of each kind."""
+def _entries(kinds: tuple[Any, ...], argument: Argument) -> Check | None:
+    """Return the check of a tuple of entries of one kind, or of one entry of each kind; None if all are admitted."""
     checks = [_check_of(kind, argument) for kind in kinds if kind is not Ellipsis]
     many = kinds[1:] == (Ellipsis,)
+    if not any(checks):
+        return None
 
     def checked(content: Any) -> Any:
+        if isinstance(content, np.ndarray) and content.ndim == 1:
+            content = tuple(content.tolist())
         if type(content) is not tuple or not (many or len(content) == len(checks)):
             count = "entries" if many else f"{len(checks)} entries"
             raise argument.refused(f"is {as_text(content)}", f"give a list of {count}")
