@@ -53,7 +53,7 @@ def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) 
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        f"{layers} in plane strain, pressed without friction: the Fourier response of the stack, solved in Chebyshev "
+        f"{layers} in plane strain under normal load: the Fourier response of the stack, solved in Chebyshev "
         "modes; the ends of a body of finite length are not included.",
         WAVES,
     )
