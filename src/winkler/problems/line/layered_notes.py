@@ -47,7 +47,7 @@ def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) 
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Perfectly bonded, isotropic, linear elastic layers in plane strain, pressed without friction: the Fourier "
+        "Perfectly bonded, isotropic, linear elastic layers in plane strain under normal load: the Fourier "
         "response of the stack, solved in Chebyshev modes; the ends of a body of finite length are not included.",
         WAVES,
     )

@@ -59,6 +59,12 @@ CARTER = Note(
     "Coulomb friction, steady rolling in plane strain: the zones of stick and slip and the tractions are Carter's.",
     "F. W. Carter, Proc. R. Soc. A 112 (1926) 151-157, doi:10.1098/rspa.1926.0100",
 )
+NOT_COUPLED = Note(
+    Assumption.UNCOUPLED,
+    Standing.EXACT,
+    "The bodies are elastically similar: pressure and traction do not act on each other, and `coupled` has no effect.",
+    "Dundurs' constant beta is zero",
+)
 
 
 @value
@@ -252,4 +258,5 @@ class LineRollingSolution(UnderOneDrive):
         if self.strips:
             return (*strip, FULL_COUPLING, COUPLED, *coupled_yield_notes(self.contact, self.strips[index]))
         yielding = rolling_yield_notes(self.contact, mu if force >= 0.0 else -mu, share)
-        return (*strip, sticking_note(bed.medium, mu), CARTER, *yielding)  # type: ignore[arg-type]
+        similar = (NOT_COUPLED,) if self.problem.coupled else ()
+        return (*strip, sticking_note(bed.medium, mu), *similar, CARTER, *yielding)  # type: ignore[arg-type]

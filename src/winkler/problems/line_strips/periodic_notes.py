@@ -80,7 +80,7 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation, strip: Strip) -> tuple
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction in equal strips without "
+        "Homogeneous, linear elastic half-planes in plane strain under normal load in equal strips without "
         "end; far below, a patch of them many pitches wide is pressed evenly.",
         WESTERGAARD,
     )

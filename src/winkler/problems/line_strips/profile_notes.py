@@ -47,7 +47,7 @@ def profile_notes(
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction: all strips press on each "
+        "Homogeneous, linear elastic half-planes in plane strain under normal load: all strips press on each "
         "other; the ends of a body of finite length and thickness are not included.",
         FLAMANT,
     )
