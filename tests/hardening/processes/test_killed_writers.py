@@ -106,7 +106,7 @@ def test_files_of_two_exports_do_not_compile(target, tmp_path):
 
     one, other = (dict(export(PROBLEMS[name], target, name="ball").files) for name in ("ball", "beads"))
     assert set(other) <= set(one)
-    source = {"lammps": "gran_sub_mod_ball.cpp", "fortran": "ball_c.c"}[target]
+    source = {"lammps": "pair_ball.cpp", "fortran": "ball_c.c"}[target]
     for header, fits in ((one["ball.h"], True), (other["ball.h"], False)):
         (tmp_path / "ball.h").write_text(header)
         lines = re.sub(r"^#include (?!\"ball\.h\").*$", "", one[source], flags=re.MULTILINE)
