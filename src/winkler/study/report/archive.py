@@ -33,7 +33,7 @@ from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
 from winkler.study.language.writing import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.netcdf import netcdf_attributes, netcdf_file
+from winkler.study.report.netcdf import has_netcdf, netcdf_attributes, netcdf_file
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
@@ -52,7 +52,8 @@ EXTRA_STRESSES = ("von_mises", "max_shear")
 
 def archive_files(outcome: Outcome) -> dict[str, bytes]:
     """Return the files that hold the numbers of a study: name -> content."""
-    files = {NETCDF: netcdf_file(*_dataset(outcome)), CSV: table_file(outcome.table())}
+    files = {NETCDF: netcdf_file(*_dataset(outcome))} if has_netcdf() else {}
+    files[CSV] = table_file(outcome.table())
     if any(point.surface for point in outcome.solved):
         files[SURFACE] = _surface_file(outcome)
     if outcome.indices:

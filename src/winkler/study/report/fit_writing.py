@@ -23,7 +23,7 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import table_file
 from winkler.study.report.examined.sections import further_files
-from winkler.study.report.netcdf import Variables, netcdf_attributes, netcdf_file
+from winkler.study.report.netcdf import Variables, has_netcdf, netcdf_attributes, netcdf_file
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
@@ -51,10 +51,12 @@ POINT_COLUMNS = {
 
 def number_files(outcome: FitOutcome) -> dict[str, bytes]:
     """Return the files that hold the numbers of fits, tables and NetCDF: name -> content."""
-    files = {CSV: table_file(outcome.table(), nothing=""), NETCDF: netcdf_file(*_dataset(outcome))}
-    grid = map_grid(outcome)
-    if isinstance(grid, Grid):
-        files[MAPS] = netcdf_file(*_maps(outcome, grid))
+    files = {CSV: table_file(outcome.table(), nothing="")}
+    if has_netcdf():
+        files[NETCDF] = netcdf_file(*_dataset(outcome))
+        grid = map_grid(outcome)
+        if isinstance(grid, Grid):
+            files[MAPS] = netcdf_file(*_maps(outcome, grid))
     return files | further_files(outcome) | _curve_files(outcome)
 
 

@@ -7,15 +7,18 @@ attributes: the arguments of ``xarray.Dataset``.  The conventions of the file ar
 
 from __future__ import annotations
 
+import functools
 import io
+import logging
 from typing import Any
 
 import numpy as np
 
 from winkler.vocabulary import Word
 
-__all__ = ["Variables", "netcdf_attributes", "netcdf_file"]
+__all__ = ["Variables", "has_netcdf", "netcdf_attributes", "netcdf_file"]
 
+LOG = logging.getLogger(__name__)
 LEAST_COMPRESSED = 1000
 """Arrays of floats with more numbers are compressed, without loss."""
 
@@ -27,6 +30,21 @@ def netcdf_attributes(entry: Word) -> dict[str, str]:
     """Return unit, meaning and symbol of a word as the attributes of a variable."""
     texts = {"long_name": entry.meaning, "symbol": entry.symbol}
     return texts if entry.unit is None else {"units": entry.unit or "1", **texts}
+
+
+@functools.cache
+def has_netcdf() -> bool:
+    """Return whether NetCDF files can be written; a process says once that they cannot."""
+    try:
+        import h5netcdf  # noqa: F401
+        import h5py  # noqa: F401
+    except (ImportError, OSError) as error:
+        why = " ".join(str(error).split()).rstrip(".")
+        LOG.warning(
+            "winkler: no NetCDF file is written, as h5netcdf or h5py cannot be loaded (%s); all other results are.", why
+        )
+        return False
+    return True
 
 
 def netcdf_file(variables: Variables, coords: Variables, attributes: dict[str, Any]) -> bytes:

@@ -120,7 +120,7 @@ def papers(content: Any) -> str:
 def origin(made: Provenance, hashed: str, *parts: str) -> str:
     """Return a section with the provenance of the numbers; `hashed` names the content of the hash."""
     rows = [
-        ("winkler", made.version),
+        ("winkler", f"{made.version}, sources {made.sources}"),
         ("study file", made.source or "made in Python"),
         (f"hash of {hashed} (SHA-256)", made.hash),
         ("created (UTC)", made.created),

@@ -100,6 +100,7 @@ def with_provenance(files: dict[str, bytes], made: Provenance, *, missing: int =
     content = {
         "program": "winkler",
         "version": made.version,
+        "sources": made.sources,
         "study": made.source,
         "hash": made.hash,
         "created": made.created,
