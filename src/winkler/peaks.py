@@ -147,13 +147,15 @@ def _placed_peak(
         scale = min(1.0, thickness / radius)  # in a thin layer the depths of the search are shares of it
 
         def depth(z: Array, top: float = top, thickness: float = thickness, scale: float = scale) -> Array:
-            return np.asarray(top + np.minimum(scale * z, thickness))
+            return np.asarray(top + np.minimum(scale * radius * z, thickness))
 
         def field(x: Array, y: Array, z: Array, depth: Callable[[Array], Array] = depth) -> Array:
-            return body(x, y, depth(z) if sign > 0.0 else -np.maximum(z, tiny)).von_mises
+            deep = depth(z) if sign > 0.0 else -np.maximum(radius * z, tiny)
+            return body(radius * x, radius * y, deep).von_mises
 
-        place = greatest_around(field, radius)
-        found.append(PlacedStress(place.value, place.x, place.y, sign * float(depth(np.array(place.z)))))
+        place = greatest_around(field)
+        z = float(depth(np.array(place.z)))
+        found.append(PlacedStress(place.value, radius * place.x, radius * place.y, sign * z))
     return max(found, key=lambda one: one.von_mises)
 
 

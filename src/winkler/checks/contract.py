@@ -34,7 +34,7 @@ def offered(text: str) -> Callable[[K], K]:
 
 def keeps(part: Any, protocol: type) -> bool:
     """Return whether a value has each member of a protocol, without evaluating any of them."""
-    return not _missing(part, protocol)
+    return not isinstance(part, type) and not _missing(part, protocol)
 
 
 def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
@@ -47,7 +47,7 @@ def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
         made = part.__class__
         if made in accepted:
             return True
-        if made in NO_PART:
+        if made in NO_PART or isinstance(part, type):
             return False
         if issubclass(made, classes) or any(not _unknown(made, kind) for kind in protocols):
             accepted.add(made)

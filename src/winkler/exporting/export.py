@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import os
 import re
 from collections.abc import Callable, Mapping
@@ -12,6 +11,7 @@ from typing import Any
 from winkler.checks.number_checks import POSITIVE, Whole, checked
 from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
+from winkler.exporting.names import refuse_reserved
 from winkler.exporting.sizes import of_every_radius
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
@@ -22,7 +22,7 @@ from winkler.exporting.targets.lammps_law import lammps_law
 from winkler.exporting.targets.python_law import python_law
 from winkler.exporting.targets.single import single_law
 from winkler.exporting.targets.wasm_law import wasm_law
-from winkler.io.whole_file import write_whole_text, written_whole
+from winkler.io.whole_file import write_whole
 from winkler.values import value, words
 
 __all__ = ["TARGETS", "ExportedLaw", "export", "write_export"]
@@ -93,7 +93,7 @@ def export(
     to : str
         One of "c", "python", "fortran", "lammps", "dem-engine", "fmu", "fmu3", "wasm".
     name : str, optional
-        With which functions and types begin; a word in small letters.
+        With which functions and types begin; a word in small letters that is none of a target's language.
     tolerance : float, optional
         Error of a normal force that is given by a table, over the greatest force.
     count : int, optional
@@ -128,11 +128,12 @@ def export(
     """
     if to not in TARGETS:
         raise InvalidInput(f"export: there is no target {to!r}{suggest(to, TARGETS)}; give {', '.join(TARGETS)}.")
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name) or len(name) > MOST_LETTERS:
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or len(name) > MOST_LETTERS:
         raise InvalidInput(
             f"export: {name!r} cannot begin the names of functions; give a word of small letters, digits and _, of at "
             f"most {MOST_LETTERS} letters."
         )
+    refuse_reserved(name)
     checked(POSITIVE, "export", "tolerance", tolerance)
     checked(Whole(2, what="springs"), "export", "count", count)
     if precision not in PRECISIONS or (precision == "float" and to != "c"):
@@ -176,12 +177,6 @@ def write_export(exported: ExportedLaw, folder: str | os.PathLike[str]) -> tuple
         raise InvalidInput(f"write_export: {target} is a file, not a folder; give another folder.") from None
     except OSError as error:
         raise InvalidInput(f"write_export: {target} cannot be made ({error.strerror}); give another folder.") from None
-    paths = []
-    for name, content in exported.files:
-        if isinstance(content, str):
-            write_whole_text(target / name, content)
-        else:
-            with written_whole(target / name) as file:
-                file.write(content)
-        paths.append(target / name)
-    return tuple(paths)
+    files = {target / name: text.encode("utf-8") if isinstance(text, str) else text for name, text in exported.files}
+    write_whole(files)
+    return tuple(files)

@@ -17,7 +17,7 @@ from winkler.study.batch.fit_run import fit_curves, fit_study, gather_fits, piec
 from winkler.study.batch.journal import Journal
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.report.examined.sentences import further_sentences
-from winkler.study.report.writing import write_outcome
+from winkler.study.report.writing import outcome_files, write_files
 
 BASE = """
 [problem]
@@ -112,7 +112,7 @@ def test_depths_are_written(here, tmp_path):
     (series,) = outcome.fitted[0].further.depths
     assert series.values[-1] == outcome.fitted[0].fit.value(PATH)
     (tmp_path / "out").mkdir()
-    write_outcome(outcome, tmp_path / "out")
+    write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "depths.csv")
     assert [float(row[f"{YOUNG} [Pa]"]) for row in written] == series.values.tolist()
     assert [float(row["depth [m]"]) for row in written] == series.depths.tolist()
@@ -130,7 +130,7 @@ def test_models_are_compared(here, tmp_path):
     assert all("ball" in possible for possible in table["models"])
     assert min(table["aic_cone"]) > 10.0
     (tmp_path / "out").mkdir()
-    write_outcome(outcome, tmp_path / "out")
+    write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "models.csv")
     assert {row["model"]: row["possible [-]"] for row in written if row["curve"] == "curve3.csv"}["cone"] == "0.0"
     assert "Model 'cone': told from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
@@ -155,7 +155,7 @@ def test_shared_numbers_are_those_of_all_curves(here, tmp_path):
     assert low < 4e3 < high
     assert joint.error(PATH) < outcome.errors(outcome.study.free[0]).min()
     (tmp_path / "out").mkdir()
-    write_outcome(outcome, tmp_path / "out")
+    write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "shared.csv")
     assert len(written) == 4
     assert {float(row[f"{YOUNG} [Pa]"]) for row in written} == {joint.value(PATH)}
@@ -167,6 +167,31 @@ def test_one_curve_shares_nothing_and_says_so(here):
     assert outcome.joint == ()
     assert "1 curve cannot share numbers" in outcome.joint_failure
     assert any("not fitted together" in sentence for sentence in further_sentences(outcome))
+
+
+def test_a_curve_whose_error_would_decide_the_mean_is_named(here):
+    """A thousandth of its error would give the first curve all of the weight; a fifth, four fifths of it."""
+    write_curve(here / "curve4.csv", 4e3, 4)
+    outcome = fit_study(study(here))
+    place = outcome.fitted[0].fit.index(PATH)
+    usual, middle = np.median([[one.fit.error(PATH), one.fit.value(PATH)] for one in outcome.fitted], axis=0)
+
+    def said(share):
+        first = outcome.fitted[0]
+        errors, values = first.fit.standard_errors.copy(), first.fit.values.copy()
+        errors[place], values[place] = share * usual, middle
+        changed = dataclasses.replace(first.fit, standard_errors=errors, values=values)
+        changed = dataclasses.replace(first, fit=changed)
+        return list(further_sentences(dataclasses.replace(outcome, results=(changed, *outcome.results[1:]))))
+
+    doubt = (
+        "The error of young is less than a tenth of the others', or unknown, and theirs was taken, as it would decide "
+        "the mean: curve0.csv."
+    )
+    assert doubt in said(1e-3)
+    assert doubt not in said(0.2)
+    assert any(one.startswith("curve0.csv alone has ") and one.endswith(" in the mean of young.") for one in said(0.2))
+    assert not any("curve0.csv" in one for one in said(1.0))
 
 
 @pytest.mark.slow

@@ -6,8 +6,10 @@ import math
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Elastic
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.plane_interior import PlaneWaves, added_stresses, plane_waves
 from winkler.media.medium import rigid_body
 from winkler.numerics.types import Array
@@ -20,6 +22,7 @@ __all__ = [
     "greatest_within",
     "layer_stresses",
     "layered_fields",
+    "refuse_dragged_film",
     "waves_below",
     "waves_for_search",
 ]
@@ -61,6 +64,15 @@ class LayerStress:
     z: float
     interface_shear: float
     interface_x: float
+
+
+def refuse_dragged_film(medium: object, friction: float) -> None:
+    """Refuse friction on a film that slides on its base."""
+    if friction != 0.0 and not isinstance(medium, CoatedHalfSpace):
+        raise OutsideValidity(
+            f"The layer of a {type(medium).__name__} slides on its base and bears no shear there, so that friction "
+            "would drag it away: leave friction at zero, or give a CoatedHalfSpace."
+        )
 
 
 def waves_below(bed: LayeredLineFoundation, strip: Strip, farthest: float) -> PlaneWaves:
@@ -108,6 +120,7 @@ def layered_fields(
         Traction on the body along x over the pressure [-].
     """
     medium = bed.medium
+    refuse_dragged_film(medium, friction)
     body = medium.layers[0].solid if below else medium.second
     if not isinstance(body, Elastic):
         raise rigid_body(below)

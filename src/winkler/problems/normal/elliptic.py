@@ -246,8 +246,9 @@ class EllipticSolution:
         ----------
         friction, angle : float
             As of `stresses`.
-        measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
-            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface.
+        measure : {'von_mises', 'max_shear', 'orthogonal_shear', 'longitudinal_shear', 'lateral_shear'}
+            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface,
+            whatever its direction, along x, and along y.
         below : bool
             In the first body; otherwise in the second.
 

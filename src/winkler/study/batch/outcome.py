@@ -144,6 +144,8 @@ class Provenance:
         ``(name, version)`` of Python and of the packages that computed.
     source
         Name of the study file, without its folder; empty for a study made in Python.
+    sources
+        Digest of the sources of winkler: the version alone does not tell what was changed.
     """
 
     version: str
@@ -152,6 +154,7 @@ class Provenance:
     seconds: float
     packages: tuple[tuple[str, str], ...]
     source: str = ""
+    sources: str = ""
 
     def attributes(self, title: str, study: str) -> dict[str, Any]:
         """Return the attributes of a NetCDF file that state its origin, with the title and the text of the study."""
@@ -159,6 +162,7 @@ class Provenance:
             "title": title,
             "program": "winkler",
             "winkler_version": self.version,
+            "winkler_sources": self.sources,
             "study_hash": self.hash,
             "study": study,
             "study_file": self.source,

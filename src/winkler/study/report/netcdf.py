@@ -7,15 +7,18 @@ attributes: the arguments of ``xarray.Dataset``.  The conventions of the file ar
 
 from __future__ import annotations
 
-from pathlib import Path
+import functools
+import io
+import logging
 from typing import Any
 
 import numpy as np
 
 from winkler.vocabulary import Word
 
-__all__ = ["Variables", "netcdf_attributes", "write_variables"]
+__all__ = ["Variables", "has_netcdf", "netcdf_attributes", "netcdf_file"]
 
+LOG = logging.getLogger(__name__)
 LEAST_COMPRESSED = 1000
 """Arrays of floats with more numbers are compressed, without loss."""
 
@@ -29,13 +32,26 @@ def netcdf_attributes(entry: Word) -> dict[str, str]:
     return texts if entry.unit is None else {"units": entry.unit or "1", **texts}
 
 
-def write_variables(path: Path, variables: Variables, coords: Variables, attributes: dict[str, Any]) -> None:
-    """Write variables into a NetCDF file; an existing file is replaced.
+@functools.cache
+def has_netcdf() -> bool:
+    """Return whether NetCDF files can be written; a process says once that they cannot."""
+    try:
+        import h5netcdf  # noqa: F401
+        import h5py  # noqa: F401
+    except (ImportError, OSError) as error:
+        why = " ".join(str(error).split()).rstrip(".")
+        LOG.warning(
+            "winkler: no NetCDF file is written, as h5netcdf or h5py cannot be loaded (%s); all other results are.", why
+        )
+        return False
+    return True
+
+
+def netcdf_file(variables: Variables, coords: Variables, attributes: dict[str, Any]) -> bytes:
+    """Return a NetCDF file of variables, made in memory: on a full disk the library ends the process.
 
     Parameters
     ----------
-    path
-        The file.
     variables, coords, attributes
         As for ``xarray.Dataset``; a coordinate with the name of its only dimension belongs to that dimension.
     """
@@ -43,7 +59,8 @@ def write_variables(path: Path, variables: Variables, coords: Variables, attribu
 
     arrays = {name: np.asarray(content) for name, (_, content, _) in {**variables, **coords}.items()}
     auxiliary = {name: set(dims) for name, (dims, _, _) in coords.items() if tuple(dims) != (name,)}
-    with h5netcdf.File(path, "w", decode_vlen_strings=True) as file:
+    store = io.BytesIO()
+    with h5netcdf.File(store, "w", decode_vlen_strings=True) as file:
         file.attrs.update(attributes)
         for name, (dims, _, attached) in {**coords, **variables}.items():
             sizes = dict(zip(dims, arrays[name].shape, strict=True))
@@ -51,6 +68,7 @@ def write_variables(path: Path, variables: Variables, coords: Variables, attribu
             near = " ".join(sorted(other for other, needed in auxiliary.items() if needed <= set(dims)))
             more = {"coordinates": near} if near and name not in coords else {}
             _add(file, name, tuple(dims), arrays[name], {**attached, **more}, packed=name in variables)
+    return store.getvalue()
 
 
 def _add(file: Any, name: str, dims: tuple[str, ...], array: Any, attached: dict[str, str], *, packed: bool) -> None:
