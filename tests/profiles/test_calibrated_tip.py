@@ -129,3 +129,9 @@ def test_bad_tables(depths, found, sentence):
 def test_a_rounded_pyramid_has_no_known_cross_section():
     with pytest.raises(wk.OutsideValidity, match="give the tip's CalibratedArea"):
         wk.contact_reading(1e3, 1e-5, 2e-8, wk.RoundedPyramid(4, 1.1, 1e-8))
+
+
+def test_an_area_function_of_ten_million_coefficients_is_refused_at_once():
+    """Issue 38, item 7: it took over 15 s."""
+    with pytest.raises(wk.InvalidInput, match="^CalibratedTip: 10000000 coefficients are too many; give at most 100.$"):
+        wk.CalibratedTip((1.0,) * 10_000_000, 50e-9, 2e-6)

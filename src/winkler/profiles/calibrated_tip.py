@@ -12,12 +12,13 @@ Below the shallowest depth of the calibration the area is continued by the power
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveRow
+from winkler.checks.number_checks import Positive, PositiveRow, affordable
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
@@ -30,6 +31,8 @@ __all__ = ["CalibratedTip", "TabulatedTip"]
 
 POINTS_PER_OCTAVE = 8
 """Of the depth, at which an area function is sampled; the spline through them is within 3e-5 of the depths."""
+MOST_COEFFICIENTS = 100
+"""Of an area function: from about fifty on the powers of the depth are zero."""
 CONTINUED = 10
 """Points below the shallowest depth."""
 LEAST_POWER, MOST_POWER = 0.25, 2.0
@@ -167,6 +170,8 @@ class CalibratedTip(_TipOfArea):
     shape_factor: Positive = 1.0
 
     def __post_init__(self) -> None:
+        with contextlib.suppress(TypeError):  # refused below
+            affordable("CalibratedTip", "coefficients", len(self.coefficients), MOST_COEFFICIENTS)
         try:
             numbers = tuple(float(number) for number in self.coefficients)
         except (TypeError, ValueError):
