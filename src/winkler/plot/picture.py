@@ -73,7 +73,7 @@ def styled() -> Iterator[None]:
         yield
 
 
-DATES = {"svg": ("Date",), "pdf": ("CreationDate",)}
+DATES = {"svg": "Date", "pdf": "CreationDate"}
 """Format -> what states the date in it."""
 
 
@@ -96,9 +96,10 @@ class Picture(Figure):
         The same picture gives the same bytes: SVG and PDF are written without the date.
         """
         ending = options.get("format") or os.path.splitext(str(fname))[1][1:]
-        undated = dict.fromkeys(DATES.get(ending.lower(), ())) | (options.pop("metadata", None) or {})
+        if ending.lower() in DATES:
+            options["metadata"] = {DATES[ending.lower()]: None} | (options.get("metadata") or {})
         with styled():
-            super().savefig(fname, **options, **({"metadata": undated} if undated else {}))
+            super().savefig(fname, **options)
 
 
 def empty_figure(width: float, height: float) -> Picture:

@@ -19,6 +19,7 @@ import math
 import numpy as np
 
 from winkler.checks.number_checks import Positive, PositiveRow, affordable
+from winkler.checks.physical_size import as_text
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
@@ -178,8 +179,8 @@ class CalibratedTip(_TipOfArea):
             numbers = ()
         if not numbers or not all(map(math.isfinite, numbers)) or not any(numbers):
             raise InvalidInput(
-                f"CalibratedTip: coefficients are {self.coefficients!r}; give finite numbers C0, C1, ... of which at "
-                "least one is not zero."
+                f"CalibratedTip: coefficients are {as_text(self.coefficients)}; give finite numbers C0, C1, ... of "
+                "which at least one is not zero."
             )
         object.__setattr__(self, "coefficients", numbers)
         if not self.shallowest < self.deepest:
