@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import pickle
+import re
 
 import pytest
 
@@ -52,3 +54,30 @@ def test_a_message_states_no_place_in_memory(thing):
         assert "\n" not in str(error.value)
         again = pickle.loads(pickle.dumps(error.value))
         assert (type(again), str(again)) == (wk.InvalidInput, str(error.value))
+
+
+RESIDUE = re.compile(r"mismatch|misfit|residual|uncertainty|\bleft\b")
+
+
+def test_no_note_has_one_standing_whatever_a_solver_left(root):
+    """A part that is stated decides on the standing, and it is one of the answer: no kelvin, newtons or metres."""
+    fixed, absolute = [], []
+    for path in sorted((root / "src" / "winkler").rglob("*.py")):
+        for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "Note"):
+                continue
+            standing, statement = call.args[1:3] if len(call.args) > 2 else (None, None)
+            texts = (
+                [text.values for text in ast.walk(statement) if isinstance(text, ast.JoinedStr)] if statement else []
+            )
+            for pieces in texts:
+                for number, after in zip(pieces, [*pieces[1:], ast.Constant("")], strict=True):
+                    if isinstance(number, ast.FormattedValue) and RESIDUE.search(ast.unparse(number.value)):
+                        place = f"{path.name}:{call.lineno}"
+                        if isinstance(standing, ast.Attribute):
+                            fixed.append(place)
+                        words = after.value if isinstance(after, ast.Constant) else ""
+                        if re.match(r" (K|N|m|Pa|W|J)\b", str(words)):
+                            absolute.append(place)
+    assert fixed == []
+    assert absolute == []

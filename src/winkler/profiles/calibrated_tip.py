@@ -12,17 +12,16 @@ Below the shallowest depth of the calibration the area is continued by the power
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveRow, affordable
-from winkler.checks.physical_size import as_text
+from winkler.checks.number_checks import Positive, PositiveRow
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
+from winkler.profiles.area_coefficients import AreaCoefficients
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing
@@ -32,8 +31,6 @@ __all__ = ["CalibratedTip", "TabulatedTip"]
 
 POINTS_PER_OCTAVE = 8
 """Of the depth, at which an area function is sampled; the spline through them is within 3e-5 of the depths."""
-MOST_COEFFICIENTS = 100
-"""Of an area function: from about fifty on the powers of the depth are zero."""
 CONTINUED = 10
 """Points below the shallowest depth."""
 LEAST_POWER, MOST_POWER = 0.25, 2.0
@@ -165,24 +162,12 @@ class CalibratedTip(_TipOfArea):
         shape_factor=(r"\beta", "", "stiffness over that of a round contact with the same area"),
     )
 
-    coefficients: tuple[float, ...]
+    coefficients: AreaCoefficients
     shallowest: Positive
     deepest: Positive
     shape_factor: Positive = 1.0
 
     def __post_init__(self) -> None:
-        with contextlib.suppress(TypeError):  # refused below
-            affordable("CalibratedTip", "coefficients", len(self.coefficients), MOST_COEFFICIENTS)
-        try:
-            numbers = tuple(float(number) for number in self.coefficients)
-        except (TypeError, ValueError):
-            numbers = ()
-        if not numbers or not all(map(math.isfinite, numbers)) or not any(numbers):
-            raise InvalidInput(
-                f"CalibratedTip: coefficients are {as_text(self.coefficients)}; give finite numbers C0, C1, ... of "
-                "which at least one is not zero."
-            )
-        object.__setattr__(self, "coefficients", numbers)
         if not self.shallowest < self.deepest:
             raise InvalidInput(
                 f"CalibratedTip: it is calibrated from {self.shallowest:.6g} to {self.deepest:.6g} m; give two depths "

@@ -57,6 +57,7 @@ __all__ = [
     "Solved",
     "SolvedPoint",
     "answers_of",
+    "number_names",
 ]
 
 
@@ -73,7 +74,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
     """
     answers: dict[str, Quantity] = {}
     rows: tuple[int, ...] | None = None
-    for name in _numbers_of(solution.__class__):
+    for name in number_names(solution.__class__):
         try:
             content = getattr(solution, name)
         except OutsideValidity:  # a quantity that this medium does not have
@@ -90,7 +91,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
 
 
 @functools.cache
-def _numbers_of(cls: type[Any]) -> tuple[str, ...]:
+def number_names(cls: type[Any]) -> tuple[str, ...]:
     """Return the names of the numbers of a class of solutions: its fields, then its properties."""
     names = [field.name for field in dataclasses.fields(cls)]
     for base in reversed(cls.__mro__):
