@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -31,12 +32,12 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
     """
     from winkler.cli import terminal
     from winkler.errors import Interrupted, InvalidInput
-    from winkler.study.batch.stopping import clear_interrupt, raise_pending
+    from winkler.io.stopping import clear_interrupt, raise_pending
     from winkler.study.nanoindentation.reading import read_nanoindentation_study
     from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
-    from winkler.study.nanoindentation.writing import write_nanoindentation
+    from winkler.study.nanoindentation.writing import nanoindentation_files
     from winkler.study.report.reserving import reserved
-    from winkler.study.report.writing import holds_results, placed
+    from winkler.study.report.writing import holds_results, placed, write_files
 
     started = time.perf_counter()
     content = read_nanoindentation_study(study)
@@ -58,7 +59,7 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
         outcome = gathered(content, found, started=started, source=study.name, left=left)
         outcome.verdicts  # noqa: B018  an expectation that no evaluation has is refused before anything is written
         with placed(folder, overwrite=overwrite) as partial:
-            write_nanoindentation(outcome, partial)
+            write_files(nanoindentation_files(outcome), partial)
     if as_json:
         write_json(_as_json(outcome, folder))
     elif not quiet:
@@ -75,6 +76,7 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
     from winkler.study.nanoindentation.report import calibration_rows, first_yield_rows, mean_rows
+    from winkler.validity import Standing
 
     out = terminal.console()
     out.print(outcome.study.title)
@@ -87,6 +89,9 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         for line in mean_rows(outcome):
             table.add_row(*line)
     out.print(table)
+    for note in (note for item in outcome.calibration for note in item.validity):
+        if note.standing is Standing.APPROXIMATE:
+            out.print(note.statement, soft_wrap=True)
     for name, content in first_yield_rows(outcome):
         out.print(f"{name}: {content}", soft_wrap=True)
     if outcome.verdicts:
@@ -117,6 +122,7 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
         {
             "frame_compliance": one.frame_compliance,
             "frame_compliance_error": one.frame_compliance_error,
+            "correlation": one.correlation if math.isfinite(one.correlation) else None,
             "area": list(one.indenter.area.coefficients),
         }
         for one in outcome.calibration
