@@ -121,6 +121,7 @@ def parsed(text: str, file: str) -> dict[str, Any]:
     InvalidInput
         If it is not TOML, or empty.
     """
+    text = text.removeprefix("\ufeff")  # with which some editors begin a file of UTF-8
     marks = sum(map(text.count, SEPARATORS)) + text.count(" ") // SPACES_PER_ENTRY
     if marks > STUDY_MARKS:
         raise InvalidInput(
