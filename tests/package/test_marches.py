@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from example_answers import solved
 
-from winkler.io.stopping import INTERRUPTED
+from winkler.io.processes.stopping import INTERRUPTED
 from winkler.plot import sheet_of
 from winkler.problems.answer import is_march
 from winkler.study.batch.marching import solve_march

@@ -72,7 +72,7 @@ def fit(
     from winkler.cli.measured_problem import is_measured_problem
     from winkler.cli.run import run
     from winkler.errors import Interrupted, InvalidInput, WinklerError
-    from winkler.io.stopping import clear_interrupt
+    from winkler.io.processes.stopping import clear_interrupt
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
@@ -146,7 +146,7 @@ class _RunningFit:
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
         """Pass states on, and store the last."""
         from winkler.fitting.search import FitState
-        from winkler.io.stopping import raise_pending
+        from winkler.io.processes.stopping import raise_pending
 
         for state in states:
             raise_pending()

@@ -32,7 +32,7 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
     """
     from winkler.cli import terminal
     from winkler.errors import Interrupted, InvalidInput
-    from winkler.io.stopping import clear_interrupt, raise_pending
+    from winkler.io.processes.stopping import clear_interrupt, raise_pending
     from winkler.study.nanoindentation.reading import read_nanoindentation_study
     from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
     from winkler.study.nanoindentation.writing import nanoindentation_files

@@ -16,8 +16,8 @@ from typing import IO
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
-from winkler.io.locking import lock, open_locked
-from winkler.io.stopping import deferred_signals
+from winkler.io.processes.locking import lock, open_locked
+from winkler.io.processes.stopping import deferred_signals
 
 __all__ = ["FULL", "remove_left", "unwritable", "write_new", "write_whole", "write_whole_text", "written_whole"]
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.io.stopping import INTERRUPTED
+from winkler.io.processes.stopping import INTERRUPTED
 from winkler.io.surface_wear_states import read_surface_wear, write_surface_wear
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.marching import solve_march

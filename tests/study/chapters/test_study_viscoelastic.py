@@ -12,7 +12,7 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.io.stopping import INTERRUPTED
+from winkler.io.processes.stopping import INTERRUPTED
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run

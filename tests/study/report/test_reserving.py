@@ -10,8 +10,8 @@ import sys
 import pytest
 
 from winkler.errors import InvalidInput
-from winkler.io import locking
-from winkler.io.locking import locked
+from winkler.io.processes import locking
+from winkler.io.processes.locking import locked
 from winkler.study.report import reserving
 from winkler.study.report.reserving import reserved
 

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.locking import lock
+from winkler.io.processes.locking import lock
 from winkler.io.software import software
 from winkler.io.whole_file import unwritable
 from winkler.study.batch.checkpoint import refuse_other_software

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 from winkler.errors import WinklerError
-from winkler.io.stopping import INTERRUPTED, clear_interrupt, raise_pending
+from winkler.io.processes.stopping import INTERRUPTED, clear_interrupt, raise_pending
 from winkler.problems.answer import March
 from winkler.study.batch.checkpoint import CheckpointStore
 

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.io.stopping import INTERRUPTED, raise_pending
+from winkler.io.processes.stopping import INTERRUPTED, raise_pending
 from winkler.numerics.types import Array
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
-from winkler.io.stopping import INTERRUPTED
+from winkler.io.processes.stopping import INTERRUPTED
 from winkler.problems.answer import is_march, is_restorable
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.journal import Journal, is_final

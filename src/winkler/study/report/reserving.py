@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.io.locking import locked
-from winkler.io.stopping import deferred_signals
+from winkler.io.processes.locking import locked
+from winkler.io.processes.stopping import deferred_signals
 from winkler.io.whole_file import remove_left, unwritable
 from winkler.study.report.writing import FOLDER, OLD, PARTIAL, holds_results
 

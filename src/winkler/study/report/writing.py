@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
-from winkler.io.stopping import deferred_signals, raise_pending, set_kept_text
+from winkler.io.processes.stopping import deferred_signals, raise_pending, set_kept_text
 from winkler.io.whole_file import FULL, unwritable, write_new
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.language.writing import study_text

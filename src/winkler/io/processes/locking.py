@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.io.stopping import deferred_signals
+from winkler.io.processes.stopping import deferred_signals
 
 __all__ = ["lock", "locked", "open_locked"]
 

@@ -1,0 +1,1 @@
+"""What processes do to each other: signals that stop them, and locks of files."""
