@@ -33,7 +33,7 @@ def main() -> int:
         from winkler.cli import main as command
 
         if usual:
-            signal.signal(signal.SIGINT, signal.default_int_handler)  # which `winkler.study.batch.stopping` replaces
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # which `winkler.io.stopping` replaces
         code = command()
         gc.freeze()  # the process ends: searching what it loaded for garbage would take a sixth of a short run
         return code

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.vocabulary import word
 
-if TYPE_CHECKING:
-    import pint
-
 __all__ = ["quantity"]
 
 
-def quantity(self: Any, name: str) -> pint.Quantity:
+def quantity(self: Any, name: str) -> Any:
     """Return a field or a result as a quantity of pint; it becomes the method ``quantity`` of each value.
 
     Parameters
@@ -51,5 +48,5 @@ def quantity(self: Any, name: str) -> pint.Quantity:
         raise InvalidInput(f"{owner}: {name} is no quantity with a unit of its own; read it as {owner}.{name}.")
     import pint  # takes most of a second to load
 
-    registry = pint.get_application_registry()
+    registry: Any = pint.get_application_registry()  # type: ignore[no-untyped-call]
     return registry.Quantity(np.array(content) if isinstance(content, np.ndarray) else content, unit)

@@ -316,7 +316,7 @@ def test_new_does_not_replace_a_file_without_consent(here, capsys):
         ),
         (
             ["--output", "no/where.toml"],
-            "cannot be written (no such file or directory); give another file with --output.",
+            "cannot be written (no such file or directory); name a file in a folder that exists.",
         ),
         (
             ["yield_onset", "--load", "force"],
@@ -399,7 +399,7 @@ def test_draw_a_curve_as_svg(here):
         (["--load", "1"], "draw: there is no load 1; the study has 1, counted from 0."),
         (
             ["--output", "no/where.png"],
-            "cannot be written (no such file or directory); give another file with --output.",
+            "cannot be written (no such file or directory); name a file in a folder that exists.",
         ),
         (["--output", "ball.png"], "draw: 'ball.png' exists; add --overwrite to replace it"),
     ],

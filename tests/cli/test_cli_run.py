@@ -233,7 +233,7 @@ def test_a_full_disk_leaves_nothing(here, monkeypatch, capsys):
     monkeypatch.setattr("winkler.study.report.writing.study_text", full)
     assert main(["run", "ball.toml"]) == 2
     errors = capsys.readouterr().err
-    assert "cannot be written (no space left on device); give" in errors
+    assert "cannot be written (no space left on device); free some space, or give another folder" in errors
     assert errors.count("\n") == 1
     assert [path.name for path in here.iterdir()] == ["ball.toml"]
 
@@ -284,14 +284,14 @@ def test_a_stop_between_the_two_renamings_brings_the_old_results_back(here, monk
 
 def test_of_two_runs_into_one_folder_the_second_is_refused(here, monkeypatch, capsys):
     """It is refused at once, and changes nothing of what the first is writing."""
-    real = writing.write_outcome
+    real = writing.write_files
 
-    def slow(outcome, folder):
-        real(outcome, folder)
-        monkeypatch.setattr(writing, "write_outcome", real)
+    def slow(*files):
+        real(*files)
+        monkeypatch.setattr(writing, "write_files", real)
         assert main(["run", "ball.toml", "--quiet", "--overwrite"]) == 2
 
-    monkeypatch.setattr(writing, "write_outcome", slow)
+    monkeypatch.setattr(writing, "write_files", slow)
     assert main(["run", "ball.toml", "--quiet"]) == 0
     assert "another run is writing into" in capsys.readouterr().err
     listed = json.loads((here / "results/ball" / PROVENANCE).read_text())["files"]

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from example_answers import solved
 
+from winkler.io.stopping import INTERRUPTED
 from winkler.plot import sheet_of
 from winkler.problems.answer import is_march
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
-from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE, kinds
 from winkler.study.language.explain import example_study

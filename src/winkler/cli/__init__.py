@@ -14,7 +14,7 @@ import sys
 from collections.abc import Sequence
 
 from winkler.cli.streams import flush_streams, spell_unencodable, write_line
-from winkler.study.batch import stopping
+from winkler.io import stopping
 
 __all__ = ["main"]
 

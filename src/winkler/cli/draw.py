@@ -52,12 +52,12 @@ def draw(
     """
     from winkler.errors import InvalidInput, suggest
     from winkler.fields import SubsurfaceFields
+    from winkler.io.whole_file import write_whole
     from winkler.plot import sheet_of
     from winkler.plot.normal.stresses import interface_rules
     from winkler.plot.render import render
     from winkler.study.language.reading import read_study
     from winkler.study.language.study import PICTURES
-    from winkler.study.report.single_file import write_whole
 
     if part not in PARTS:
         raise InvalidInput(
@@ -79,20 +79,20 @@ def draw(
         sheet = dataclasses.replace(sheet, panels=(sheet.panels[0].plus(*rules),))
     with io.BytesIO() as drawn:
         render(sheet).savefig(drawn, format=path.suffix[1:].lower())
-        write_whole(path, drawn.getvalue())
+        write_whole({path: drawn.getvalue()})
     write_line(f"Written {path}")
 
 
 def _write_film(study: Path, point: int, path: Path, overwrite: bool) -> None:
     from winkler.errors import InvalidInput
+    from winkler.io.whole_file import write_whole
     from winkler.plot import film
     from winkler.study.language.reading import read_study
-    from winkler.study.report.single_file import write_whole
 
     if path.suffix.lower() != ".gif":
         raise InvalidInput(f"draw: '{path}' does not end like a film; give .gif.")
     refuse_existing(path, overwrite, "draw: ")
-    write_whole(path, film(_solved(read_study(study), point).solution))
+    write_whole({path: film(_solved(read_study(study), point).solution)})
     write_line(f"Written {path}")
 
 

@@ -72,15 +72,15 @@ def fit(
     from winkler.cli.measured_problem import is_measured_problem
     from winkler.cli.run import run
     from winkler.errors import Interrupted, InvalidInput, WinklerError
+    from winkler.io.stopping import clear_interrupt
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import named
-    from winkler.study.batch.stopping import clear_interrupt
     from winkler.study.language.fit_reading import read_fit_study
-    from winkler.study.report.writing import write_outcome
+    from winkler.study.report.writing import outcome_files, write_files
 
     started = time.perf_counter()
     if nanoindentation.wanted(study):
@@ -120,7 +120,7 @@ def fit(
             outcome = gather_fits(content, fitted.items(), started=started, source=study.name, left=left)
         except WinklerError as error:
             raise named(error, study.name) from None
-        write_outcome(outcome, partial, pages=pages)
+        write_files(outcome_files(outcome, pages=pages), partial, journal)
         journal.complete = not left
     if as_json:
         _print_json(outcome, folder)
@@ -146,7 +146,7 @@ class _RunningFit:
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
         """Pass states on, and store the last."""
         from winkler.fitting.search import FitState
-        from winkler.study.batch.stopping import raise_pending
+        from winkler.io.stopping import raise_pending
 
         for state in states:
             raise_pending()

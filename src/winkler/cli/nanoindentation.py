@@ -32,12 +32,12 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
     """
     from winkler.cli import terminal
     from winkler.errors import Interrupted, InvalidInput
-    from winkler.study.batch.stopping import clear_interrupt, raise_pending
+    from winkler.io.stopping import clear_interrupt, raise_pending
     from winkler.study.nanoindentation.reading import read_nanoindentation_study
     from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
-    from winkler.study.nanoindentation.writing import write_nanoindentation
+    from winkler.study.nanoindentation.writing import nanoindentation_files
     from winkler.study.report.reserving import reserved
-    from winkler.study.report.writing import holds_results, placed
+    from winkler.study.report.writing import holds_results, placed, write_files
 
     started = time.perf_counter()
     content = read_nanoindentation_study(study)
@@ -59,7 +59,7 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
         outcome = gathered(content, found, started=started, source=study.name, left=left)
         outcome.verdicts  # noqa: B018  an expectation that no evaluation has is refused before anything is written
         with placed(folder, overwrite=overwrite) as partial:
-            write_nanoindentation(outcome, partial)
+            write_files(nanoindentation_files(outcome), partial)
     if as_json:
         write_json(_as_json(outcome, folder))
     elif not quiet:

@@ -46,11 +46,11 @@ def new(
     Example: winkler new indentation --profile cone --output cone.toml
     """
     from winkler.errors import InvalidInput, WinklerError, suggest
+    from winkler.io.whole_file import write_whole
     from winkler.study.batch.run import run
     from winkler.study.language.catalogue import CATALOGUE
     from winkler.study.language.reading import parse_study
     from winkler.study.language.template import template
-    from winkler.study.report.single_file import write_whole
 
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
         names = [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
@@ -63,5 +63,5 @@ def new(
         run(parse_study(text, file=path.name))
     except WinklerError as error:
         raise type(error)(f"these kinds do not go together: {error}") from None
-    write_whole(path, text.encode())
+    write_whole({path: text.encode()})
     write_line(f"Written {path}; run it with: winkler run {path}")

@@ -37,13 +37,13 @@ def report(
     from winkler.cli import terminal
     from winkler.cli.run import exit_code
     from winkler.errors import InvalidInput, WinklerError
+    from winkler.io.whole_file import write_whole
     from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
     from winkler.study.language.reading import read_study
     from winkler.study.report.figures import figures_of
     from winkler.study.report.report import page
-    from winkler.study.report.single_file import write_whole
 
     started = time.perf_counter()
     path = output or Path(f"{study.stem}.html")
@@ -59,6 +59,6 @@ def report(
         raise named(error, study.name) from None
     shown = figures_of(outcome)
     text = page(outcome, shown)
-    write_whole(path, (with_reading(text, shown) if interactive else text).encode("utf-8"))
+    write_whole({path: (with_reading(text, shown) if interactive else text).encode("utf-8")})
     write_line(f"Written {path}")
     return exit_code(outcome)

@@ -48,7 +48,7 @@ def resumed(
         After Ctrl-C, if points or fits are kept.
     """
     from winkler.errors import Interrupted
-    from winkler.study.batch.stopping import deferred_signals
+    from winkler.io.stopping import deferred_signals
     from winkler.study.report.reserving import reserved
     from winkler.study.report.writing import holds_results, missing, placed
 

@@ -144,7 +144,7 @@ def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
-    from winkler.study.report.writing import write_outcome
+    from winkler.study.report.writing import outcome_files, write_files
 
     study, many = job.study, job.many
     journal, keep = Journal.beside(folder, study), CheckpointStore.beside(folder)
@@ -155,7 +155,7 @@ def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew
         watched = terminal.tracked(points, many, hidden=job.hidden, before=before)
         try:
             outcome = gather(study, watched, started=job.started, source=job.name)
-            write_outcome(outcome, partial)
+            write_files(outcome_files(outcome), partial, journal)
         except WinklerError as error:
             raise named(error, job.name) from None
         journal.complete = exit_code(outcome) != Interrupted.exit_code

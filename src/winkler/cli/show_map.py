@@ -165,10 +165,10 @@ def _print(path: Path, rows: dict[str, dict[str, Any]], remarks: list[str]) -> N
 def _draw(found: MapStatistics | LineScan, output: Path) -> None:
     import io
 
+    from winkler.io.whole_file import write_whole
     from winkler.plot import sheet_of
     from winkler.plot.render import render
-    from winkler.study.report.single_file import write_whole
 
     with io.BytesIO() as drawn:
         render(sheet_of(found)).savefig(drawn, format=output.suffix[1:].lower())
-        write_whole(output, drawn.getvalue())
+        write_whole({output: drawn.getvalue()})

@@ -22,7 +22,7 @@ from winkler.exporting.targets.lammps_law import lammps_law
 from winkler.exporting.targets.python_law import python_law
 from winkler.exporting.targets.single import single_law
 from winkler.exporting.targets.wasm_law import wasm_law
-from winkler.io.whole_file import write_whole_text, written_whole
+from winkler.io.whole_file import write_whole
 from winkler.values import value, words
 
 __all__ = ["TARGETS", "ExportedLaw", "export", "write_export"]
@@ -177,12 +177,6 @@ def write_export(exported: ExportedLaw, folder: str | os.PathLike[str]) -> tuple
         raise InvalidInput(f"write_export: {target} is a file, not a folder; give another folder.") from None
     except OSError as error:
         raise InvalidInput(f"write_export: {target} cannot be made ({error.strerror}); give another folder.") from None
-    paths = []
-    for name, content in exported.files:
-        if isinstance(content, str):
-            write_whole_text(target / name, content)
-        else:
-            with written_whole(target / name) as file:
-                file.write(content)
-        paths.append(target / name)
-    return tuple(paths)
+    files = {target / name: text.encode("utf-8") if isinstance(text, str) else text for name, text in exported.files}
+    write_whole(files)
+    return tuple(files)

@@ -16,7 +16,7 @@ from winkler.io.archive_file import archive, is_archive
 from winkler.io.foreign import sentence_of
 from winkler.io.software import software
 from winkler.io.text_file import existing
-from winkler.io.whole_file import written_whole
+from winkler.io.whole_file import write_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 
@@ -132,8 +132,9 @@ def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
     InvalidInput
         If there is no such folder, or its file cannot be written.
     """
-    with written_whole(path) as file:
-        np.savez(file, allow_pickle=False, software=np.array(list(software().items())), **arrays)
+    store = io.BytesIO()  # on a full disk NumPy's archive would report errors by itself
+    np.savez(store, allow_pickle=False, software=np.array(list(software().items())), **arrays)
+    write_whole({path: store.getbuffer()})
 
 
 def write_state(path: str | os.PathLike[str], form: str, arrays: Mapping[str, Any]) -> Path:

@@ -18,7 +18,7 @@ from winkler.io.text_file import lines_of
 from winkler.io.whole_file import write_whole_text
 from winkler.materials.elastic import Elastic
 
-__all__ = ["read_indenter", "write_indenter"]
+__all__ = ["indenter_text", "read_indenter", "write_indenter"]
 
 KIND = "calibrated_indenter"
 NEEDED = ("area", "frame_compliance", "young", "poisson")
@@ -36,6 +36,11 @@ def write_indenter(indenter: CalibratedIndenter, path: str | os.PathLike[str], *
     made_from : str, optional
         A line that says where it comes from.
     """
+    write_whole_text(Path(path), indenter_text(indenter, made_from=made_from))
+
+
+def indenter_text(indenter: CalibratedIndenter, *, made_from: str = "") -> str:
+    """Return what `write_indenter` writes."""
     import tomli_w
 
     area = indenter.area
@@ -51,7 +56,7 @@ def write_indenter(indenter: CalibratedIndenter, path: str | os.PathLike[str], *
         "poisson": indenter.solid.poisson,
         "shape_factor": indenter.shape_factor,
     }
-    write_whole_text(Path(path), tomli_w.dumps(content))
+    return tomli_w.dumps(content)
 
 
 def read_indenter(path: str | os.PathLike[str]) -> CalibratedIndenter:

@@ -22,7 +22,7 @@ from winkler.checks.number_checks import affordable
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields
 from winkler.foundation.sheared_fields import BodyFields
-from winkler.io.whole_file import written_whole
+from winkler.io.whole_file import write_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.conduction.fields import CurrentFields, HeatFields
@@ -101,8 +101,7 @@ def write_vtk(
                 f"write_vtk: a {type(fields).__name__} is no field inside the bodies; give what restore(solution, r, "
                 "z), restore_body(solution, x, y, z) or restore_conduction(solution, r, z) returns."
             )
-    with written_whole(target) as file:
-        file.write(_file_content(grid, type(fields).__name__))
+    write_whole({target: _file_content(grid, type(fields).__name__)})
     return target
 
 

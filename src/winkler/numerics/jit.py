@@ -3,7 +3,8 @@
 A kernel is written as ordinary Python and decorated with `compiled`.  numba is imported at the first call of a kernel,
 never when winkler is imported.  Where there is no numba (in a browser, on a Python that it does not support yet) the
 same source runs as it is, slower.
-What is compiled is kept for the next process, where there is a place for it: see `winkler.caches`.
+What is compiled is kept for the next process, where there is a place for it: see `winkler.caches` and
+`winkler.numerics.kernel_cache`.
 
 A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
 function alone, receives what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
@@ -28,6 +29,7 @@ from typing import Any, Generic, ParamSpec, TypeVar
 import numpy as np
 
 from winkler.caches import with_kernels
+from winkler.numerics.kernel_cache import KernelCache
 
 __all__ = ["Kernel", "compiled"]
 
@@ -117,8 +119,9 @@ class Kernel(Generic[P, R]):
         options = OPTIONS if counted else OPTIONS | {"_nrt": False}
         machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **options)(copy)
         if cached:
-            with contextlib.suppress(RuntimeError):  # it finds no place after all: nothing is kept
+            with contextlib.suppress(RuntimeError, OSError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]
+                machine._cache = KernelCache(machine._cache)  # type: ignore[attr-defined]
         return machine
 
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.io.stopping import INTERRUPTED
 from winkler.io.surface_wear_states import read_surface_wear, write_surface_wear
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
-from winkler.study.batch.stopping import INTERRUPTED
 
 X = np.arange(12) / 12
 SURFACE = wk.Topography(0.02 * np.cos(2.0 * np.pi * X[:, None]) * np.cos(2.0 * np.pi * X), [1.0, 1.0], periodic=True)

@@ -15,7 +15,7 @@ import pytest
 
 from winkler.cli import main
 from winkler.errors import InvalidInput
-from winkler.study.batch import stopping
+from winkler.io import stopping
 from winkler.study.language import reading
 from winkler.study.report import writing
 

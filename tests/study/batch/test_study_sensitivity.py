@@ -15,9 +15,10 @@ from winkler.study.batch.sensitivity import sensitivity
 from winkler.study.language.designs import Sensitivity, Sobol
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Range
-from winkler.study.report.archive import dataset, write_archive
+from winkler.study.report.archive import archive_files, dataset
 from winkler.study.report.report import page
 from winkler.study.report.sweep_figures import clouds, parts
+from winkler.study.report.writing import write_files
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))
@@ -87,7 +88,7 @@ def test_every_output_has_them(outcome, tmp_path):
     assert data["first_order"].dims == ("answer", "key")
     np.testing.assert_array_equal(data["total_order"].sel(answer="depth").values, depth.total_order)
     assert data["key"].values.tolist() == [line.key for line in KEYS]
-    write_archive(outcome, tmp_path)
+    write_files(archive_files(outcome), tmp_path)
     rows = list(csv.DictReader((tmp_path / "sensitivity.csv").open()))
     assert [float(row["total_order [-]"]) for row in rows[:3]] == depth.total_order.tolist()
     assert rows[1]["key"] == KEYS[1].key

@@ -12,12 +12,12 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.io.stopping import INTERRUPTED
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.friction.torsion import Torsion
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
-from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.batch.sweep import solve_points
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild

@@ -17,7 +17,7 @@ from winkler.study.batch.fit_run import fit_curves, fit_study, gather_fits, piec
 from winkler.study.batch.journal import Journal
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.report.examined.sentences import further_sentences
-from winkler.study.report.writing import write_outcome
+from winkler.study.report.writing import outcome_files, write_files
 
 BASE = """
 [problem]
@@ -112,7 +112,7 @@ def test_depths_are_written(here, tmp_path):
     (series,) = outcome.fitted[0].further.depths
     assert series.values[-1] == outcome.fitted[0].fit.value(PATH)
     (tmp_path / "out").mkdir()
-    write_outcome(outcome, tmp_path / "out")
+    write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "depths.csv")
     assert [float(row[f"{YOUNG} [Pa]"]) for row in written] == series.values.tolist()
     assert [float(row["depth [m]"]) for row in written] == series.depths.tolist()
@@ -130,7 +130,7 @@ def test_models_are_compared(here, tmp_path):
     assert all("ball" in possible for possible in table["models"])
     assert min(table["aic_cone"]) > 10.0
     (tmp_path / "out").mkdir()
-    write_outcome(outcome, tmp_path / "out")
+    write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "models.csv")
     assert {row["model"]: row["possible [-]"] for row in written if row["curve"] == "curve3.csv"}["cone"] == "0.0"
     assert "Model 'cone': told from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
@@ -155,7 +155,7 @@ def test_shared_numbers_are_those_of_all_curves(here, tmp_path):
     assert low < 4e3 < high
     assert joint.error(PATH) < outcome.errors(outcome.study.free[0]).min()
     (tmp_path / "out").mkdir()
-    write_outcome(outcome, tmp_path / "out")
+    write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "shared.csv")
     assert len(written) == 4
     assert {float(row[f"{YOUNG} [Pa]"]) for row in written} == {joint.value(PATH)}

@@ -22,7 +22,7 @@ from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.fit_writing import dataset, map_grid
-from winkler.study.report.writing import write_outcome
+from winkler.study.report.writing import outcome_files, write_files
 
 STUDY = """
 [problem]
@@ -167,7 +167,7 @@ def test_a_batch_survives_what_cannot_be_fitted(here):
     assert np.allclose(numbers[[0, 3]], [3e3, 5e3], rtol=0.02)
     folder = here / "out"
     folder.mkdir()
-    write_outcome(outcome, folder)
+    write_files(outcome_files(outcome), folder)
     rows = list(csv.DictReader((folder / "fit.csv").open(encoding="utf-8")))
     assert [float(row[f"{YOUNG} [Pa]"] or "nan") for row in rows] == pytest.approx(numbers.tolist(), nan_ok=True)
     assert rows[1]["failure"] == outcome.refused[0].reason

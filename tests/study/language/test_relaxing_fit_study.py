@@ -18,7 +18,7 @@ from winkler.study.batch.fit_recording import results_of, written_fits
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
 from winkler.study.report.fit_writing import dataset
-from winkler.study.report.writing import write_outcome
+from winkler.study.report.writing import outcome_files, write_files
 
 SOLID = "problem.bed.medium.first."
 
@@ -53,7 +53,7 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
     )
     assert direct.values.tolist() == result.fit.values.tolist()
     comes_back(outcome)
-    write_outcome(outcome, tmp_path)
+    write_files(outcome_files(outcome), tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     for words in ("The measured motion drives", "the approach, the hold and the retraction", "Lee", "exponent"):
         assert words in page
@@ -86,7 +86,7 @@ def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
     data = dataset(outcome)
     assert data["residual"].attrs["units"] == "m"
     assert data["fitted_position"].attrs["units"] == "m"
-    write_outcome(outcome, tmp_path)
+    write_files(outcome_files(outcome), tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "The measured forces drive the contact, and the positions were fitted." in page
 

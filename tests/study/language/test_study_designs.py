@@ -16,8 +16,9 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
 from winkler.study.language.writing import study_text
-from winkler.study.report.archive import dataset, write_archive
+from winkler.study.report.archive import archive_files, dataset
 from winkler.study.report.describe import in_words, inputs
+from winkler.study.report.writing import write_files
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))
@@ -85,7 +86,7 @@ def test_drawn_points_are_solved_and_laid_out(study, tmp_path):
     assert found["depth"].dims == ("point",)
     assert found["problem.load.force"].attrs["units"] == "N"
     np.testing.assert_array_equal(found["problem.load.force"].values, forces)
-    write_archive(outcome, tmp_path)
+    write_files(archive_files(outcome), tmp_path)
     rows = list(csv.DictReader((tmp_path / "results.csv").open()))
     assert [float(row["problem.load.force [N]"]) for row in rows] == forces.tolist()
     assert (tmp_path / "sensitivity.csv").exists() is (study.design.kind == "sensitivity")

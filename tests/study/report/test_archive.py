@@ -17,6 +17,7 @@ from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
 from winkler.study.report import archive
+from winkler.study.report.writing import write_files
 from winkler.vocabulary import GLOSSARY, Word
 
 xarray = pytest.importorskip("xarray")
@@ -34,7 +35,7 @@ def folder(outcomes, tmp_path_factory):
     @functools.cache
     def written(name):
         path = tmp_path_factory.mktemp("archive")
-        archive.write_archive(outcomes[name], path)
+        write_files(archive.archive_files(outcomes[name]), path)
         return path
 
     return written
@@ -187,7 +188,7 @@ def test_a_table_of_surface_fields_names_what_was_varied(outcomes, folder):
 
 
 def test_no_fields_no_table_of_fields(outcomes, tmp_path):
-    archive.write_archive(outcomes["one load"], tmp_path)
+    write_files(archive.archive_files(outcomes["one load"]), tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == [archive.CSV, archive.NETCDF]
 
 
@@ -216,15 +217,15 @@ def test_archives_of_equal_studies_agree(tmp_path):
     study = Study("Twice", pressed(), sweep=(Axis("problem.load.force", (1.0, 2.0)),))
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
-        archive.write_archive(run(study), tmp_path / name)
+        write_files(archive.archive_files(run(study)), tmp_path / name)
     one, two = ((tmp_path / name / archive.CSV).read_bytes() for name in ("one", "two"))
     assert one == two
     assert b"\r" not in one
 
 
 def test_writing_again_replaces(outcomes, tmp_path):
-    archive.write_archive(outcomes["two keys"], tmp_path)
-    archive.write_archive(outcomes["one load"], tmp_path)
+    write_files(archive.archive_files(outcomes["two keys"]), tmp_path)
+    write_files(archive.archive_files(outcomes["one load"]), tmp_path)
     with xarray.open_dataset(tmp_path / archive.NETCDF, engine="h5netcdf") as data:
         assert data.attrs["title"] == "A ball"
         assert dict(data.sizes) == {}

@@ -16,7 +16,8 @@ from winkler.plot.fitting.noise_sheet import noise_sheet
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.report.fit_report import figures_of
-from winkler.study.report.fits.pages import write_pages
+from winkler.study.report.fits.pages import curve_pages
+from winkler.study.report.writing import write_files
 
 STUDY = """title = "Gel"
 [problem]
@@ -54,7 +55,7 @@ def outcome(tmp_path):
 def test_a_page_states_everything_behind_its_numbers(outcome, tmp_path):
     target = tmp_path / "results"
     target.mkdir()
-    write_pages(outcome, target, 2)
+    write_files(curve_pages(outcome, 2), target)
     assert sorted(path.name for path in (target / "pages").iterdir()) == ["1_gel_c1.csv.html", "2_gel_c2.csv.html"]
     page = (target / "pages/1_gel_c1.csv.html").read_text(encoding="utf-8")
     assert hashlib.sha256((tmp_path / "gel/c1.csv").read_bytes()).hexdigest() in page

@@ -23,6 +23,7 @@ from winkler.study.report import figures, report
 from winkler.study.report.citing import cite
 from winkler.study.report.figures import answers_over
 from winkler.study.report.page_parts import REPORT
+from winkler.study.report.writing import write_files
 from winkler.validity import Standing
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
@@ -90,7 +91,7 @@ class Written(dict[str, tuple[Any, Path]]):
                 patch.setattr(figures, "pictures_of", lambda contact: ("springs",))
             if name in BRIEF:
                 patch.setattr(figures, "answers_over", lambda outcome: itertools.islice(answers_over(outcome), 1))
-            report.write_report(outcome, folder)
+            write_files(report.report_files(outcome), folder)
         self[name] = outcome, folder
         return self[name]
 
@@ -193,7 +194,7 @@ def test_without_a_report_there_are_figures_only(written):
 
 @pytest.mark.slow
 def test_without_figures_there_is_a_report_only(tmp_path):
-    report.write_report(run(Study("Plain", pressed(), output=Output(figures=()))), tmp_path)
+    write_files(report.report_files(run(Study("Plain", pressed(), output=Output(figures=())))), tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [REPORT]
 
 

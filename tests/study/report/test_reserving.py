@@ -10,8 +10,8 @@ import sys
 import pytest
 
 from winkler.errors import InvalidInput
-from winkler.study.batch import locking
-from winkler.study.batch.locking import locked
+from winkler.io import locking
+from winkler.io.locking import locked
 from winkler.study.report import reserving
 from winkler.study.report.reserving import reserved
 
@@ -31,8 +31,8 @@ def names(folder):
 def test_what_killed_runs_left_is_removed_and_what_is_of_others_is_not(tmp_path):
     for name in (f".ball.{MARK}.partial", f".ball.{MARK}.old", "ball"):
         laid(tmp_path / name)
-    (tmp_path / f"..ball.{STATES}.123.part").write_text("half")
-    others = [".ball.journal", f".ball.{STATES}", ".ball.2.journal", f"..ball.2.{STATES}.9.part", ".ball.lock.txt"]
+    (tmp_path / ".0123456789abcdef.winkler-part").write_text("half")
+    others = [".ball.journal", f".ball.{STATES}", ".ball.2.journal", ".ball.part", ".ball.lock.txt"]
     for name in others:
         (tmp_path / name).write_text("whole")
     laid(tmp_path / f".ball.2.{MARK}.partial")  # of a run into the folder "ball.2"

@@ -13,6 +13,7 @@ from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StatePart, StepLaw
 from winkler.exporting.targets.c_law import law_parts
 from winkler.exporting.targets.heading import heading_lines
+from winkler.exporting.targets.one_export import MARK, marked
 
 __all__ = ["dem_engine_law"]
 
@@ -44,10 +45,8 @@ def dem_engine_law(law: StepLaw, name: str) -> dict[str, str]:
             f"export: the law remembers {len(words)} single numbers a contact, DEM-Engine keeps {MOST_REMEMBERED}; "
             "give fewer springs (count), or a law with less memory."
         )
-    return {
-        f"{name}_prerequisites.cu": _prerequisites(law, name, words),
-        f"{name}_model.cu": _model(law, name, kept),
-    }
+    model = f'static_assert({name}_export == 0x{MARK}, "both files must be of one export");\n{_model(law, name, kept)}'
+    return marked({f"{name}_prerequisites.cu": _prerequisites(law, name, words), f"{name}_model.cu": model})
 
 
 def _words(kept: list[tuple[StatePart, int]], name: str) -> list[str]:
@@ -87,6 +86,8 @@ def _prerequisites(law: StepLaw, name: str, words: list[str]) -> str:
 #ifndef NAN
 #define NAN (0.0 / 0.0)
 #endif
+
+constexpr unsigned long long {name}_export = 0x{MARK};
 
 {code}
 """

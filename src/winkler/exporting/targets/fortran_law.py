@@ -10,6 +10,7 @@ from winkler.exporting.step_law import StepLaw, StepNumber
 from winkler.exporting.targets.c_example import TRACE_TOLERANCE
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.heading import heading_lines
+from winkler.exporting.targets.one_export import MARK, marked
 from winkler.numerics.types import Array
 
 __all__ = ["c_wrapper", "fortran_law"]
@@ -19,12 +20,13 @@ KINDS = {"f": "real(c_double)", "i": "integer(c_int64_t)", "b": "logical(c_bool)
 
 def fortran_law(law: StepLaw, name: str) -> dict[str, str]:
     """Return the files: the C file, what compiles it, the module, and the program."""
-    return {
+    files = {
         f"{name}.f90": _module(law, name),
         f"{name}.h": c_law(law, name),
         f"{name}_c.c": c_wrapper(name),
         f"{name}_test.f90": _program(law, name),
     }
+    return marked(files)
 
 
 def c_wrapper(name: str) -> str:
@@ -32,9 +34,9 @@ def c_wrapper(name: str) -> str:
     return f"""/* The functions of {name}.h for other languages. */
 #include "{name}.h"
 
-void {name}_c_begin({name}_state *state) {{ {name}_begin(state); }}
+void {name}_begin_{MARK}({name}_state *state) {{ {name}_begin(state); }}
 
-void {name}_c_step({name}_state *state, const {name}_motion *motion, {name}_answer *answer) {{
+void {name}_step_{MARK}({name}_state *state, const {name}_motion *motion, {name}_answer *answer) {{
     {name}_step(state, motion, answer);
 }}
 """
@@ -49,6 +51,9 @@ def _module(law: StepLaw, name: str) -> str:
 module {name}
   use, intrinsic :: iso_c_binding
   implicit none
+
+  ! Of this export; the functions of C have it in their names.
+  integer, parameter :: {name}_export_{MARK} = 1
 
   ! What one contact remembers.
   type, bind(c) :: {name}_state
@@ -67,13 +72,13 @@ module {name}
 
   interface
     ! Set a contact apart, as before the first touch.
-    subroutine {name}_begin(state) bind(c, name="{name}_c_begin")
+    subroutine {name}_begin(state) bind(c, name="{name}_begin_{MARK}")
       import :: {name}_state
       type({name}_state), intent(out) :: state
     end subroutine
 
     ! Move a contact by one step.
-    subroutine {name}_step(state, motion, answer) bind(c, name="{name}_c_step")
+    subroutine {name}_step(state, motion, answer) bind(c, name="{name}_step_{MARK}")
       import :: {name}_state, {name}_motion, {name}_answer
       type({name}_state), intent(inout) :: state
       type({name}_motion), intent(in) :: motion
@@ -108,6 +113,7 @@ program {name}_test
 {_rows("trial", law.trial)}
 {_rows("expected", answers)}
 {_row("scale", scale)}
+  if ({name}_export_{MARK} /= 1) error stop 1
   worst = 0
   call {name}_begin(state)
   do step = 1, {steps}

@@ -13,6 +13,7 @@ from winkler.exporting.targets.lammps_contact import CONTACT, MADE
 from winkler.exporting.targets.lammps_granular import granular_law
 from winkler.exporting.targets.lammps_pair import PAIR
 from winkler.exporting.targets.lammps_wall import WALL
+from winkler.exporting.targets.one_export import marked
 from winkler.translation.plain import plain
 
 __all__ = ["farthest_hold", "lammps_law"]
@@ -45,7 +46,7 @@ def lammps_law(law: StepLaw, name: str) -> dict[str, str]:
         raise InvalidInput(f"export: LAMMPS knows no {unknown[0]} of two balls; export this law to c.")
     hold = farthest_hold(law)
     files = {f"pair_{name}.cpp": _filled(law, name, hold), f"{name}.h": c_law(law, name)}
-    return files | granular_law(law, name, hold, radii_of(law)) if is_normal(law) else files
+    return marked(files | granular_law(law, name, hold, radii_of(law)) if is_normal(law) else files)
 
 
 def radii_of(law: StepLaw) -> dict[str, str]:

@@ -7,6 +7,7 @@ import json
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.compilers import compiled_by_zig
+from winkler.exporting.targets.one_export import MARK, marked
 
 __all__ = ["wasm_law"]
 
@@ -21,12 +22,10 @@ def wasm_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
     InvalidInput
         If there is no compiler, or it fails.
     """
-    sources = {f"{name}.h": c_law(law, name), f"{name}_wasm.c": _glue(law, name)}
-    return {
-        f"{name}.wasm": compiled_by_zig(sources, "wasm32-wasi", OPTIONS, f"{name}.wasm"),
-        f"{name}.mjs": _example(law, name),
-        **sources,
-    }
+    example = f"{name}.mjs"
+    files = marked({example: _example(law, name), f"{name}.h": c_law(law, name), f"{name}_wasm.c": _glue(law, name)})
+    sources = {file: text for file, text in files.items() if file != example}
+    return {f"{name}.wasm": compiled_by_zig(sources, "wasm32-wasi", OPTIONS, f"{name}.wasm"), **files}
 
 
 def _glue(law: StepLaw, name: str) -> str:
@@ -41,6 +40,7 @@ static {name}_state contacts[MOST];
 static {name}_motion motion;
 static {name}_answer answer;
 
+EXPORTED("export_{MARK}") int export_mark(void) {{ return 1; }}
 EXPORTED("most") int most(void) {{ return MOST; }}
 EXPORTED("motion") double *motion_at(void) {{ return (double *)&motion; }}
 EXPORTED("answer") double *answer_at(void) {{ return (double *)&answer; }}
@@ -62,6 +62,7 @@ export async function load(bytes) {{
   const wasi = new Proxy({{}}, {{ get: () => () => 0 }}); // the module asks its host for nothing
   const {{ instance }} = await WebAssembly.instantiate(bytes, {{ wasi_snapshot_preview1: wasi }});
   const own = instance.exports;
+  if (!own.export_{MARK}) throw new Error("{name}.wasm is of another export than {name}.mjs; export all files again");
   own._initialize?.();
   const view = (at, count) => new Float64Array(own.memory.buffer, at, count);
   return {{

@@ -21,9 +21,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.locking import lock
 from winkler.io.software import software
+from winkler.io.whole_file import unwritable
 from winkler.study.batch.checkpoint import refuse_other_software
-from winkler.study.batch.locking import lock
 from winkler.study.language.canonical import digest, how_fitted, plain
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis
@@ -140,6 +141,11 @@ class Journal:
         with contextlib.suppress(OSError):
             self.path.unlink(missing_ok=True)
 
+    @property
+    def size(self) -> int:
+        """How much of the disk it takes [bytes]."""
+        return os.fstat(self._file).st_size if self._file >= 0 else 0
+
     def _close(self) -> None:
         if self._file >= 0:
             os.close(self._file)
@@ -162,8 +168,11 @@ class Journal:
     def _write(self, text: str) -> None:
         data = text.encode()
         line = b"%08x %s\n" % (zlib.crc32(data), data)
-        while line:
-            line = line[os.write(self._file, line) :]
+        try:
+            while line:
+                line = line[os.write(self._file, line) :]
+        except OSError as error:
+            raise unwritable(self.path, error, option="folder with --output") from None
 
     def _in_use(self) -> InvalidInput:
         return InvalidInput(

@@ -18,6 +18,7 @@ __all__ = ["packed", "unpacked"]
 
 LEAST_COMPRESSED_BYTES = 4096
 """Arrays with more bytes are compressed."""
+WORD = np.dtype(np.int64)
 
 
 def packed(content: Any) -> Any:
@@ -29,11 +30,11 @@ def packed(content: Any) -> Any:
     [0.1, {'number': 'inf'}, True, 'µm']
     """
     if isinstance(content, np.ndarray):
-        data = np.ascontiguousarray(content).tobytes()
-        compression = {"zlib": True} if len(data) > LEAST_COMPRESSED_BYTES else {}
-        data = zlib.compress(data, 1) if compression else data
+        compressed = content.nbytes > LEAST_COMPRESSED_BYTES
+        data = _compressed(content) if compressed else np.ascontiguousarray(content).tobytes()
         text = base64.b64encode(data).decode("ascii")
-        return {"shape": list(content.shape), "type": content.dtype.str, **compression, "data": text}
+        mark = {"zlib": True} if compressed else {}
+        return {"shape": list(content.shape), "type": content.dtype.str, **mark, "data": text}
     if dataclasses.is_dataclass(content):
         fields = {field.name: packed(getattr(content, field.name)) for field in dataclasses.fields(content)}
         return {"fields": type(content).__name__, **fields}
@@ -71,8 +72,29 @@ def unpacked(content: Any, classes: Mapping[str, type]) -> Any:
     if "number" in content:
         return float(content["number"])
     if "data" in content:
-        data = base64.b64decode(content["data"])
-        data = zlib.decompress(data) if "zlib" in content else data
-        return np.frombuffer(data, dtype=content["type"]).reshape(content["shape"])
+        data, kind, shape = base64.b64decode(content["data"]), np.dtype(content["type"]), tuple(content["shape"])
+        if "zlib" in content:
+            return _decompressed(data, kind, shape)
+        return np.frombuffer(data, dtype=kind).reshape(shape)
     parts = {name: unpacked(item, classes) for name, item in content.items() if name != "fields"}
     return classes[content["fields"]](**parts)
+
+
+def _compressed(content: np.ndarray[Any, Any]) -> bytes:
+    """Return an array compressed: second differences of numbers of eight bytes, taken as whole numbers, byte by byte.
+
+    Along smooth curves neighbours differ in their last bytes alone; whole numbers lose nothing where they overflow.
+    """
+    rows = np.ascontiguousarray(content)
+    if rows.dtype.itemsize == WORD.itemsize:
+        rows = np.diff(rows.view(WORD), n=2, axis=0, prepend=np.zeros((2, *rows.shape[1:]), WORD))
+    planes = rows.reshape(-1).view(np.uint8).reshape(-1, rows.dtype.itemsize).T
+    return zlib.compress(planes.tobytes(), 1)
+
+
+def _decompressed(data: bytes, kind: np.dtype[Any], shape: tuple[int, ...]) -> np.ndarray[Any, Any]:
+    planes = np.frombuffer(zlib.decompress(data), np.uint8).reshape(kind.itemsize, -1)
+    rows = np.ascontiguousarray(planes.T).reshape(-1)
+    if kind.itemsize == WORD.itemsize:
+        rows = np.cumsum(np.cumsum(rows.view(WORD).reshape(shape), axis=0), axis=0)
+    return np.frombuffer(rows.tobytes(), dtype=kind).reshape(shape)

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 from winkler.errors import WinklerError
+from winkler.io.stopping import INTERRUPTED, clear_interrupt, raise_pending
 from winkler.problems.answer import March
 from winkler.study.batch.checkpoint import CheckpointStore
-from winkler.study.batch.stopping import INTERRUPTED, clear_interrupt, raise_pending
 
 __all__ = ["NO_CHECKPOINTS", "MarchResult", "Watch", "solve_march", "unwatched"]
 

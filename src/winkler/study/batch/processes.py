@@ -14,7 +14,7 @@ from multiprocessing import resource_tracker
 from typing import Any
 
 from winkler.errors import InvalidInput, NotConverged
-from winkler.study.batch.stopping import deferred_signals
+from winkler.io.stopping import deferred_signals
 
 __all__ = ["THREAD_VARIABLES", "processes", "ready"]
 

@@ -14,11 +14,11 @@ from typing import Any, TypeVar
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.io.stopping import INTERRUPTED, raise_pending
 from winkler.numerics.types import Array
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
-from winkler.study.batch.stopping import INTERRUPTED, raise_pending
 
 __all__ = ["results"]
 

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
+from winkler.io.stopping import INTERRUPTED
 from winkler.problems.answer import is_march, is_restorable
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.journal import Journal, is_final
@@ -20,7 +21,6 @@ from winkler.study.batch.marching import NO_CHECKPOINTS, MarchResult, Watch, sol
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import json_line, recalled, without_solution
-from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import PointTask, PointTasks, tasks
 from winkler.study.language.study import Expectation, Fields, Study

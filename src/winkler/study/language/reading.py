@@ -11,7 +11,7 @@ from typing import Any
 
 from winkler.errors import InvalidInput, WinklerError
 from winkler.io.foreign import path_text
-from winkler.io.text_file import content_of
+from winkler.io.text_file import content_of, path_of
 from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study.language import axes
 from winkler.study.language.build import assembled
@@ -47,7 +47,7 @@ def read_study(path: str | Path) -> Study:
     InvalidInput
         With one sentence for every mistake: file, key, its value, what is allowed.
     """
-    path = Path(path)
+    path = path_of(path)
     return parse_study(read_text(path), file=path.name, folder=path.parent)
 
 

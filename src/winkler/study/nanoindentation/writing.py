@@ -12,42 +12,40 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
-from winkler.io.indenter_file import write_indenter
+from winkler.io.indenter_file import indenter_text
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.nanoindentation.running import NanoindentationOutcome
-from winkler.study.report.archive import write_table
-from winkler.study.report.page_parts import write_page
-from winkler.study.report.writing import write_provenance
+from winkler.study.report.archive import table_file
+from winkler.study.report.page_parts import page_files
+from winkler.study.report.writing import with_provenance
 from winkler.vocabulary import Word
 
-__all__ = ["write_nanoindentation"]
+__all__ = ["nanoindentation_files"]
 
 
-def write_nanoindentation(outcome: NanoindentationOutcome, folder: Path) -> None:
-    """Write the results of a study into an existing, empty `folder`."""
-    study = outcome.study
+def nanoindentation_files(outcome: NanoindentationOutcome) -> dict[str, bytes]:
+    """Return the files of the results of a study: name -> content."""
+    study, files = outcome.study, dict[str, bytes]()
     if study.calibrates:
         line = f"{study.title}: {len(outcome.calibration[0].force)} unloadings, study {outcome.provenance.hash[:12]}"
-        write_indenter(outcome.calibration[0].indenter, folder / "indenter.toml", made_from=line)
-        write_table(_readings(outcome), folder / "calibration.csv", nothing="")
+        files["indenter.toml"] = indenter_text(outcome.calibration[0].indenter, made_from=line).encode("utf-8")
+        files["calibration.csv"] = table_file(_readings(outcome), nothing="")
     if outcome.evaluated:
-        write_table(_unloadings(outcome), folder / "unloadings.csv", nothing="")
-        write_table(_quantities(outcome), folder / "quantities.csv", nothing="")
+        files["unloadings.csv"] = table_file(_unloadings(outcome), nothing="")
+        files["quantities.csv"] = table_file(_quantities(outcome), nothing="")
     if outcome.continuous:
-        write_table(_continuous(outcome), folder / "continuous.csv", nothing="")
+        files["continuous.csv"] = table_file(_continuous(outcome), nothing="")
     if (statistics := outcome.first_yield) is not None:
-        write_table(_first_yield(statistics), folder / "first_yield.csv", nothing="")
+        files["first_yield.csv"] = table_file(_first_yield(statistics), nothing="")
     if study.output.report or study.output.figures:
         from winkler.study.nanoindentation.report import figures_of, page
 
-        write_page(outcome, folder, figures_of(outcome), page)
-    (folder / "study.toml").write_text(study.text, encoding="utf-8")
-    write_provenance(outcome.provenance, folder, missing=outcome.left)
+        files |= page_files(outcome, figures_of(outcome), page)
+    files["study.toml"] = study.text.encode("utf-8")
+    return with_provenance(files, outcome.provenance, missing=outcome.left)
 
 
 def _column(name: str, unit: str | None, meaning: str, content: object) -> ResultColumn:

@@ -19,8 +19,8 @@ from __future__ import annotations
 
 import csv
 import dataclasses
+import io
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,13 +33,13 @@ from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
 from winkler.study.language.writing import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.netcdf import has_netcdf, netcdf_attributes, write_variables
+from winkler.study.report.netcdf import has_netcdf, netcdf_attributes, netcdf_file
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "rows_of", "write_archive", "write_table"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "archive_files", "dataset", "heading", "rows_of", "table_file"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -50,29 +50,21 @@ EXTRA_STRESSES = ("von_mises", "max_shear")
 """Stresses that are stored beside the components."""
 
 
-def write_archive(outcome: Outcome, folder: Path) -> None:
-    """Write the numbers of a study into a folder.
-
-    Parameters
-    ----------
-    outcome
-        The outcome of a study.
-    folder
-        Must exist; files of the same names are replaced.
-    """
-    if has_netcdf():
-        write_variables(folder / NETCDF, *_dataset(outcome))
-    write_table(outcome.table(), folder / CSV)
+def archive_files(outcome: Outcome) -> dict[str, bytes]:
+    """Return the files that hold the numbers of a study: name -> content."""
+    files = {NETCDF: netcdf_file(*_dataset(outcome))} if has_netcdf() else {}
+    files[CSV] = table_file(outcome.table())
     if any(point.surface for point in outcome.solved):
-        _write_surface(outcome, folder / SURFACE)
+        files[SURFACE] = _surface_file(outcome)
     if outcome.indices:
         heads = ["answer", "key", "pairs", *(f"{name} [-]" for name in INDEX_MEANINGS)]
-        _write_rows(folder / SENSITIVITY, heads, sensitivity.rows(outcome.indices, _varied(outcome)))
+        files[SENSITIVITY] = _rows_file(heads, sensitivity.rows(outcome.indices, _varied(outcome)))
     for name in EVENTS:
         if points := rows_of(outcome, name):
             headings = [heading(one.name, one.word) for one in points[0][1][0]]
             rows = ((point, [[one.content for one in event] for event in events]) for point, events in points)
-            _write_points(outcome, folder / f"{name}.csv", headings, rows)
+            files[f"{name}.csv"] = _points_file(outcome, headings, rows)
+    return files
 
 
 def heading(name: str, entry: Word) -> str:
@@ -86,24 +78,25 @@ def heading(name: str, entry: Word) -> str:
     return name if entry.unit is None else f"{name} [{entry.unit or '-'}]"
 
 
-def write_table(columns: Iterable[ResultColumn], path: Path, *, nothing: str = "nan") -> None:
-    """Write columns as CSV, with units in the heading and all digits; `nothing` stands where there is no number."""
+def table_file(columns: Iterable[ResultColumn], *, nothing: str = "nan") -> bytes:
+    """Return columns as CSV, with units in the heading and all digits; `nothing` stands where there is no number."""
     columns = tuple(columns)
     headings = [heading(column.name, column.word) for column in columns]
-    _write_rows(path, headings, zip(*(column.content.tolist() for column in columns), strict=True), nothing)
+    return _rows_file(headings, zip(*(column.content.tolist() for column in columns), strict=True), nothing)
 
 
-def _write_rows(path: Path, headings: list[str], rows: Any, nothing: str = "nan") -> None:
+def _rows_file(headings: list[str], rows: Any, nothing: str = "nan") -> bytes:
     def written(item: Any) -> Any:
         return (repr(item) if item == item else nothing) if isinstance(item, float) else item
 
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(headings)
-        writer.writerows([written(item) for item in row] for row in rows)
+    store = io.StringIO(newline="")
+    writer = csv.writer(store, lineterminator="\n")
+    writer.writerow(headings)
+    writer.writerows([written(item) for item in row] for row in rows)
+    return store.getvalue().encode("utf-8")
 
 
-def _write_surface(outcome: Outcome, path: Path) -> None:
+def _surface_file(outcome: Outcome) -> bytes:
     many = any(len(point.surface) > 1 for point in outcome.solved)
     first = next(fields for point in outcome.solved for fields in point.surface)
     names = [field.name for field in dataclasses.fields(first)]
@@ -114,7 +107,7 @@ def _write_surface(outcome: Outcome, path: Path) -> None:
             for row in zip(*(getattr(fields, name).tolist() for name in names), strict=True):
                 yield [*([load] if many else []), *row]
 
-    _write_points(outcome, path, headings, ((point, rows(point)) for point in outcome.solved))
+    return _points_file(outcome, headings, ((point, rows(point)) for point in outcome.solved))
 
 
 def rows_of(outcome: Outcome, name: str) -> list[tuple[SolvedPoint, tuple[tuple[Event, ...], ...]]]:
@@ -123,16 +116,16 @@ def rows_of(outcome: Outcome, name: str) -> list[tuple[SolvedPoint, tuple[tuple[
     return [(point, rows) for point, rows in pairs if rows]
 
 
-def _write_points(
-    outcome: Outcome, path: Path, headings: list[str], rows: Iterable[tuple[SolvedPoint, Iterable[list[Any]]]]
-) -> None:
-    """Write rows of points, with the varied keys before them."""
+def _points_file(
+    outcome: Outcome, headings: list[str], rows: Iterable[tuple[SolvedPoint, Iterable[list[Any]]]]
+) -> bytes:
+    """Return rows of points, with the varied keys before them."""
     swept = [heading(key, _swept_word(outcome, key)) for key in _varied(outcome)]
     settings = {
         point.index: [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
         for point in outcome.solved
     }
-    _write_rows(path, [*swept, *headings], ([*settings[point.index], *row] for point, many in rows for row in many))
+    return _rows_file([*swept, *headings], ([*settings[point.index], *row] for point, many in rows for row in many))
 
 
 def _varied(outcome: Outcome) -> list[str]:

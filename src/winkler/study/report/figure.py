@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import re
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from winkler.study.chapters.method_captions import CAPTIONS
@@ -13,7 +12,7 @@ if TYPE_CHECKING:
     from winkler.plot.panel import Sheet
     from winkler.plot.picture import Picture
 
-__all__ = ["ReportFigure", "capital", "drawn", "save", "svg_element"]
+__all__ = ["ReportFigure", "capital", "drawn", "figure_files", "svg_element"]
 
 
 class ReportFigure(NamedTuple):
@@ -106,16 +105,17 @@ def svg_element(shown: ReportFigure, description: str) -> str:
     return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
 
 
-def save(shown: tuple[ReportFigure, ...], folder: Path, formats: tuple[str, ...]) -> None:
-    """Write every figure into ``folder/figures`` in every format."""
-    if not formats:
-        return
-    target = folder / "figures"
-    target.mkdir(exist_ok=True)
-    for one in shown:
-        for ending in formats if one.picture is not None else ():
-            assert one.picture is not None
-            if ending == "svg":
-                (target / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
-            else:
-                one.picture.savefig(target / f"{one.name}.{ending}", dpi=200)
+def figure_files(shown: tuple[ReportFigure, ...], formats: tuple[str, ...]) -> dict[str, bytes]:
+    """Return every figure in every format: name in the folder of results -> content."""
+    return {
+        f"figures/{one.name}.{ending}": one.svg.encode("utf-8") if ending == "svg" else _drawn_file(one.picture, ending)
+        for one in shown
+        if one.picture is not None
+        for ending in formats
+    }
+
+
+def _drawn_file(picture: Picture, ending: str) -> bytes:
+    store = io.BytesIO()
+    picture.savefig(store, format=ending, dpi=200)
+    return store.getvalue()

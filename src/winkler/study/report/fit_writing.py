@@ -13,7 +13,6 @@ All numbers are SI and have all their digits.
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,15 +21,15 @@ from winkler.fitting.outcome import CreepFit, Fit
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
-from winkler.study.report.archive import write_table
-from winkler.study.report.examined.sections import write_further
-from winkler.study.report.netcdf import Variables, has_netcdf, netcdf_attributes, write_variables
+from winkler.study.report.archive import table_file
+from winkler.study.report.examined.sections import further_files
+from winkler.study.report.netcdf import Variables, has_netcdf, netcdf_attributes, netcdf_file
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "MAPS", "MOST_CURVES_AS_TEXT", "NETCDF", "dataset", "map_grid", "write_numbers"]
+__all__ = ["CSV", "MAPS", "MOST_CURVES_AS_TEXT", "NETCDF", "dataset", "map_grid", "number_files"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 MOST_CURVES_AS_TEXT = 24
@@ -50,16 +49,15 @@ POINT_COLUMNS = {
 }
 
 
-def write_numbers(outcome: FitOutcome, folder: Path) -> None:
-    """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
-    write_table(outcome.table(), folder / CSV, nothing="")
-    write_further(outcome, folder)
+def number_files(outcome: FitOutcome) -> dict[str, bytes]:
+    """Return the files that hold the numbers of fits, tables and NetCDF: name -> content."""
+    files = {CSV: table_file(outcome.table(), nothing="")}
     if has_netcdf():
-        write_variables(folder / NETCDF, *_dataset(outcome))
+        files[NETCDF] = netcdf_file(*_dataset(outcome))
         grid = map_grid(outcome)
         if isinstance(grid, Grid):
-            write_variables(folder / MAPS, *_maps(outcome, grid))
-    _write_curves(outcome, folder / "curves")
+            files[MAPS] = netcdf_file(*_maps(outcome, grid))
+    return files | further_files(outcome) | _curve_files(outcome)
 
 
 def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:
@@ -97,18 +95,17 @@ def _points(result: Fitted) -> list[ResultColumn]:
     return [ResultColumn(name, words[name], numbers) for name, numbers in content.items()]
 
 
-def _write_curves(outcome: FitOutcome, folder: Path) -> None:
-    folder.mkdir()
-    taken: set[str] = set()
+def _curve_files(outcome: FitOutcome) -> dict[str, bytes]:
+    files: dict[str, bytes] = {}
     for result in outcome.fitted[:MOST_CURVES_AS_TEXT]:
         stem = re.sub(r"[^\w.+-]+", "_", result.name.replace(".csv", "")).strip("._") or "curve"
         name = next(
             name
             for name in (stem, *(f"{stem}_{count}" for count in range(2, MOST_CURVES_AS_TEXT + 2)))
-            if name not in taken
+            if f"curves/{name}.csv" not in files
         )
-        taken.add(name)
-        write_table(_points(result), folder / f"{name}.csv", nothing="")
+        files[f"curves/{name}.csv"] = table_file(_points(result), nothing="")
+    return files
 
 
 def dataset(outcome: FitOutcome) -> xarray.Dataset:

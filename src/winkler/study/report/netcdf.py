@@ -8,15 +8,15 @@ attributes: the arguments of ``xarray.Dataset``.  The conventions of the file ar
 from __future__ import annotations
 
 import functools
+import io
 import logging
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from winkler.vocabulary import Word
 
-__all__ = ["Variables", "has_netcdf", "netcdf_attributes", "write_variables"]
+__all__ = ["Variables", "has_netcdf", "netcdf_attributes", "netcdf_file"]
 
 LOG = logging.getLogger(__name__)
 LEAST_COMPRESSED = 1000
@@ -47,13 +47,11 @@ def has_netcdf() -> bool:
     return True
 
 
-def write_variables(path: Path, variables: Variables, coords: Variables, attributes: dict[str, Any]) -> None:
-    """Write variables into a NetCDF file; an existing file is replaced.
+def netcdf_file(variables: Variables, coords: Variables, attributes: dict[str, Any]) -> bytes:
+    """Return a NetCDF file of variables, made in memory: on a full disk the library ends the process.
 
     Parameters
     ----------
-    path
-        The file.
     variables, coords, attributes
         As for ``xarray.Dataset``; a coordinate with the name of its only dimension belongs to that dimension.
     """
@@ -61,7 +59,8 @@ def write_variables(path: Path, variables: Variables, coords: Variables, attribu
 
     arrays = {name: np.asarray(content) for name, (_, content, _) in {**variables, **coords}.items()}
     auxiliary = {name: set(dims) for name, (dims, _, _) in coords.items() if tuple(dims) != (name,)}
-    with h5netcdf.File(path, "w", decode_vlen_strings=True) as file:
+    store = io.BytesIO()
+    with h5netcdf.File(store, "w", decode_vlen_strings=True) as file:
         file.attrs.update(attributes)
         for name, (dims, _, attached) in {**coords, **variables}.items():
             sizes = dict(zip(dims, arrays[name].shape, strict=True))
@@ -69,6 +68,7 @@ def write_variables(path: Path, variables: Variables, coords: Variables, attribu
             near = " ".join(sorted(other for other, needed in auxiliary.items() if needed <= set(dims)))
             more = {"coordinates": near} if near and name not in coords else {}
             _add(file, name, tuple(dims), arrays[name], {**attached, **more}, packed=name in variables)
+    return store.getvalue()
 
 
 def _add(file: Any, name: str, dims: tuple[str, ...], array: Any, attached: dict[str, str], *, packed: bool) -> None:

@@ -14,7 +14,7 @@ from winkler.readable import with_readable_numbers
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
 from winkler.study.report.citing import cite
-from winkler.study.report.figure import ReportFigure, save, svg_element
+from winkler.study.report.figure import ReportFigure, figure_files, svg_element
 from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.validity import Note, Standing
@@ -27,9 +27,9 @@ __all__ = [
     "formula_list",
     "framed",
     "origin",
+    "page_files",
     "papers",
     "trust",
-    "write_page",
 ]
 
 WIDE_FIGURE = 7.0
@@ -44,13 +44,12 @@ STANDING_MEANINGS = {
 }
 
 
-def write_page(
-    outcome: Any, folder: Path, shown: tuple[ReportFigure, ...], page: Callable[[Any, tuple[ReportFigure, ...]], str]
-) -> None:
-    """Write figures, and the page that shows them, as the study of an outcome asks."""
-    save(shown, folder, outcome.study.output.figures)
-    if outcome.study.output.report:
-        (folder / REPORT).write_text(page(outcome, shown), encoding="utf-8")
+def page_files(
+    outcome: Any, shown: tuple[ReportFigure, ...], page: Callable[[Any, tuple[ReportFigure, ...]], str]
+) -> dict[str, bytes]:
+    """Return figures, and the page that shows them, as the study of an outcome asks: name -> content."""
+    files = figure_files(shown, outcome.study.output.figures)
+    return files | {REPORT: page(outcome, shown).encode("utf-8")} if outcome.study.output.report else files
 
 
 def framed(title: str, version: str, body: list[str]) -> str:

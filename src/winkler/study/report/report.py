@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
@@ -21,21 +20,24 @@ from winkler.study.report.markup import badge, safe, section
 from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
 from winkler.validity import Standing, worst
 
-__all__ = ["page", "write_report"]
+__all__ = ["page", "report_files"]
 
 
-def write_report(outcome: Outcome, folder: Path) -> None:
-    """Write the figures of a study and its report.
+def report_files(outcome: Outcome) -> dict[str, bytes]:
+    """Return the figures of a study and its report: name -> content.
 
     Parameters
     ----------
     outcome
         The outcome of a study.
-    folder
-        Must exist. Figures go into its folder ``figures``, in the formats that the study's output names; the report,
-        unless the study's output declines it, into ``report.html``.
+
+    Returns
+    -------
+    dict of str to bytes
+        Figures in the folder ``figures``, in the formats that the study's output names; ``report.html``, unless the
+        study's output declines it.
     """
-    parts.write_page(outcome, folder, figures_of(outcome), page)
+    return parts.page_files(outcome, figures_of(outcome), page)
 
 
 def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str:

@@ -14,9 +14,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.study.batch.locking import locked
-from winkler.study.batch.stopping import deferred_signals
-from winkler.study.report.writing import OLD, PARTIAL, holds_results, unwritable
+from winkler.io.locking import locked
+from winkler.io.stopping import deferred_signals
+from winkler.io.whole_file import remove_left, unwritable
+from winkler.study.report.writing import FOLDER, OLD, PARTIAL, holds_results
 
 __all__ = ["reserved"]
 
@@ -53,7 +54,7 @@ def reserved(folder: Path) -> Iterator[None]:
                     "--output."
                 ) from None
             except OSError as error:
-                raise unwritable(folder, error) from None
+                raise unwritable(folder, error, option=FOLDER) from None
             if has_lock:
                 _clean_up(folder)
             try:
@@ -79,6 +80,4 @@ def _clean_up(folder: Path) -> None:
                 shutil.rmtree(aside, ignore_errors=True)
         for partial in parent.glob(f".{name}.{HEX_DIGIT * 12}{PARTIAL}"):
             shutil.rmtree(partial, ignore_errors=True)
-        for part in parent.glob(f"..{name}.{HEX_DIGIT * 16}.*.part"):
-            with contextlib.suppress(OSError):
-                part.unlink()
+        remove_left(parent)

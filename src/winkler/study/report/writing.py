@@ -12,82 +12,88 @@ import json
 import os
 import shutil
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
+from winkler.io.stopping import deferred_signals, raise_pending, set_kept_text
+from winkler.io.whole_file import FULL, unwritable, write_new
 from winkler.study.batch.outcome import Outcome, Provenance
-from winkler.study.batch.stopping import deferred_signals, raise_pending, set_kept_text
 from winkler.study.language.writing import study_text
 
 if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
+    from winkler.study.batch.journal import Journal
 
 __all__ = [
+    "FOLDER",
     "OLD",
     "PARTIAL",
     "PROVENANCE",
     "holds_results",
     "missing",
+    "outcome_files",
     "placed",
-    "unwritable",
-    "write_outcome",
-    "write_provenance",
+    "with_provenance",
+    "write_files",
 ]
 
 PROVENANCE = "provenance.json"
 """File that marks a folder of results, and lists its files."""
 MOST_NAME_BYTES = 220
 """Longest name of a folder [bytes]; names of hidden files beside it are longer, and file systems allow 255."""
+FOLDER = "folder with --output"
+BLOCK_BYTES = 4096
+"""How much more than its bytes a small file takes on a disk."""
 PARTIAL, OLD = ".partial", ".old"
 """Endings of folders that are being written, and of those put aside; a mark of the run stands in front."""
 
 
-def write_outcome(outcome: Outcome | FitOutcome, folder: Path, *, pages: int = 0) -> None:
-    """Write the results of a study into an existing, empty `folder`.
+def outcome_files(outcome: Outcome | FitOutcome, *, pages: int = 0) -> dict[str, bytes]:
+    """Return the files of the results of a study: name in their folder -> content.
 
     Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
     numbers), and provenance.json; of fits also pages of the first curves.
     """
-    path_text = outcome.study.output.report or outcome.study.output.figures
+    shown = outcome.study.output.report or outcome.study.output.figures
     if isinstance(outcome, Outcome):
         from winkler.study.report import archive
 
-        archive.write_archive(outcome, folder)
-        if path_text:
+        files = archive.archive_files(outcome)
+        if shown:
             from winkler.study.report import report
 
-            report.write_report(outcome, folder)
+            files |= report.report_files(outcome)
         text, left = study_text(outcome.study), 0
     else:
         from winkler.study.report import fit_writing
 
-        fit_writing.write_numbers(outcome, folder)
-        if path_text:
+        files = fit_writing.number_files(outcome)
+        if shown:
             from winkler.study.report import fit_report, page_parts
 
-            page_parts.write_page(outcome, folder, fit_report.figures_of(outcome), fit_report.page)
+            files |= page_parts.page_files(outcome, fit_report.figures_of(outcome), fit_report.page)
         if pages:
-            from winkler.study.report.fits.pages import write_pages
+            from winkler.study.report.fits.pages import curve_pages
 
-            write_pages(outcome, folder, pages)
+            files |= curve_pages(outcome, pages)
         text, left = outcome.study.text, outcome.left
     if text:
-        (folder / "study.toml").write_text(text, encoding="utf-8")
-    write_provenance(outcome.provenance, folder, missing=left)
+        files["study.toml"] = text.encode("utf-8")
+    return with_provenance(files, outcome.provenance, missing=left)
 
 
-def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
-    """Write provenance.json, with a list of everything that already lies in `folder`.
+def with_provenance(files: dict[str, bytes], made: Provenance, *, missing: int = 0) -> dict[str, bytes]:
+    """Return files with provenance.json, which lists them.
 
     Parameters
     ----------
+    files
+        Name -> content.
     made
         Provenance of the numbers.
-    folder
-        The folder.
     missing
         Number of curves of an interrupted batch that were not reached.
     """
@@ -101,9 +107,43 @@ def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> Non
         "seconds": made.seconds,
         "packages": dict(made.packages),
         **({"missing": missing} if missing else {}),
-        "files": [*_files(folder), PROVENANCE],
+        "files": [*sorted(files), PROVENANCE],
     }
-    (folder / PROVENANCE).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+    return files | {PROVENANCE: (json.dumps(content, indent=2) + "\n").encode("utf-8")}
+
+
+def write_files(files: Mapping[str, bytes], folder: Path, journal: Journal | None = None) -> None:
+    """Write files into a folder, and folders in it, that nobody else sees yet.
+
+    Parameters
+    ----------
+    files
+        Name -> content.
+    folder
+        Must exist.
+    journal
+        Record of the same numbers on the same disk: it is removed if the files fit in its place, and only then.
+
+    Raises
+    ------
+    OSError
+        If one cannot be written.
+    """
+    left = sum(map(len, files.values())) + BLOCK_BYTES * len(files)
+    with contextlib.ExitStack() as rest:
+        for name, content in files.items():
+            path = folder / name
+            try:
+                write_new(path, content)
+            except OSError as error:
+                written = path.stat().st_size if path.exists() else 0
+                if error.errno not in FULL or journal is None or journal.size + written < left:
+                    raise
+                rest.enter_context(deferred_signals())  # a stop before the end would lose what is in neither
+                journal.remove()
+                journal = None
+                write_new(path, content)
+            left -= len(content) + BLOCK_BYTES
 
 
 def _files(folder: Path) -> list[str]:
@@ -135,7 +175,7 @@ def holds_results(folder: Path) -> bool:
             raise InvalidInput(f"output: '{folder}' is a file; give a folder.")
         present = _files(folder)
     except OSError as error:
-        raise unwritable(folder, error) from None
+        raise unwritable(folder, error, option=FOLDER) from None
     if not present and not any(folder.iterdir()):
         return False
     foreign = [name for name in present if name not in _listed(folder)]
@@ -174,14 +214,6 @@ def _is_here(folder: Path) -> bool:
     return there == here or there in here.parents
 
 
-def unwritable(folder: Path, error: OSError) -> InvalidInput:
-    """Return the error of a folder that cannot be written."""
-    why = (
-        os.strerror(error.errno) if error.errno else type(error).__name__
-    ).lower()  # libraries say more in `strerror`
-    return InvalidInput(f"output: '{path_text(folder)}' cannot be written ({why}); give another folder with --output.")
-
-
 @contextlib.contextmanager
 def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
     """Provide an empty folder to write into; at the end it is renamed to `folder`, unless an error or a stop occurs.
@@ -215,7 +247,7 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
                 done = True
                 set_kept_text(f"the results in {folder} are complete")
         except OSError as error:
-            raise unwritable(folder, error) from None
+            raise unwritable(folder, error, option=FOLDER) from None
     finally:
         if not done:
             with deferred_signals():

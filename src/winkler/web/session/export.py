@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import io
-import tempfile
 import zipfile
-from pathlib import Path
+from pathlib import PurePath
 
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
-from winkler.study.report.figure import ReportFigure, save
+from winkler.study.report.figure import ReportFigure, figure_files
 from winkler.study.report.page_parts import REPORT
 from winkler.web.pictures.replies import File
 
 __all__ = ["exported"]
 
 
-def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
+def exported(outcome: Outcome | FitOutcome, what: str) -> File:
     """Return results as a file.
 
     Parameters
@@ -26,41 +25,26 @@ def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
         Outcome of a study.
     what
         ``csv``, ``netcdf``, ``png`` or ``report``.
-    page
-        The folder of the page: files are written there first, and removed with it if the worker is killed.
     """
     if what == "report":
-        return File(REPORT, _page(outcome).encode("utf-8"))
-    with tempfile.TemporaryDirectory(dir=page) as place:
-        folder = Path(place)
-        if what == "png":
-            save(_figures(outcome), folder, ("png",))
-            return _packed(folder)
-        name = _numbers(outcome, folder)[0 if what == "csv" else 1]
-        return File(name, (folder / name).read_bytes())
+        page = fit_report.page(outcome) if isinstance(outcome, FitOutcome) else report.page(outcome)
+        return File(REPORT, page.encode("utf-8"))
+    if what == "png":
+        return _packed(figure_files(_figures(outcome), ("png",)))
+    files = fit_writing.number_files(outcome) if isinstance(outcome, FitOutcome) else archive.archive_files(outcome)
+    module = fit_writing if isinstance(outcome, FitOutcome) else archive
+    name = module.CSV if what == "csv" else module.NETCDF
+    return File(name, files[name])
 
 
 def _figures(outcome: Outcome | FitOutcome) -> tuple[ReportFigure, ...]:
     return fit_report.figures_of(outcome) if isinstance(outcome, FitOutcome) else figures.figures_of(outcome)
 
 
-def _page(outcome: Outcome | FitOutcome) -> str:
-    return fit_report.page(outcome) if isinstance(outcome, FitOutcome) else report.page(outcome)
-
-
-def _numbers(outcome: Outcome | FitOutcome, folder: Path) -> tuple[str, str]:
-    """Write all numbers, and return the file names of the table and the archive."""
-    if isinstance(outcome, FitOutcome):
-        fit_writing.write_numbers(outcome, folder)
-        return fit_writing.CSV, fit_writing.NETCDF
-    archive.write_archive(outcome, folder)
-    return archive.CSV, archive.NETCDF
-
-
-def _packed(folder: Path) -> File:
-    """Return the pictures of a folder as one archive."""
+def _packed(pictures: dict[str, bytes]) -> File:
+    """Return pictures as one archive."""
     store = io.BytesIO()
     with zipfile.ZipFile(store, "w") as pack:
-        for path in sorted(folder.rglob("*.png")):
-            pack.write(path, path.name)
+        for name, content in sorted(pictures.items()):
+            pack.writestr(PurePath(name).name, content)
     return File("figures.zip", store.getvalue())

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.study.batch.locking import lock
-from winkler.study.batch.stopping import deferred_signals
+from winkler.io.locking import lock
+from winkler.io.stopping import deferred_signals
 
 __all__ = ["uploads"]
 

@@ -284,7 +284,7 @@ class _WorkerState:
 
         if self.outcome is None:
             raise InvalidInput("there are no results to save; correct the study first.")
-        return exported(self.outcome, what, self.folder)
+        return exported(self.outcome, what)
 
 
 def beside_the_curve(sentence: str) -> str:

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,13 +24,13 @@ from winkler.study.batch.fit_further import compared
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free, word_of
-from winkler.study.report.archive import write_table
+from winkler.study.report.archive import table_file
 from winkler.study.report.examined.sentences import further_sentences
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
 from winkler.vocabulary import Word
 
-__all__ = ["further_figures", "further_section", "write_further"]
+__all__ = ["further_figures", "further_files", "further_section"]
 
 MOST_DRAWN = 4
 """Curves of which depths and models are drawn."""
@@ -142,15 +141,14 @@ def _stem(free: Free) -> str:
     return free.key.removeprefix("problem.").replace(".", "_")
 
 
-def write_further(outcome: FitOutcome, folder: Path) -> None:
-    """Write the tables of depths, models and shared numbers, where there are any."""
-    study = outcome.study
-    if any(result.further.depths for result in outcome.fitted):
-        write_table(_depth_columns(outcome), folder / "depths.csv", nothing="")
-    if study.models:
-        write_table(_model_columns(outcome), folder / "models.csv", nothing="")
-    if outcome.joint:
-        write_table(_shared_columns(outcome), folder / "shared.csv", nothing="")
+def further_files(outcome: FitOutcome) -> dict[str, bytes]:
+    """Return the tables of depths, models and shared numbers, where there are any: name -> content."""
+    tables = {
+        "depths.csv": _depth_columns if any(result.further.depths for result in outcome.fitted) else None,
+        "models.csv": _model_columns if outcome.study.models else None,
+        "shared.csv": _shared_columns if outcome.joint else None,
+    }
+    return {name: table_file(columns(outcome), nothing="") for name, columns in tables.items() if columns is not None}
 
 
 TEXT = Word("", None, "")

@@ -20,34 +20,29 @@ from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_tables import answers, doubts
 from winkler.study.report.markup import safe, section, table
 
-__all__ = ["PAGES", "curve_facts", "noise_figure", "write_pages"]
+__all__ = ["PAGES", "curve_facts", "curve_pages", "noise_figure"]
 
 PAGES = "pages"
 """Folder of the pages."""
 
 
-def write_pages(outcome: FitOutcome, folder: Path, most: int) -> None:
-    """Write the pages of the first curves that were fitted, into the folder ``pages``.
+def curve_pages(outcome: FitOutcome, most: int) -> dict[str, bytes]:
+    """Return the pages of the first curves that were fitted, in the folder ``pages``: name -> content.
 
     Parameters
     ----------
     outcome : FitOutcome
-    folder : Path
-        Of the results.
     most : int
         Number of pages.
     """
-    chosen = outcome.fitted[:most]
-    if not chosen:
-        return
-    target = folder / PAGES
-    target.mkdir()
+    files = {}
     width = len(str(len(outcome.results)))
-    for result in chosen:
+    for result in outcome.fitted[:most]:
         number = outcome.results.index(result) + 1
         stem = re.sub(r"[^\w.+-]+", "_", result.name).strip("._") or "curve"
         own = dataclasses.replace(outcome, results=(result,), left=0)
-        (target / f"{number:0{width}d}_{stem}.html").write_text(_page(own, result), encoding="utf-8")
+        files[f"{PAGES}/{number:0{width}d}_{stem}.html"] = _page(own, result).encode("utf-8")
+    return files
 
 
 def _page(outcome: FitOutcome, result: Fitted) -> str:

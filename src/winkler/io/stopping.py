@@ -76,15 +76,26 @@ def set_kept_text(sentence: str) -> None:
 
 @contextlib.contextmanager
 def deferred_signals() -> Iterator[None]:
-    """Defer signals: one that is received inside the block is raised after it."""
+    """Defer signals: one that is received inside the block is raised after it, also by a handler of other programs."""
     if threading.current_thread() is not threading.main_thread():  # signals are raised in that one only
         yield
         return
+    received: list[int] = []
+    others: dict[int, Any] = {}
+    for sign in (signal.SIGINT, signal.SIGTERM):
+        handler = signal.getsignal(sign)
+        if callable(handler) and handler is not _receive and not _state.blocks:
+            others[sign] = handler
+            signal.signal(sign, lambda number, _: received.append(number))
     _state.blocks += 1
     try:
         yield
     finally:
         _state.blocks -= 1
+        for number, handler in others.items():
+            signal.signal(number, handler)
+    for number in received[:1]:
+        signal.raise_signal(number)
     if _state.pending and not _state.blocks:
         _state.pending = False
         raise_pending()

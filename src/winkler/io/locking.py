@@ -7,9 +7,9 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.study.batch.stopping import deferred_signals
+from winkler.io.stopping import deferred_signals
 
-__all__ = ["lock", "locked"]
+__all__ = ["lock", "locked", "open_locked"]
 
 
 def lock(file: int) -> bool:
@@ -82,7 +82,7 @@ def locked(path: Path) -> Iterator[bool]:
     file = -1
     try:
         with deferred_signals():
-            file, has_lock = _open_locked(path)
+            file, has_lock = open_locked(path)
         yield has_lock
     finally:
         if file >= 0:
@@ -99,9 +99,18 @@ def _remove(path: Path, file: int) -> None:
         os.close(file)
 
 
-def _open_locked(path: Path) -> tuple[int, bool]:
+def open_locked(path: Path) -> tuple[int, bool]:
+    """Open a file, made if it is missing, and lock it; return its descriptor, and whether it is locked.
+
+    Raises
+    ------
+    BlockingIOError
+        If another process holds its lock.
+    OSError
+        If it cannot be made.
+    """
     while True:
-        file = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+        file = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0), 0o666)
         try:
             has_lock = lock(file)
             if not has_lock or os.path.samestat(os.fstat(file), os.stat(path)):
