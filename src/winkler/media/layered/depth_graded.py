@@ -49,7 +49,7 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
     InvalidInput
         If something is not of these kinds.
     NotConverged
-        When a result is computed: if more than 3000 cells would be needed.
+        When a result is computed: if 3000 cells more than breaks would be needed.
 
     Examples
     --------
