@@ -100,7 +100,7 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
         """What is assumed."""
         return (
             Note(
-                Assumption.RESOLUTION,
+                Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 f"The graded body is cut into cells so thin that every stiffness k(a) is known to "
                 f"{self.tolerance:.0e}; frictionless, isotropic, linear elastic.",
