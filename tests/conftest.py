@@ -10,6 +10,7 @@ from __future__ import annotations
 import gc
 import importlib
 import os
+import signal
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -32,7 +33,12 @@ hypothesis.settings.load_profile("winkler")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Name the place for compiled kernels before numba is imported; the workers and their children inherit it."""
+    """Name the place for compiled kernels before numba is imported, and hear Ctrl-C; workers and children inherit both.
+
+    A shell that starts pytest in the background (``pytest &`` in a script) starts it deaf to Ctrl-C.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     if "NUMBA_CACHE_DIR" not in os.environ:
         try:
             os.environ["NUMBA_CACHE_DIR"] = str(config.cache.mkdir("kernels"))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import ast
+import re
+
 import pytest
 
 import winkler as wk
@@ -38,3 +41,30 @@ def test_the_worst_of_notes():
     assert worst([notes[wk.Standing.EXACT], notes[wk.Standing.ASYMPTOTIC]]) is wk.Standing.ASYMPTOTIC
     assert worst([notes[wk.Standing.APPROXIMATE], notes[wk.Standing.ASYMPTOTIC]]) is wk.Standing.APPROXIMATE
     assert str(notes[wk.Standing.EXACT]) == "exact: a [b]"
+
+
+RESIDUE = re.compile(r"mismatch|misfit|residual|uncertainty|\bleft\b")
+
+
+def test_no_note_has_one_standing_whatever_a_solver_left(root):
+    """A part that is stated decides on the standing, and it is one of the answer: no kelvin, newtons or metres."""
+    fixed, absolute = [], []
+    for path in sorted((root / "src" / "winkler").rglob("*.py")):
+        for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "Note"):
+                continue
+            standing, statement = call.args[1:3] if len(call.args) > 2 else (None, None)
+            texts = (
+                [text.values for text in ast.walk(statement) if isinstance(text, ast.JoinedStr)] if statement else []
+            )
+            for pieces in texts:
+                for number, after in zip(pieces, [*pieces[1:], ast.Constant("")], strict=True):
+                    if isinstance(number, ast.FormattedValue) and RESIDUE.search(ast.unparse(number.value)):
+                        place = f"{path.name}:{call.lineno}"
+                        if isinstance(standing, ast.Attribute):
+                            fixed.append(place)
+                        words = after.value if isinstance(after, ast.Constant) else ""
+                        if re.match(r" (K|N|m|Pa|W|J)\b", str(words)):
+                            absolute.append(place)
+    assert fixed == []
+    assert absolute == []

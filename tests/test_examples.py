@@ -14,12 +14,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from project_files import ROOT, project_files
 
 from winkler.cli import main
 
-EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
-SCRIPTS = sorted(EXAMPLES.rglob("*.py"))
-STUDIES = sorted((EXAMPLES / "studies").rglob("*.toml"))
+EXAMPLES = ROOT / "examples"
+SCRIPTS = project_files(EXAMPLES, "*.py")
+STUDIES = project_files(EXAMPLES / "studies", "*.toml")
 
 
 def name(path: Path) -> str:

@@ -7,6 +7,7 @@ import re
 
 import numpy as np
 import pytest
+from project_files import project_files
 
 import winkler as wk
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
@@ -25,7 +26,7 @@ def test_how_to_choose_names_everything(root, slot):
 
 
 def test_every_problem_has_a_page_in_the_gallery(root):
-    scripts = [path.read_text(encoding="utf-8") for path in (root / "examples").rglob("*.py")]
+    scripts = [path.read_text(encoding="utf-8") for path in project_files(root / "examples", "*.py")]
     problems = [line.cls.__name__ for line in CATALOGUE["problem"].values()] + [
         "Contacts",
         "BallImpacts",
@@ -121,7 +122,7 @@ def test_heat_of_fretting_on_gradings_takes_rings_and_no_springs():
 def test_pages_lead_on_to_pages_that_are_there(root):
     docs = root / "docs"
     broken = []
-    for path in [*(path for path in docs.rglob("*.md") if "gallery" not in path.parts)]:
+    for path in project_files(docs, "*.md"):
         for target in re.findall(r"\]\(([\w./-]+)(?:#[\w-]*)?\)", path.read_text(encoding="utf-8")):
             place = (path.parent / target).resolve()
             if "gallery" in place.parts:  # made from the examples
@@ -137,7 +138,7 @@ def test_the_puzzle_is_the_first_page(root):
     trees = re.findall(r"```\{toctree\}\n(?::[^\n]*\n)*\n(.*?)```", index, re.DOTALL)
     listed = [page for tree in trees for page in tree.split()]
     assert listed[0] == "puzzle"
-    pages = {path.stem for path in (root / "docs").glob("*.md")} - {"index"}
+    pages = {path.stem for path in project_files(root / "docs", "*.md") if path.parent == root / "docs"} - {"index"}
     assert pages == {page for page in listed if "/" not in page}
 
 
@@ -158,9 +159,9 @@ def test_no_page_promises_more_than_was_tested(root):
     found = []
     for path in [
         root / "README.md",
-        *docs.glob("*.md"),
-        *(docs / "chapters").rglob("*.md"),
-        *(docs / "tutorials").glob("*.md"),
+        *(path for path in project_files(docs, "*.md") if path.parent == docs),
+        *project_files(docs / "chapters", "*.md"),
+        *project_files(docs / "tutorials", "*.md"),
     ]:
         text = {" ".join(words.split()).lower() for words in PROMISES.findall(path.read_text(encoding="utf-8"))}
         found += [f"{path.name}: {words}" for words in text - set(ALLOWED.get(path.name, ()))]

@@ -16,15 +16,11 @@ import shutil
 from pathlib import Path
 
 import pytest
+from project_files import ROOT, project_files
 
-ROOT = Path(__file__).resolve().parents[1]
 PAGES = [
     ROOT / "README.md",
-    *(
-        path
-        for path in sorted((ROOT / "docs").rglob("*.md"))
-        if not {"gallery", "_build"} & set(path.relative_to(ROOT).parts)
-    ),
+    *project_files(ROOT / "docs", "*.md"),
 ]
 FENCE = re.compile(r"(?P<mark><!-- [^\n]*? -->\n)?^```(?P<kind>[^\n]*)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 CHECK = doctest.OutputChecker()

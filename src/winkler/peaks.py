@@ -117,8 +117,13 @@ def _placed_peak(body: Callable[..., BodyFields], radius: float, sharp: Sequence
     if sharp:
         return PlacedStress(float("inf"), sharp[0], 0.0, 0.0)
     tiny = np.finfo(float).tiny
-    place = greatest_around(lambda x, y, z: body(x, y, z if sign > 0.0 else -np.maximum(z, tiny)).von_mises, radius)
-    return PlacedStress(place.value, place.x, place.y, sign * place.z)
+
+    def field(x: Array, y: Array, z: Array) -> Array:
+        deep = radius * z
+        return body(radius * x, radius * y, deep if sign > 0.0 else -np.maximum(deep, tiny)).von_mises
+
+    place = greatest_around(field)
+    return PlacedStress(place.value, radius * place.x, radius * place.y, sign * radius * place.z)
 
 
 def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:

@@ -87,6 +87,7 @@ from winkler.problems.rough.reduced_bed import ReducedBed
 from winkler.problems.rough.spring_line import RoughLine
 from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
@@ -121,7 +122,8 @@ __all__ = [
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution",
     "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution", "ConductanceBounds",
     "ConductanceBoundsSolution", "Constriction", "ConstrictionSolution", "ContactLaw", "ContactLawSolution",
-    "ContactTrace", "Contacts", "CreepForce", "CreepTest", "Creepage", "CurrentFields", "ElasticPlasticParticle",
+    "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest", "Creepage",
+    "CurrentFields", "ElasticPlasticParticle",
     "ElastomerFriction", "ElastomerFrictionSolution", "EllipticFields", "EllipticFrictionHeating",
     "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",
     "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "Equilibrium", "EquilibriumCurve",

@@ -29,6 +29,7 @@ TOKEN = re.compile(
 SPELLINGS = [
     (re.compile("[µμ](?=[A-Za-z])"), "u"),
     (re.compile("[µμ]"), "micron"),
+    (re.compile("Δ°(?=[CF])"), "delta_deg"),
     (re.compile("°(?=[CF])|℃"), "deg"),
     (re.compile("°"), "deg"),
     (re.compile("[ÅÅ]"), "angstrom"),

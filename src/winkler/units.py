@@ -12,14 +12,20 @@ import math
 import re
 from decimal import Decimal
 from fractions import Fraction
+from typing import Any, TypeVar
 
 from winkler.errors import InvalidInput
 from winkler.unit_grammar import COMMON_UNITS, POWERS, Unit, Unreadable, unit_of
 
-__all__ = ["comma_hint", "comma_readings", "format_quantity", "quantity", "scale", "to_si"]
+__all__ = ["comma_hint", "comma_readings", "converted", "format_quantity", "is_fixed", "quantity", "scale", "to_si"]
+
+T = TypeVar("T")
 
 LONGEST_QUANTITY = 100
 """Most characters of a quantity."""
+
+LARGEST_EXACT = 2**53
+"""Whole numbers up to this one are floats."""
 
 QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.ASCII)
 
@@ -209,6 +215,40 @@ def scale(unit_from: str, unit_to: str, *, what: str = "unit") -> float:
     InvalidInput
         If a unit is unknown, the two do not fit, or one has a zero of its own (degC).
     """
+    before, after = _fitting_units(unit_from, unit_to, what)
+    if before.offset or after.offset:
+        raise InvalidInput(
+            f"{what}: '{unit_from}' has a zero of its own, so that no factor leads to '{unit_to}'; write K."
+        )
+    return _factor(before, after, unit_from, what)
+
+
+def converted(numbers: T, unit_from: str, unit_to: str, *, what: str) -> T:
+    """Return a number, or an array, of `unit_from` in `unit_to`; degC and degF become absolute temperatures.
+
+    Raises
+    ------
+    InvalidInput
+        If a unit is unknown, or the two do not fit.
+    """
+    before, after = _fitting_units(unit_from, unit_to, what)
+    if before.offset and unit_to != "K":
+        raise InvalidInput(f"{what}: '{unit_from}' is a temperature, not a difference of two; write K.")
+    exact = before.factor / after.factor
+    if max(exact.numerator, exact.denominator) <= LARGEST_EXACT:  # one rounding: 3 nm are the float nearest to 3e-9
+        result: Any = numbers * float(exact.numerator) / float(exact.denominator)  # type: ignore[operator]
+    else:
+        result = numbers * _factor(before, after, unit_from, what)  # type: ignore[operator]
+    return result + float(before.offset) if before.offset else result  # type: ignore[no-any-return]
+
+
+def is_fixed(unit: str) -> bool:
+    """Return whether a unit of the glossary depends on no other argument, as ``m^(1-n)`` does."""
+    return re.search(r"\^\([^)]*[A-Za-z]", unit) is None
+
+
+def _fitting_units(unit_from: str, unit_to: str, what: str) -> tuple[Unit, Unit]:
+    """Return two units of one dimension."""
     try:
         before, after = unit_of(unit_from), unit_of(unit_to)
     except Unreadable as reason:
@@ -218,10 +258,11 @@ def scale(unit_from: str, unit_to: str, *, what: str = "unit") -> float:
         raise InvalidInput(
             f"{what}: '{unit_from}' is the unit of {_kind(unit_from)[0]}, not of {_kind(unit_to)[0]}{near}."
         )
-    if before.offset or after.offset:
-        raise InvalidInput(
-            f"{what}: '{unit_from}' has a zero of its own, so that no factor leads to '{unit_to}'; write K."
-        )
+    return before, after
+
+
+def _factor(before: Unit, after: Unit, unit_from: str, what: str) -> float:
+    """Return the factor between two units of one dimension."""
     try:
         factor = float(before.factor / after.factor)
     except OverflowError:

@@ -14,7 +14,10 @@ from enum import Enum
 from winkler.assumption import Assumption
 from winkler.values import value
 
-__all__ = ["Assumption", "Note", "Standing", "standing_of", "topic_of", "worst", "worst_of_each"]
+EXACT_PART, LEFT_PARTS = 1e-4, (0.01, 0.1)
+"""What a solver may leave of an answer that is exact; of one that is asymptotic and approximate."""
+
+__all__ = ["Assumption", "Note", "Standing", "standing_left", "standing_of", "topic_of", "worst", "worst_of_each"]
 
 
 class Standing(Enum):
@@ -58,6 +61,21 @@ class Note:
 def standing_of(number: float, small: float, large: float) -> Standing:
     """Return asymptotic up to the limit `small`, approximate up to `large`, and outside beyond, or of no number."""
     return Standing.ASYMPTOTIC if number <= small else Standing.APPROXIMATE if number <= large else Standing.OUTSIDE
+
+
+def standing_left(part: float, best: Standing = Standing.EXACT) -> Standing:
+    """Return the standing of an answer of which a solver leaves a part, at most `best`.
+
+    Parameters
+    ----------
+    part : float
+        What is left over the size of the answer [-]: up to 1e-4 it is exact, up to 0.01 asymptotic, up to 0.1
+        approximate, and outside beyond, or of no number.
+    best : Standing, optional
+        Of the theory.
+    """
+    found = Standing.EXACT if part <= EXACT_PART else standing_of(part, *LEFT_PARTS)
+    return max(best, found, key=list(Standing).index)
 
 
 def worst(notes: Iterable[Note]) -> Standing:

@@ -21,6 +21,7 @@ from winkler.checks.float_range import guarded, guarded_result, guarded_stream
 from winkler.checks.outline import refuse_outline, refuse_relaxing
 from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
+from winkler.quantities import quantity
 from winkler.vocabulary import Word
 from winkler.wrong_names import checked_arguments, unknown_attribute
 
@@ -60,9 +61,11 @@ def _frozen(content: Any) -> Any:
     if type(content) is tuple and FROZEN_TYPES.issuperset(map(type, content)):
         return content
     if isinstance(content, np.ndarray):
+        if hasattr(content, "units") or hasattr(content, "unit"):
+            return content  # the unit of another library, about which its argument decides
         return float(content) if content.ndim == 0 and content.dtype.kind in "iuf" else frozen_array(content)
     if isinstance(content, np.generic):
-        return content.item()
+        return content.item() if content.dtype.kind in "biufcUS" else content
     if isinstance(content, list | tuple) and not hasattr(content, "_fields"):
         return tuple(_frozen(item) for item in content)
     return content
@@ -114,7 +117,8 @@ def value(cls: type[T]) -> type[T]:
     The fields are frozen and compared with their types (`winkler.checks`); then a class's own ``__post_init__`` runs,
     the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
     properties of a solution, state in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
-    takes a few lines (`winkler.display`), and a wrong name raises an error with the right one (`winkler.wrong_names`).
+    takes a few lines (`winkler.display`); ``quantity("depth")`` gives a number with its unit (`winkler.quantities`);
+    a wrong name raises an error with the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
@@ -125,9 +129,12 @@ def value(cls: type[T]) -> type[T]:
         contents = self.__dict__
         for name, checked in checks_of_fields():
             content = contents[name]
-            unchanging = content if type(content) in FROZEN_TYPES else _frozen(content)
-            if checked is not None:
-                unchanging = checked(unchanging)
+            try:
+                unchanging = content if type(content) in FROZEN_TYPES else _frozen(content)
+                if checked is not None:
+                    unchanging = checked(unchanging)
+            except RecursionError:
+                raise InvalidInput(f"{cls.__name__}: {name} holds itself, or lists in lists without end.") from None
             if unchanging is not content:
                 contents[name] = unchanging
         if check is not None:
@@ -150,6 +157,8 @@ def value(cls: type[T]) -> type[T]:
         ("_repr_html_", html_table),
     ):
         setattr(cls, name, method)
+    if "quantity" not in vars(cls).get("__annotations__", {}):
+        cls.quantity = quantity  # type: ignore[attr-defined]
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
         if callable(vars(cls).get(name)):  # a field may have the same name
             setattr(cls, name, guard(vars(cls)[name]))

@@ -314,6 +314,7 @@ ROUGHNESS = {
         ),
         FRICTION,
     ),
+    "contact_stress": wk.ContactStress(wk.Indentation(BED, wk.Force(100.0))),
     **dict.fromkeys(
         ("map_stress", "surface_load"),
         wk.MapStress(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import io
+import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ET
@@ -17,9 +18,11 @@ from exported_laws import PROBLEMS, ran
 
 from winkler.errors import InvalidInput
 from winkler.exporting.choose import law_of
-from winkler.exporting.export import export, write_export
+from winkler.exporting.export import TARGETS, export, write_export
+from winkler.exporting.names import RESERVED
 from winkler.exporting.targets import compilers
 from winkler.exporting.targets.fmu_description import fmu_inputs
+from winkler.exporting.targets.fortran_law import fortran_law
 
 NAMES = ["beads", "gel"]
 
@@ -63,6 +66,43 @@ def test_without_its_compiler_webassembly_is_refused(monkeypatch):
     monkeypatch.setattr(compilers, "_zig", list)
     with pytest.raises(InvalidInput, match=r"pip install winkler\[export\]"):
         export(PROBLEMS["ball"], "wasm")
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["abs", "answer", "c_double", "con", "expected", "iso_c_binding", "lambda", "math", "max", "maxval", "motion",
+     "new", "numpy", "procedure", "scale", "state", "step", "string", "trial", "types", "worst", "yield"],
+)  # fmt: skip
+def test_words_of_the_targets_are_no_names(name):
+    """Issue 38, item 5: 12 of 95 names were accepted and did not compile in Fortran."""
+    for to in ("c", "fortran", "python"):
+        with pytest.raises(InvalidInput, match=rf"^export: '{name}' is a word of .*; give another, such as contact\.$"):
+            export(PROBLEMS["ball"], to, name=name)
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_each_word_that_the_files_in_fortran_use_is_refused(name):
+    """A module cannot have the name of anything that is used or declared where it stands."""
+    files = fortran_law(law_of(PROBLEMS[name], tolerance=1e-3, count=3), "placeholder")
+    used = set()
+    for file in ("placeholder.f90", "placeholder_test.f90"):
+        for line in files[file].splitlines():
+            code = re.sub(r"%\s*\w+|\"[^\"]*\"|[0-9.]+e[-+]?\d+", " ", line).partition("!")[0]
+            member = "::" in code and ("c_double" in code or "c_int" in code or "c_bool" in code) and "!" in line
+            used |= {word.lower() for word in re.findall(r"[A-Za-z]\w*", code.partition("::")[0] if member else code)}
+    used = {word for word in used if "placeholder" not in word and not word.endswith("_")}  # numbers of the state
+    assert {"abs", "c_double", "max", "motion", "state", "step"} <= used
+    assert used - set(RESERVED) <= {"c", "e"}  # of bind(c)
+
+
+@pytest.mark.usefixtures("nothing_compiles")
+def test_files_of_two_targets_share_a_name_only_if_they_are_the_same():
+    """`--to fmu` and `--to fmu3` wrote one file."""
+    found = {}
+    for to in (target for target in TARGETS if target != "wasm"):
+        for file, content in export(PROBLEMS["ball"], to, count=3, tolerance=1e-3).files:
+            assert found.setdefault(file, content) == content, (to, file)
+    assert {"contact.fmu", "contact_fmi3.fmu"} <= set(found)
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from pathlib import Path
 from winkler import study
 from winkler.plot import sheet_of
 from winkler.problems.answer import March
-from winkler.study.batch.outcome import _numbers_of
+from winkler.study.batch.outcome import number_names
 from winkler.study.chapters.answer import Answer, PicturedContact
 from winkler.study.chapters.contents import answers
 from winkler.study.chapters.kind import _loaded, path_of
@@ -48,7 +48,7 @@ def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str
     problem = result.kind.cls
     solution = solution_of(problem)
     fields = {field.name for field in dataclasses.fields(solution)}
-    numbers = set(_numbers_of(solution))
+    numbers = set(number_names(solution))
     known = numbers | {f"{number}{end}" for number in numbers for end in PLANE}
     drawn = {word for pair in result.curves for word in pair} | set(result.compared)
     marches = hasattr(problem, "steps") or "states" in fields
@@ -103,4 +103,4 @@ def test_a_solution_of_many_loads_names_a_number_that_it_has_for_each():
     solutions = [solution_of(line.cls) for line in (answer.kind for answer in answers().values())]
     many = [cls for cls in solutions if hasattr(cls, "at") and "states" not in cls.__dataclass_fields__]
     assert len(many) >= 5
-    assert [cls.__name__ for cls in many if getattr(cls, "per_load", "") not in _numbers_of(cls)] == []
+    assert [cls.__name__ for cls in many if getattr(cls, "per_load", "") not in number_names(cls)] == []

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import ast
 import importlib.util
+from collections import Counter
+
+from project_files import project_files
 
 MOST_FILES = 25
 """In one folder of the package; the literature cases are data."""
@@ -24,14 +27,14 @@ def test_the_page_is_that_of_the_imports(root):
 
 
 def test_no_folder_holds_too_many_files(root):
-    full = {}
+    full: dict[str, int] = {}
     for top in ("src/winkler", "tests", "examples", "docs"):
-        for folder in [root / top, *(path for path in (root / top).rglob("*") if path.is_dir())]:
-            if {"__pycache__", "gallery", "cases", "_build"} & set(folder.relative_to(root).parts):
-                continue
-            count = sum(path.is_file() and path.suffix != ".pyc" for path in folder.iterdir())
-            if count > MOST_FILES:
-                full[folder.relative_to(root).as_posix()] = count
+        counts = Counter(path.parent.relative_to(root) for path in project_files(root / top))
+        full |= {
+            folder.as_posix(): count
+            for folder, count in counts.items()
+            if count > MOST_FILES and "cases" not in folder.parts
+        }
     assert full == {}
 
 

@@ -15,6 +15,7 @@ from email import message_from_string
 from pathlib import Path, PurePosixPath
 
 import pytest
+from project_files import project_files
 
 FOLDERS = {"src", "tests", "examples", "docs", "benchmarks", "constraints"}
 PAGES = {"README.md", "CHANGELOG.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md", "SECURITY.md", "CITATION.cff", "LICENSE"}
@@ -53,8 +54,7 @@ def source(dist):
 
 def files(folder: Path) -> set[str]:
     """Return the files below a folder that git would keep, as paths from the folder that holds it."""
-    found = (path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
-    return {path.relative_to(folder.parent).as_posix() for path in found}
+    return {path.relative_to(folder.parent).as_posix() for path in project_files(folder)}
 
 
 def test_the_version_is_stated_once(root, project):

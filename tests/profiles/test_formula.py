@@ -280,7 +280,7 @@ REFUSED = [
     ),
     (
         {"expression": "r**2", "corners": ("a",)},
-        "Formula: the corner 'a' must be a radius in m between 0 and the reach.",
+        "Formula: corners is ('a',); give a row of numbers in m.",
     ),
     (
         {"expression": "r**2", "kinks": (1.0,)},
@@ -296,7 +296,7 @@ REFUSED = [
         {"expression": "r**2/Radius", "radius": 1.0},
         "the formula 'r**2/Radius': the name 'Radius' is unknown (did you mean 'radius'?); known are r, pi, e, radius.",
     ),
-    ({"expression": "r**2/R", "R": "10 mm"}, "the constant 'R' of a formula is '10 mm'; give a finite number."),
+    ({"expression": "r**2/R", "R": "10 mm"}, "Formula: the constant 'R' is '10 mm'; give a finite number."),
     ({"expression": "r^2"}, "the formula 'r^2': write powers with **, as r**2."),
     ({"expression": 3}, "Formula: expression is 3; give a text: a formula such as 'r**2/(2*R)'."),
     (

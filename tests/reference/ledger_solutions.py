@@ -478,6 +478,21 @@ def elliptic_yield_one_to_three() -> Numbers:
 
 
 @of_case
+def lundberg_palmgren_one_to_three() -> Numbers:
+    """b/a = sqrt((t^2 - 1)(2t - 1)) as an ellipse rolls along b: tau = p0 sqrt(2t - 1)/(2t (t + 1)), also along a."""
+    m, k, e = ellipse(mp.mpf(3))
+    ratio, force = mp.sqrt(1 - m), frac("0.0002")
+    a = mp.cbrt(force * 3 * (k - e) / (2 * mp.pi * m * frac("0.25")))
+    p0 = 3 * force / (2 * mp.pi * a * a * ratio)
+
+    def rolled(axis: mp.mpf, over: mp.mpf) -> Numbers:
+        t = mp.findroot(lambda t: (t * t - 1) * (2 * t - 1) - over**2, (mp.mpf(1), 2 + over), solver="anderson")
+        return [p0 * mp.sqrt(2 * t - 1) / (2 * t * (t + 1)), axis / ((t + 1) * mp.sqrt(2 * t - 1))]
+
+    return [*rolled(ratio * a, ratio), *rolled(a, 1 / ratio), p0]
+
+
+@of_case
 def line_shakedown_cylinder() -> Numbers:
     """p0 = 4 k, at half of a half-width below the surface."""
     p0 = 4 * frac("0.01") / mp.sqrt(3)

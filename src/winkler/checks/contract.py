@@ -47,7 +47,7 @@ def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
         made = part.__class__
         if made in accepted:
             return True
-        if made in NO_PART:
+        if made in NO_PART or isinstance(part, type):
             return False
         if issubclass(made, classes) or any(not _unknown(made, kind) for kind in protocols):
             accepted.add(made)

@@ -1,8 +1,8 @@
 """Checks of the fields of a value, derived from their types once for each class.
 
-A float is a number, an ``Array`` an array of numbers, the name of a class a value of that class, the name of a protocol
-whatever has its members.  ``Annotated`` types restrict numbers (`number_checks`) and, by `Condition`, parts.  A type
-without such a restriction, as ``Any``, admits all contents.
+A float is a number, an ``Array`` an array of numbers (`winkler.checks.plain_numbers`), the name of a class a value of
+that class, the name of a protocol whatever has its members, a tuple of them a list.  ``Annotated`` types restrict
+numbers (`number_checks`) and, by `Condition`, parts.  A type without a restriction, as ``Any``, admits all contents.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from winkler.checks.contract import described, lacking, of_kinds
-from winkler.checks.number_checks import COUNT_BITS, Advice, Check, Ending, Number, ended
-from winkler.checks.physical_size import as_text
+from winkler.checks.number_checks import COUNT_BITS, Advice, Check, Number
+from winkler.checks.physical_size import as_text, refuse_size
+from winkler.checks.plain_numbers import REAL, Argument, plain
 from winkler.errors import InvalidInput
 from winkler.vocabulary import word
 
@@ -32,9 +33,10 @@ KIND_DEMANDS = {
     bool: "give True or False",
 }
 ANY_ARRAY = NDArray[Any]
-NON_NUMERIC_KINDS = (str, bytes, complex, dict, set, object, type(None), bool)
 UNCHECKED_KINDS = (Any, object, type, float, int, str, bool, bytes, tuple, list, dict, set, type(None), np.ndarray)
 """Kinds of which a part is made that nothing is compared with."""
+ABSENT: dict[Any, Any] = {type(None): None, tuple[()]: ()}
+"""Kind of a part that may be left out -> what stands in its place."""
 
 
 class Condition(NamedTuple):
@@ -88,24 +90,62 @@ def _extras(hint: Any) -> tuple[Any, ...]:
 
 def _check(cls: type, field: str, hint: Any) -> Check | None:
     """Return the check that refuses contents which do not fit the type of a field; None if all of them do."""
-    extras = _extras(hint)
-    plain = hint.__origin__ if extras else hint
     section = getattr(cls, "section", "")
     where = f"{section}.{field}" if section else f"{cls.__name__}: {field}"
-    ending = _ending(cls, field, "; ".join(item.text for item in extras if isinstance(item, Advice)))
+    advice = "; ".join(item.text for item in _extras(hint) if isinstance(item, Advice))
+    return _check_of(hint, Argument(where, functools.partial(_unit, cls, field), advice))
+
+
+def _unit(cls: type, field: str) -> str | None:
+    """Return the unit of a field; None if it is no quantity, or no word."""
+    try:
+        return word(cls, field).unit
+    except KeyError:
+        return None
+
+
+def _check_of(hint: Any, argument: Argument) -> Check | None:
+    """Return the check that refuses contents which do not fit a type; None if all of them do."""
+    extras = _extras(hint)
+    plain_hint = hint.__origin__ if extras else hint
     for item in extras:
         if hasattr(item, "check"):
-            return item.check(where, ending)  # type: ignore[no-any-return]
-    if plain in KIND_DEMANDS:
-        return _exact(where, plain, ending)
-    if plain == ANY_ARRAY or set(_union(plain)) == {float, ANY_ARRAY}:
-        return _array(where, ending)
-    many = typing.get_origin(plain) is tuple and typing.get_args(plain)[1:] == (Ellipsis,)
-    kinds = _union(typing.get_args(plain)[0] if many else plain)
-    if not all(isinstance(kind, type) and kind not in UNCHECKED_KINDS for kind in kinds):
+            return item.check(argument)  # type: ignore[no-any-return]
+    if plain_hint in KIND_DEMANDS:
+        return _exact(plain_hint, argument)
+    members = _union(plain_hint)
+    if ANY_ARRAY in members and set(members) <= {float, bool, ANY_ARRAY}:
+        return _array(argument, bool in members)
+    for kind, left_out in ABSENT.items():
+        if kind in members:
+            return _unless(left_out, _check_of(Union[tuple(one for one in members if one != kind)], argument))  # noqa: UP007
+    if many := typing.get_origin(plain_hint) is tuple:
+        entries = typing.get_args(plain_hint)
+        members = _union(entries[0])
+        if entries == (float, Ellipsis):
+            return _row(argument)
+        if entries[1:] != (Ellipsis,) or not _are_classes(members):
+            return _entries(entries, argument)
+    if not _are_classes(members):
         return None
     condition = next((item for item in extras if isinstance(item, Condition)), None)
-    return _parts(where, kinds, many, ending) if condition is None else _conditional(where, kinds, condition)
+    return _parts(members, many, argument) if condition is None else _conditional(members, condition, argument)
+
+
+def _unless(left_out: Any, check: Check | None) -> Check | None:
+    """Return a check that lets through what stands for a part that is left out."""
+    if check is None:
+        return None
+
+    def checked(content: Any) -> Any:
+        return content if type(content) is type(left_out) and content == left_out else check(content)
+
+    return checked
+
+
+def _are_classes(kinds: tuple[Any, ...]) -> bool:
+    """Return whether parts are compared with all of some kinds."""
+    return all(isinstance(kind, type) and kind not in UNCHECKED_KINDS for kind in kinds)
 
 
 def _union(hint: Any) -> tuple[Any, ...]:
@@ -113,50 +153,78 @@ def _union(hint: Any) -> tuple[Any, ...]:
     return typing.get_args(hint) if typing.get_origin(hint) in (Union, types.UnionType) else (hint,)
 
 
-def _ending(cls: type, field: str, advice: str) -> Ending:
-    """Return what completes the sentence of a refusal with the field's unit, looked up only then, and the advice."""
-
-    def ending(demand: str) -> str:
-        try:
-            unit = word(cls, field).unit
-        except KeyError:
-            unit = None
-        return ended(demand, unit, advice)
-
-    return ending
-
-
-def _exact(where: str, kind: type, ending: Ending) -> Check:
-    allowed = (float, int) if kind is float else (kind,)
+def _exact(kind: type, argument: Argument) -> Check:
+    allowed = REAL if kind is float else (kind,)
 
     def checked(content: Any) -> Any:
-        made = type(content)
-        if made not in allowed or (kind is int and content.bit_length() > COUNT_BITS):
-            raise InvalidInput(f"{where} is {as_text(content)}; {ending(KIND_DEMANDS[kind])}.")
-        return content
+        if type(content) is float and kind is float:
+            return content
+        found = content if kind in (str, bool) else plain(content, argument)
+        if type(found) not in allowed or (kind is int and found.bit_length() > COUNT_BITS):
+            raise argument.refused(f"is {as_text(content)}", KIND_DEMANDS[kind])
+        if type(found) is int:
+            refuse_size(argument.where, found)
+        return found
 
     return checked
 
 
-def _array(where: str, ending: Ending) -> Check:
+def _array(argument: Argument, masks: bool) -> Check:
+    """Return the check of numbers in any shape; arrays of truth values are taken where nothing has a unit."""
+
     def checked(content: Any) -> Any:
-        made = type(content)
-        if made in NON_NUMERIC_KINDS or (made is np.ndarray and content.dtype.kind not in "fbc"):
-            demand_text = ending("give a number or an array of numbers")
-            raise InvalidInput(f"{where} is {as_text(content)}; {demand_text}.")
-        return content
+        found = plain(content, argument)
+        if type(found) is int:
+            refuse_size(argument.where, found)
+        if type(found) in REAL or (type(found) is np.ndarray and found.dtype.kind == "f"):
+            return found
+        if type(found) is bool and masks:
+            return found
+        if type(found) is np.ndarray and found.dtype.kind == "b" and (masks or argument.unit() is None):
+            return found
+        raise argument.refused(f"is {as_text(content)}", "give a number or an array of numbers")
 
     return checked
 
 
-def _parts(where: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> Check:
+def _row(argument: Argument) -> Check:
+    """Return the check of a tuple of numbers."""
+
+    def checked(content: Any) -> Any:
+        if type(content) is tuple and REAL.issuperset(map(type, content)):
+            return content
+        found = plain(content, argument)
+        if type(found) is not np.ndarray or found.dtype != float or found.ndim != 1:
+            raise argument.refused(f"is {as_text(content)}", "give a row of numbers{unit}")
+        return tuple(found.tolist())
+
+    return checked
+
+
+def _entries(kinds: tuple[Any, ...], argument: Argument) -> Check:
+    """Return the check of a tuple: of entries of one kind, or of one entry of each kind."""
+    checks = [_check_of(kind, argument) for kind in kinds if kind is not Ellipsis]
+    many = kinds[1:] == (Ellipsis,)
+
+    def checked(content: Any) -> Any:
+        if type(content) is not tuple or not (many or len(content) == len(checks)):
+            count = "entries" if many else f"{len(checks)} entries"
+            raise argument.refused(f"is {as_text(content)}", f"give a list of {count}")
+        each = checks * len(content) if many else checks
+        return tuple(part if check is None else check(part) for check, part in zip(each, content, strict=True))
+
+    return checked
+
+
+def _parts(kinds: tuple[type, ...], many: bool, argument: Argument) -> Check:
     fits = of_kinds(kinds)
 
     def refused(part: Any, place: str = "") -> InvalidInput:
-        made = f"{type(part).__name__}{lacking(kinds, part)}"
-        at = f"{where}{place}" if place else where.replace(": ", ": the ", 1)
-        demand_text = ending(f"give {'a list of ' * many}{described(kinds)}")
-        return InvalidInput(f"{at} is a {made}; {demand_text}.")
+        made = f"a {type(part).__name__}{lacking(kinds, part)}"
+        if isinstance(part, type):
+            made = f"the class {part.__name__} itself, not a value of it"
+        at = argument.where + place if place else argument.where.replace(": ", ": the ", 1)
+        return argument._replace(where=at).refused(f"is {made}", f"give {'a list of ' * many}{described(kinds)}")
 
     def checked(content: Any) -> Any:
         if not many:
@@ -173,12 +241,12 @@ def _parts(where: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> C
     return checked
 
 
-def _conditional(where: str, kinds: tuple[type, ...], condition: Condition) -> Check:
+def _conditional(kinds: tuple[type, ...], condition: Condition, argument: Argument) -> Check:
     fits = of_kinds(kinds)
 
     def checked(content: Any) -> Any:
         if not fits(content) or not condition.holds(content):
-            raise InvalidInput(f"{where} is {as_text(content)}; {condition.demand}.")
+            raise InvalidInput(f"{argument.where} is {as_text(content)}; {condition.demand}.")
         return content
 
     return checked

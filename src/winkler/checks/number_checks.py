@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from winkler.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER, as_text, refuse_size
+from winkler.checks.plain_numbers import REAL, Argument, plain
 from winkler.errors import InvalidInput
 
 __all__ = [
@@ -29,7 +30,6 @@ __all__ = [
     "Advice",
     "Check",
     "Count",
-    "Ending",
     "Finite",
     "FiniteQuantity",
     "FiniteRow",
@@ -50,7 +50,6 @@ __all__ = [
     "affordable",
     "between",
     "checked",
-    "ended",
 ]
 
 COUNT_BITS = 40
@@ -58,8 +57,6 @@ COUNT_BITS = 40
 
 Check: TypeAlias = Callable[[Any], Any]
 """Takes the content of a field, returns it as it is stored, or raises InvalidInput."""
-Ending: TypeAlias = Callable[[str], str]
-"""Takes what is allowed, returns it with the unit of the field and the advice, as the end of a sentence."""
 
 
 class Advice(NamedTuple):
@@ -85,9 +82,9 @@ class Number(NamedTuple):
 
     def admits(self, content: Any) -> bool:
         """Return whether a content is a number, and no truth value, in the interval."""
-        return type(content) in (float, int) and self.least <= content <= self.most and content not in self.excluded
+        return type(content) in REAL and self.least <= content <= self.most and content not in self.excluded
 
-    def check(self, where: str, ending: Ending) -> Check:
+    def check(self, argument: Argument) -> Check:
         """Return what refuses contents of a field that are no such number."""
         low, high = max(self.least, self.smallest or -LARGEST_NUMBER), min(self.most, LARGEST_NUMBER)
         low = math.nextafter(low, high) if low in self.excluded else low
@@ -96,11 +93,12 @@ class Number(NamedTuple):
         def checked(content: Any) -> Any:
             if quick and type(content) is float and low <= content <= high:
                 return content
-            if not self.admits(content):
-                raise InvalidInput(f"{where} is {as_text(content)}; {ending(self.demand)}.")
+            number = plain(content, argument)
+            if not self.admits(number):
+                raise argument.refused(f"is {as_text(content)}", self.demand)
             if self.sized:
-                refuse_size(where, content, self.smallest)
-            return content
+                refuse_size(argument.where, number, self.smallest)
+            return number
 
         return checked
 
@@ -119,13 +117,14 @@ class Whole(NamedTuple):
         allowed = f", {least}" if self.most == math.inf else f" from {self.least} to {self.most}"
         return f"give a whole number{f' of {self.what}' if self.what else ''}{allowed}"
 
-    def check(self, where: str, ending: Ending) -> Check:
+    def check(self, argument: Argument) -> Check:
         """Return what refuses contents of a field that are no such number."""
 
         def checked(content: Any) -> Any:
-            if type(content) is not int or not self.least <= content <= self.most or content.bit_length() > COUNT_BITS:
-                raise InvalidInput(f"{where} is {as_text(content)}; {ending(self.demand)}.")
-            return content
+            number = plain(content, argument)
+            if type(number) is not int or not self.least <= number <= self.most or number.bit_length() > COUNT_BITS:
+                raise argument.refused(f"is {as_text(content)}", self.demand)
+            return number
 
         return checked
 
@@ -172,33 +171,36 @@ class Numbers(NamedTuple):
         count = f"at least {self.fewest} " if self.fewest > 1 else ""
         return f"give a row of {count}{self.each.several}{ORDER_TEXTS[self.order]}"
 
-    def check(self, where: str, ending: Ending) -> Check:
+    def check(self, argument: Argument) -> Check:
         """Return what makes a read-only array of a content of a field, and refuses what is no such array."""
-        single = self.each._replace(demand=self.demand).check(where, ending)
+        single = self.each._replace(demand=self.demand).check(argument)
 
         def refused(what: str) -> InvalidInput:
-            return InvalidInput(f"{where} {what}; {ending(self.demand)}.")
+            return argument.refused(what, self.demand)
 
         def checked(content: Any) -> Any:
-            if self.any_shape and type(content) in (float, int):
-                return single(content)
-            numbers = _array_of_numbers(content)
-            if numbers is None:
+            found = plain(content, argument)
+            if self.any_shape and type(found) in REAL:
+                return single(found)
+            if type(found) in REAL:
+                raise refused("has the shape ()")
+            if not isinstance(found, np.ndarray) or found.dtype != float:
                 raise refused(f"is {as_text(content)}")
+            numbers: NDArray[Any] = found
             if numbers.ndim != 1 and not self.any_shape:
                 raise refused(f"has the shape {numbers.shape}")
             if numbers.size < self.fewest:
                 raise refused(f"has {numbers.size} number{'s' * (numbers.size > 1)}" if numbers.size else "is empty")
-            affordable(where, "numbers", numbers.size, self.most)
+            affordable(argument.where, "numbers", numbers.size, self.most)
             if numbers.size:
                 low, high = float(numbers.min()), float(numbers.max())
                 if not (self.each.admits(low) and self.each.admits(high)):  # undefined ones included
                     raise refused(self._entries_refused(numbers))
                 if max(-low, high) > LARGEST_NUMBER:
-                    refuse_size(where, numbers)
+                    refuse_size(argument.where, numbers)
                 if self.order and not (IN_ORDER[self.order](numbers[1:], numbers[:-1])).all():
                     raise refused(self._step_refused(numbers))
-            return numbers if numbers.ndim else content
+            return numbers
 
         return checked
 
@@ -213,23 +215,8 @@ class Numbers(NamedTuple):
         return f"{verb} from index {place} ({numbers[place]:.6g}) to the next ({numbers[place + 1]:.6g})"
 
 
-def _array_of_numbers(content: Any) -> NDArray[Any] | None:
-    """Return real numbers as a read-only float array; None for anything else."""
-    try:
-        numbers = np.asarray(content)
-        if numbers.dtype == float and not numbers.flags.writeable:
-            return numbers
-        if numbers.dtype.kind not in "iufO" and numbers.size:
-            return None
-        numbers = np.array(numbers, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        return None
-    numbers.flags.writeable = False
-    return numbers
-
-
 def checked(
-    kind: Number | Whole | Numbers, owner: str, name: str, content: Any, unit: str = "", advice: str = ""
+    kind: Number | Whole | Numbers, owner: str, name: str, content: Any, unit: str | None = "", advice: str = ""
 ) -> Any:
     """Return an argument of a function, compared with what it may be as a field is.
 
@@ -242,7 +229,7 @@ def checked(
     content
         What was given.
     unit : str, optional
-        Its SI unit; empty for a plain number.
+        Its SI unit; empty for a plain number, None where a quantity has any.
     advice : str, optional
         What else to do about it.
 
@@ -255,13 +242,7 @@ def checked(
     ------
     InvalidInput
     """
-    plain = content.item() if isinstance(content, np.generic) else content  # as a number of numpy becomes in a field
-    return kind.check(f"{owner}: {name}", lambda demand: ended(demand, unit, advice))(plain)
-
-
-def ended(demand: str, unit: str | None, advice: str = "") -> str:
-    """Return what is allowed with its unit and the advice, as the end of a sentence."""
-    return demand.format(unit=f" in {unit}" if unit else "") + (f": {advice}" if advice else "")
+    return kind.check(Argument(f"{owner}: {name}", lambda: unit, advice))(content)
 
 
 def between(least: float, most: float) -> Number:

@@ -72,4 +72,6 @@ def _attribute(holder: Any, name: str) -> Any:
 
 @functools.cache
 def _lacks(cls: type, name: str) -> bool:
+    if cls is type:
+        return True
     return dataclasses.is_dataclass(cls) and not hasattr(cls, name) and name not in cls.__dataclass_fields__

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -59,8 +60,14 @@ def as_text(content: Any) -> str:
     if isinstance(content, int) and content.bit_length() > LONGEST_BITS:
         return f"a whole number of about {round(content.bit_length() * math.log10(2.0))} digits"
     if isinstance(content, np.ndarray):
-        return f"an array of the shape {content.shape}"
-    text = " ".join(repr(content).split())
+        kind = "" if content.dtype.kind == "f" else f" of {content.dtype}"
+        return f"an array{kind} of the shape {content.shape}"
+    if shape := getattr(content, "shape", ()):
+        return f"a {type(content).__name__} of the shape {shape}"
+    if isinstance(content, np.generic) and content.dtype.kind in "bc":
+        content = content.item()
+    text = (str if hasattr(content, "dimensionality") else repr)(content)
+    text = " ".join(re.sub(r" at 0x[0-9A-Fa-f]+", "", text).split())
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 

@@ -114,6 +114,7 @@ def write_outcome_json(outcome: Outcome | FitOutcome, folder: Path | None, colum
             "title": outcome.study.title,
             "folder": str(folder) if folder else None,
             "version": made.version,
+            "sources": made.sources,
             "hash": made.hash,
             "seconds": made.seconds,
             columns: [

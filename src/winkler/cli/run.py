@@ -192,14 +192,20 @@ def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
 def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
+    from winkler.study.report.headline.questions import questions_of
+    from winkler.study.report.headline.section import doubt_of
+    from winkler.validity import Standing
 
     out = terminal.console()
     out.print(outcome.study.title)
     terminal.answers(outcome, out)
+    doubt = doubt_of(outcome)
+    if doubt.standing is Standing.OUTSIDE:
+        out.print(f"These numbers are outside of what holds: {doubt.statement} {doubt.advice}", soft_wrap=True)
     terminal.indices(outcome, out)
     if outcome.verdicts:
         out.print(verdict_table(outcome.verdicts))
-    terminal.notes(outcome, out)
+    terminal.notes(outcome, out, questions_of(outcome))
     if outcome.failed:
         first = outcome.failed[0]
         out.print(f"{len(outcome.failed)} of {len(outcome.points)} points have no answer; the first: {first.reason}")

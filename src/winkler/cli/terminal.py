@@ -156,8 +156,10 @@ def indices(outcome: Outcome, out: Console) -> None:
     out.print(shown)
 
 
-def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
-    """Show the validity notes, each statement once."""
+def notes(outcome: Outcome | FitOutcome, out: Console, questions: tuple[str, ...] = ()) -> None:
+    """Show questions about unlikely numbers, and the validity notes, each statement once."""
+    for question in questions:
+        out.print(question, soft_wrap=True)
     if outcome.validity:
         out.print("How far this can be trusted:")
     for note in outcome.validity:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import os
 import re
 from collections.abc import Callable, Mapping
@@ -12,6 +11,7 @@ from typing import Any
 from winkler.checks.number_checks import POSITIVE, Whole, checked
 from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
+from winkler.exporting.names import refuse_reserved
 from winkler.exporting.sizes import of_every_radius
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
@@ -93,7 +93,7 @@ def export(
     to : str
         One of "c", "python", "fortran", "lammps", "dem-engine", "fmu", "fmu3", "wasm".
     name : str, optional
-        With which functions and types begin; a word in small letters.
+        With which functions and types begin; a word in small letters that is none of a target's language.
     tolerance : float, optional
         Error of a normal force that is given by a table, over the greatest force.
     count : int, optional
@@ -128,11 +128,12 @@ def export(
     """
     if to not in TARGETS:
         raise InvalidInput(f"export: there is no target {to!r}{suggest(to, TARGETS)}; give {', '.join(TARGETS)}.")
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name) or len(name) > MOST_LETTERS:
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or len(name) > MOST_LETTERS:
         raise InvalidInput(
             f"export: {name!r} cannot begin the names of functions; give a word of small letters, digits and _, of at "
             f"most {MOST_LETTERS} letters."
         )
+    refuse_reserved(name)
     checked(POSITIVE, "export", "tolerance", tolerance)
     checked(Whole(2, what="springs"), "export", "count", count)
     if precision not in PRECISIONS or (precision == "float" and to != "c"):

@@ -17,6 +17,7 @@ from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.misfit import Misfit
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
+from winkler.readable import with_unit
 
 __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 
@@ -121,9 +122,16 @@ def doubts(
             f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
             "is slow, or the model misses the course of the curve.",
         )
-    if not uncertainty.misfit.explained:
+    if not uncertainty.misfit.on_the_whole:
         yield Flag(
             "misfit",
             f"The residuals are {math.sqrt(estimate.chi_square):.3g} times the noise, in contact "
             f"{math.sqrt(estimate.chi_square_in_contact):.3g} times: the model does not explain the curve.",
+        )
+    elif not uncertainty.misfit.explained:
+        place = float(estimate.curve.position[uncertainty.misfit.place])
+        yield Flag(
+            "misfit",
+            f"Near the position {with_unit(place, 'm', 4)} the residuals are {uncertainty.misfit.local:.3g} times the "
+            "noise: the model does not explain this part of the curve.",
         )

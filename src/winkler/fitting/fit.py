@@ -27,6 +27,7 @@ from winkler.fitting.curves.across_pop_ins import across_pop_ins
 from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse, without_baseline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
+from winkler.fitting.elastic.slow_jumps import of_slow_jumps
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.generalised import Generalised, generalised, likeliest
 from winkler.fitting.least_squares import solved
@@ -45,9 +46,6 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
-
-MOST_REWEIGHTINGS = 2
-"""Most changes of the weights by the noise of the last fit."""
 
 
 @overload
@@ -204,7 +202,9 @@ def _fit(
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
     if not isinstance(found, Fit):
         return found
-    return dataclasses.replace(found, flags=(*found.flags, *across_pop_ins(curve, found.touched)))
+    jumps = of_slow_jumps(task.curve.count - found.curve.count)
+    further = across_pop_ins(curve, found.curve, found.touched)
+    return dataclasses.replace(found, flags=(*found.flags, *jumps, *further))
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
@@ -229,7 +229,7 @@ def _best(
 ) -> AnyFit:
     """Return the fit with the least squares."""
     coordinates, _ = solved(task, best_start(task, rough_outline, search), search)
-    for _ in range(MOST_REWEIGHTINGS):
+    for _ in range(task.most_reweightings):
         reweighed = task.reweighed(coordinates, rough_outline, deviation)
         if reweighed is None:
             break
@@ -261,8 +261,8 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         "lows": np.array([p.low for p in task.parameters]),
         "highs": np.array([p.high for p in task.parameters]),
         "noise": noise,
-        "weights": task.weights,
-        "scatter": best.scatter,
+        "weights": task.stated_weights,
+        "scatter": best.scatter_of(task),
         "effective_count": best.noise.effective_count,
         "slow_share": best.noise.slow_share,
         "log_likelihood": best.noise.likelihood + float(np.sum(np.log(task.weights[task.weights > 0.0]))),

@@ -22,6 +22,7 @@ FLAG_MEANINGS = {
     "correlated": "two numbers act nearly alike: fix one of them",
     "no_baseline": "hardly a point out of contact: contact point and zero of force are uncertain",
     "pop_in": "the depth or force jumps while the tip is pressed in: fit the part before the first pop-in",
+    "jump": "a jump-in or pull-off takes time: its points were left out; the work may depend on the speed",
     "too_slow": "a relaxation time is longer than the contact: hold longer, or use one term fewer",
     "too_fast": "a relaxation time is shorter than the sampling: only the viscosity is determined",
     "collapsed": "two relaxation times are one within their errors: use one term fewer",

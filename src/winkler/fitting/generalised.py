@@ -71,7 +71,14 @@ class Generalised(_GeneralisedFields):
     @property
     def scatter(self) -> float:
         """Standard deviation of the residuals."""
-        return float(np.linalg.norm(self.residuals) / np.sqrt(max(self.residuals.size - self.coordinates.size, 1)))
+        return self._deviation_of(self.residuals)
+
+    def scatter_of(self, task: FitTask) -> float:
+        """Return the standard deviation of the residuals as the noise alone weighs them."""
+        return self._deviation_of(self.residuals if task.misfits is None else self.residuals * task.misfits)
+
+    def _deviation_of(self, residuals: Array) -> float:
+        return float(np.linalg.norm(residuals) / np.sqrt(max(residuals.size - self.coordinates.size, 1)))
 
     def misfit(self, task: FitTask, noise: float) -> Misfit:
         """Return the misfit, for a standard deviation of the noise; computed once."""
@@ -79,6 +86,7 @@ class Generalised(_GeneralisedFields):
         if noise not in known:
             counted, freedoms = task.weights > 0.0, task.freedoms(self.prediction)
             left, level = self.residuals - self.noise.disturbance - self.noise.followed, noise or np.finfo(float).tiny
+            left = left if task.misfits is None else left * task.misfits
             known[noise] = misfit_of(left, self.prediction.touched, counted, freedoms, level)
         return known[noise]
 

@@ -44,9 +44,8 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
     low, high = bounds(task.parameters, coordinates)
     margin = 1e-9 * (1.0 + np.abs(coordinates))
     inside = np.maximum(np.minimum(coordinates, high - margin), low + margin)
-    measured, weights = task.measured, task.weights
-    size = float(np.linalg.norm(measured * weights)) or 1.0
-    count = int(np.count_nonzero(weights))
+    size = float(np.linalg.norm(task.measured * task.weights)) or 1.0
+    count = int(np.count_nonzero(task.weights))
     evaluations, settled = (COARSE_PREDICTIONS, COARSELY_SETTLED) if coarse else (MOST_PREDICTIONS, task.settled)
     last: dict[bytes, Prediction] = {}
     search.begin()
@@ -60,11 +59,11 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
 
     def misfit(at: Array) -> Array:
         try:
-            residuals = task.decorrelated((predicted(at).fitted - measured) * weights / size)
+            residuals = task.residuals_of(predicted(at)) / -size
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
-            residuals = np.full(measured.size, REFUSED_RESIDUAL)  # outside the validity of the theory
+            residuals = np.full(task.measured.size, REFUSED_RESIDUAL)  # outside the validity of the theory
         search.record(task.numbers(at), float(residuals @ residuals) * size**2, count)
         return residuals
 

@@ -1,4 +1,7 @@
-"""Whether a model explains a curve: its residuals in contact against the noise out of contact."""
+"""Whether a model explains a curve: its residuals in contact against the noise out of contact.
+
+A part of a few points is a misfit of its own where most residuals in a row far exceed the usual noise out of contact.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.curves.events.record import MAD_TO_SIGMA
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 
@@ -17,19 +21,35 @@ MISFIT_CONFIDENCE = 0.999
 """Part of correct models whose misfit in contact stays below its limit."""
 FEWEST_FREE_POINTS = 20
 """Fewest free points for an estimate of the noise."""
+ROW = 9
+"""Points in a row, of which the median residual counts."""
+LEAST_USUAL = 0.1
+"""Least usual noise, relative to the standard deviation: of digits whose median is none."""
+LOCAL_LIMIT = 8.0
+"""Median residual of a row over the noise, from which on the model does not explain this part of the curve."""
 
 
 class Misfit(NamedTuple):
-    """Squared misfits over the noise, on the whole and in contact, and the limit in contact."""
+    """Squared misfits over the noise, on the whole and in contact, and the limit in contact.
+
+    `local` is the greatest median residual in a row of points over the usual noise, and `place` the middle of the row.
+    """
 
     whole: float
     contact: float
     limit: float
+    local: float
+    place: int
+
+    @property
+    def on_the_whole(self) -> bool:
+        """Whether the model explains the curve, but perhaps for a part of few points."""
+        return self.whole <= MISFIT_LIMIT and self.contact <= self.limit
 
     @property
     def explained(self) -> bool:
         """Whether the model explains the curve."""
-        return self.whole <= MISFIT_LIMIT and self.contact <= self.limit
+        return self.on_the_whole and self.local <= LOCAL_LIMIT
 
 
 def misfit_of(residuals: Array, touched: Array, counted: Array, freedoms: tuple[float, float], noise: float) -> Misfit:
@@ -65,4 +85,18 @@ def misfit_of(residuals: Array, touched: Array, counted: Array, freedoms: tuple[
     whole, contact = (float(np.sum((r / level) ** 2)) for r in (residuals[counted], residuals[touched & counted]))
     half = 0.5 * max(freedoms[1] * share, 1.0)
     limit = growth * max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)
-    return Misfit(whole / freedoms[0], contact / freedoms[1], limit)
+    if count < FEWEST_FREE_POINTS:
+        return Misfit(whole / freedoms[0], contact / freedoms[1], limit, 0.0, 0)
+    usual = MAD_TO_SIGMA * float(np.median(np.abs(own - np.median(own)))) or level
+    local, place = _greatest_row(residuals[counted])
+    local /= max(usual, level * LEAST_USUAL) * float(np.sqrt(growth))
+    return Misfit(whole / freedoms[0], contact / freedoms[1], limit, local, int(np.flatnonzero(counted)[place]))
+
+
+def _greatest_row(residuals: Array) -> tuple[float, int]:
+    """Return the greatest median residual of points in a row, as a standard deviation, and the middle of the row."""
+    if residuals.size < ROW:
+        return 0.0, 0
+    rows = np.median(np.lib.stride_tricks.sliding_window_view(np.abs(residuals), ROW), axis=1)
+    place = int(np.argmax(rows))
+    return MAD_TO_SIGMA * float(rows[place]), place + ROW // 2

@@ -16,6 +16,7 @@ __all__ = ["best_start", "contact_points"]
 
 CONTACT_POINT_SHARES = (0.0, 0.1, 0.3, -0.1)
 """Distances of trial contact points before the rough one, relative to the remaining travel."""
+NO_START = "fit: none of the starts is within the reach of the model; give starts or bounds."
 
 
 def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search) -> Array:
@@ -34,18 +35,17 @@ def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search
         candidates = list(candidates)
         if len(candidates) == 1:
             return candidates[0]
-    coarse, starts = task.coarse, []
+    coarse, starts, refusal = task.coarse, [], OutsideValidity(NO_START)
     for candidate in candidates:
         try:
             starts.append((candidate, float(np.sum(coarse.residuals(candidate) ** 2))))
-        except OutsideValidity:
-            if not task.starts_are_trials:
-                raise
+        except OutsideValidity as error:
+            refusal = refusal if task.starts_are_trials else error
             search.check()
             continue
         search.record(coarse.numbers(candidate), starts[-1][1], int(np.count_nonzero(coarse.weights)))
     if not starts:
-        raise OutsideValidity("fit: none of the starts is within the reach of the model; give starts or bounds.")
+        raise refusal
     starts.sort(key=lambda start: start[1])
     improved = []
     for candidate, _ in starts[: task.starts_improved]:

@@ -17,6 +17,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import LINE_PARAMETERS
@@ -68,6 +69,8 @@ class _TaskFields(NamedTuple):
         What all predictions of a fit share (`winkler.fitting.elastic.model_tables`); of contacts that do not relax.
     acceleration : ndarray, (n,), optional
         Of the tip into the body [m/s^2]; none without inertia.
+    misfits : ndarray, (n,), optional
+        What the model misses at each point relative to the noise, by which the weights are divided; 1 unless given.
     """
 
     curve: ForceCurve
@@ -80,6 +83,7 @@ class _TaskFields(NamedTuple):
     whitening: Whitening | None = None
     tables: Any = None
     acceleration: Array | None = None
+    misfits: Array | None = None
 
 
 class FitTask(_TaskFields):
@@ -90,6 +94,8 @@ class FitTask(_TaskFields):
     coarse_count: ClassVar[int]
     """Number of points for the choice between starts, of which a coarse fit improves the first `starts_improved`."""
     starts_improved: ClassVar[int]
+    most_reweightings: ClassVar[int] = 2
+    """Most changes of the weights, or of the points that count, by the last fit."""
     starts_are_trials: ClassVar[bool]
     """Whether some starts may lie outside the validity of the model, and a single one is improved too."""
 
@@ -97,6 +103,11 @@ class FitTask(_TaskFields):
     def measured(self) -> Array:
         """The fitted quantity ``(n,)``: forces [N], unless a subclass overrides it."""
         return self.curve.force
+
+    @property
+    def stated_weights(self) -> Array:
+        """Factors of the residuals by the noise alone ``(n,)``."""
+        return self.weights if self.misfits is None else self.weights * self.misfits
 
     @property
     def size(self) -> float:
@@ -218,7 +229,24 @@ class FitTask(_TaskFields):
 
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
-        return self.decorrelated((self.measured - self.prediction(coordinates).fitted) * self.weights)
+        return self.residuals_of(self.prediction(coordinates))
+
+    def residuals_of(self, prediction: Prediction) -> Array:
+        """Return the weighted misfit of a prediction.
+
+        Raises
+        ------
+        OutsideValidity
+            If the model predicts what is no finite number.
+        """
+        residuals = self.decorrelated((self.measured - prediction.fitted) * self.weights)
+        if not np.all(np.isfinite(residuals)):
+            place = float(self.curve.position[int(np.argmax(~np.isfinite(prediction.fitted)))])
+            raise OutsideValidity(
+                f"fit: the model predicts no finite number at the position {place:.4g} m of curve '{self.curve.name}'; "
+                "give a profile that reaches so far, or starts and bounds nearer to the answer."
+            )
+        return residuals
 
     def decorrelated(self, columns: Array) -> Array:
         """Return weighted columns ``(n,)`` or ``(n, c)`` as least squares count them."""
@@ -276,6 +304,7 @@ class FitTask(_TaskFields):
             velocity=self.velocity[indices],
             per_force=self.per_force[indices],
             acceleration=None if self.acceleration is None else self.acceleration[indices],
+            misfits=None if self.misfits is None else self.misfits[indices],
         )
 
     @functools.cached_property

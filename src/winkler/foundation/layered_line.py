@@ -25,6 +25,7 @@ from winkler.foundation.strip_waves import smooth_modes, transforms
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.stacked.sliding_film import SlidingFilm
 from winkler.numerics.transforms.strip_equation import StripResponse, octaves, strip_responses, waves
 from winkler.numerics.transforms.strip_modes import (
     along_surface,
@@ -90,8 +91,8 @@ class LayeredLineFoundation(LineBed):
     ----------
     profile : Profile
         The gap f between the undeformed bodies, as of `LineFoundation`.
-    medium : CoatedHalfSpace
-        Bonded layers on a half-plane or a rigid base, against a homogeneous body.
+    medium : CoatedHalfSpace or SlidingFilm
+        Bonded layers, or a film that slides on its base, on a half-plane or a rigid base, against a homogeneous body.
 
     References
     ----------
@@ -100,7 +101,7 @@ class LayeredLineFoundation(LineBed):
     """
 
     profile: Profile
-    medium: Annotated[CoatedHalfSpace, Advice("homogeneous bodies go into a LineFoundation")]
+    medium: Annotated[CoatedHalfSpace | SlidingFilm, Advice("homogeneous bodies go into a LineFoundation")]
 
     search_step: ClassVar[float] = 1.5
     punches_push: ClassVar[bool] = False

@@ -1,4 +1,4 @@
-"""Arrays in NumPy files, ``.npy`` and ``.npz``: read within limits, written atomically with winkler's version."""
+"""Arrays in NumPy files, ``.npy`` and ``.npz``: read within limits, written atomically with what wrote them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import io
 import math
 import os
 from collections.abc import Iterable, Mapping
-from importlib.metadata import version
 from pathlib import Path
 from typing import IO, Any
 
@@ -15,12 +14,13 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, is_archive
 from winkler.io.foreign import sentence_of
+from winkler.io.software import software
 from winkler.io.text_file import existing
 from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 
-__all__ = ["read_arrays", "read_state", "version_of", "write_arrays", "write_state"]
+__all__ = ["read_arrays", "read_state", "software_of", "write_arrays", "write_state"]
 
 MOST_ARRAYS = 1000
 """Arrays in a file."""
@@ -115,13 +115,13 @@ def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_N
     return np.asarray(form.read_array(file, allow_pickle=False))
 
 
-def version_of(path: Path) -> str:
-    """Return the version of winkler that wrote a file; empty if the file does not state it."""
+def software_of(path: Path) -> dict[str, str]:
+    """Return the software that wrote a file, as `winkler.io.software.software`; empty if the file does not state it."""
     try:
-        contents = read_arrays(path, ("version",), wrong="no version can be read from it", remedy="give another file")
-    except InvalidInput:
-        return ""
-    return str(contents.get("version", ""))
+        contents = read_arrays(path, ("software",), wrong="its origin cannot be read", remedy="give another file")
+        return dict(contents["software"].tolist())
+    except (InvalidInput, KeyError, TypeError, ValueError):
+        return {}
 
 
 def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
@@ -133,7 +133,7 @@ def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
         If there is no such folder, or its file cannot be written.
     """
     with written_whole(path) as file:
-        np.savez(file, allow_pickle=False, version=np.array(version("winkler")), **arrays)
+        np.savez(file, allow_pickle=False, software=np.array(list(software().items())), **arrays)
 
 
 def write_state(path: str | os.PathLike[str], form: str, arrays: Mapping[str, Any]) -> Path:

@@ -119,6 +119,11 @@ class CoatedBody(LayeredBody, PushedLayers):
     on: Solid
     second: Solid
 
+    @property
+    def stack(self) -> tuple[Layer, ...]:
+        """The layers, with what they are bonded to."""
+        return self.layers
+
 
 class StackedBody(LayeredBody, PushedLayers):
     """Layers that may be transversely isotropic, and need not be bonded: what slides there bears no push."""

@@ -1,7 +1,8 @@
 """Kernels: plain loops over arrays, compiled when they are first called.
 
 A kernel is written as ordinary Python and decorated with `compiled`.  numba is imported at the first call of a kernel,
-never when winkler is imported.  In a browser (emscripten), where there is no numba, the same source runs as it is.
+never when winkler is imported.  Where there is no numba (in a browser, on a Python that it does not support yet) the
+same source runs as it is, slower.
 What is compiled is kept for the next process, where there is a place for it: see `winkler.caches`.
 
 A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
@@ -16,6 +17,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
+import logging
 import os
 import sys
 import types
@@ -42,8 +44,7 @@ re-association depends on what is around, last digits then differ between a firs
 """
 GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
-INTERPRETED = sys.platform == "emscripten"
-"""Whether kernels run as plain Python, where numba does not exist."""
+LOG = logging.getLogger(__name__)
 
 
 class Kernel(Generic[P, R]):
@@ -95,16 +96,15 @@ class Kernel(Generic[P, R]):
         return self._made(counted=False)
 
     def _made(self, *, counted: bool) -> Callable[P, R]:
-        if INTERPRETED:
+        numba = _numba()
+        if numba is None:
             # compiled arithmetic does not complain either: what comes of it is never chosen
             return np.errstate(divide="ignore", invalid="ignore", over="ignore")(self.function)
         source = self.function
         assert isinstance(source, types.FunctionType)
         cached = with_kernels(Path(source.__code__.co_filename))
-        import numba
-
         if "NUMBA_CACHE_DIR" in os.environ:  # numba may have been imported before there was a place
-            numba.config.CACHE_DIR = os.environ["NUMBA_CACHE_DIR"]  # type: ignore[attr-defined]
+            numba.config.CACHE_DIR = os.environ["NUMBA_CACHE_DIR"]
         referenced: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
@@ -124,6 +124,24 @@ class Kernel(Generic[P, R]):
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         """Run the kernel."""
         return self.machine(*args, **kwargs)
+
+
+@functools.cache
+def _numba() -> Any:
+    """Return numba; None where there is none, or it cannot be loaded: a process says so once."""
+    if sys.platform == "emscripten":
+        return None
+    try:
+        import numba
+    except (ImportError, OSError) as error:
+        import multiprocessing
+
+        if multiprocessing.parent_process() is None:
+            missing = isinstance(error, ModuleNotFoundError) and error.name == "numba"
+            why = "is not installed" if missing else f"cannot be loaded ({' '.join(str(error).split()).rstrip('.')})"
+            LOG.warning("winkler: numba %s; loops run as plain Python, more slowly; install it to run faster.", why)
+        return None
+    return numba
 
 
 def _kernel_of(content: Any) -> Kernel[Any, Any] | None:

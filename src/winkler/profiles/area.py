@@ -20,6 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.equations.roots import between, invert
 from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.types import Array
+from winkler.profiles.area_coefficients import AreaCoefficients
 from winkler.profiles.area_integrals import over_heights, stored, stretched, stretching
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing
@@ -56,19 +57,9 @@ class AreaFunction(Shape):
     W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564
     """
 
-    coefficients: tuple[float, ...]
+    coefficients: AreaCoefficients
 
     def __post_init__(self) -> None:
-        try:
-            numbers = np.ravel(np.asarray(tuple(self.coefficients), dtype=float))
-        except (TypeError, ValueError):
-            numbers = np.zeros(0)
-        if not numbers.size or not np.all(np.isfinite(numbers)) or not np.any(numbers):
-            raise InvalidInput(
-                f"AreaFunction: coefficients are {self.coefficients!r}; give finite numbers C0, C1, ... of which at "
-                "least one is not zero."
-            )
-        object.__setattr__(self, "coefficients", tuple(float(number) for number in numbers))
         first = self._derivatives(self._unit * SEARCHED_HEIGHTS[:1])
         if first[0][0] <= 0.0 or first[1][0] <= 0.0:
             raise InvalidInput(

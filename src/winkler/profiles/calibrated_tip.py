@@ -21,6 +21,7 @@ from winkler.checks.number_checks import Positive, PositiveRow
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
+from winkler.profiles.area_coefficients import AreaCoefficients
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing
@@ -161,22 +162,12 @@ class CalibratedTip(_TipOfArea):
         shape_factor=(r"\beta", "", "stiffness over that of a round contact with the same area"),
     )
 
-    coefficients: tuple[float, ...]
+    coefficients: AreaCoefficients
     shallowest: Positive
     deepest: Positive
     shape_factor: Positive = 1.0
 
     def __post_init__(self) -> None:
-        try:
-            numbers = tuple(float(number) for number in self.coefficients)
-        except (TypeError, ValueError):
-            numbers = ()
-        if not numbers or not all(map(math.isfinite, numbers)) or not any(numbers):
-            raise InvalidInput(
-                f"CalibratedTip: coefficients are {self.coefficients!r}; give finite numbers C0, C1, ... of which at "
-                "least one is not zero."
-            )
-        object.__setattr__(self, "coefficients", numbers)
         if not self.shallowest < self.deepest:
             raise InvalidInput(
                 f"CalibratedTip: it is calibrated from {self.shallowest:.6g} to {self.deepest:.6g} m; give two depths "

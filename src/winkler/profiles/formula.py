@@ -16,6 +16,7 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from winkler.checks.number_checks import Advice, PositiveOrInfinite
 from winkler.errors import InvalidInput
@@ -26,6 +27,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.formula_parts import (
     CORNER_OFFSETS,
     ROUNDING_RATIO,
+    constants_of,
     last_finite,
     law_of,
     powers_of,
@@ -85,29 +87,21 @@ class Formula(Shape):
         expression: str,
         reach: float = math.inf,
         *,
-        corners: Iterable[float] = (),
+        corners: ArrayLike = (),
         constants: Mapping[str, float] | Iterable[tuple[str, float]] = (),
         **named: float,
     ) -> None:
         if "kinks" in named:
             raise InvalidInput("Formula: radii where the slope jumps are given as corners=(...), not as kinks.")
-        try:
-            numbers = dict(constants) | named
-            listed = tuple(corners)
-        except (TypeError, ValueError):
-            raise InvalidInput(
-                "Formula: constants are a table of names and numbers, as {'R': 0.01}, and corners a list of radii, as "
-                f"[1e-3]; constants is {constants!r:.60} and corners {corners!r:.60}."
-            ) from None
         object.__setattr__(self, "expression", expression)
-        object.__setattr__(self, "constants", tuple(sorted(numbers.items())))
+        object.__setattr__(self, "constants", constants_of("Formula", constants, named))
         object.__setattr__(self, "reach", reach)
-        object.__setattr__(self, "corners", listed)
+        object.__setattr__(self, "corners", corners)
         self.__post_init__()
 
     def __post_init__(self) -> None:
         for corner in self.corners:
-            if not (_is_number(corner) and 0.0 < corner < self.reach):
+            if not 0.0 < corner < self.reach:
                 raise InvalidInput(f"Formula: the corner {corner!r} must be a radius in m between 0 and the reach.")
         object.__setattr__(self, "corners", tuple(sorted({float(corner) for corner in self.corners})))
         start_of(self._law)
@@ -213,7 +207,3 @@ class Formula(Shape):
         first = x * abel.gap(self._slope_of_rest, self.corners, x, powers / inner)
         second = abel.gap(lambda r: r * r * self._slope_of_rest(r), self.corners, x, powers * inner)
         return np.asarray(powers + first - second / inner)
-
-
-def _is_number(content: object) -> bool:
-    return isinstance(content, int | float) and not isinstance(content, bool)

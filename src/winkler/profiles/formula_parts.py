@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
+from winkler.checks.number_checks import FINITE, checked
+from winkler.checks.physical_size import as_text
 from winkler.errors import InvalidInput
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import Terms
@@ -16,6 +20,7 @@ from winkler.profiles.power import PowerLaw
 __all__ = [
     "CORNER_OFFSETS",
     "ROUNDING_RATIO",
+    "constants_of",
     "last_finite",
     "law_of",
     "powers_of",
@@ -97,6 +102,18 @@ def last_finite(law: Expression, low: float, high: float) -> float:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if np.isfinite(law.taylor([middle])[0][0]) else (low, middle)
     return low
+
+
+def constants_of(owner: str, constants: Any, named: Mapping[str, float]) -> tuple[tuple[str, Any], ...]:
+    """Return the constants of a formula, given as a table or as pairs, and those given by name, sorted by name."""
+    try:
+        table = sorted((dict(constants) | dict(named)).items())
+    except (TypeError, ValueError):
+        given = as_text(constants)
+        raise InvalidInput(
+            f"{owner}: constants is {given}; give a table of names and numbers in SI units, as {{'R': 0.01}}."
+        ) from None
+    return tuple((name, checked(FINITE, owner, f"the constant '{name}'", number, None)) for name, number in table)
 
 
 @functools.lru_cache(maxsize=256)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
-from winkler.checks.number_checks import Check, Ending, Number
+from winkler.checks.number_checks import Check, Number
 from winkler.checks.physical_size import as_text
-from winkler.errors import InvalidInput
+from winkler.checks.plain_numbers import Argument, plain
 
 __all__ = ["HalfAngle"]
 
@@ -18,17 +18,16 @@ HALF_ANGLE_RANGE = Number("measured from the axis it must lie between 0 and pi/2
 class AngleBetween(NamedTuple):
     """A half-angle between 0 and pi/2, both excluded; a number that looks like degrees is refused with its radians."""
 
-    def check(self, where: str, ending: Ending) -> Check:
+    def check(self, argument: Argument) -> Check:
         """Return what refuses contents of a field that are no such angle."""
 
         def checked(content: Any) -> Any:
-            if not HALF_ANGLE_RANGE.admits(content):
-                degrees = type(content) in (float, int) and RIGHT_ANGLE <= content < 90.0
-                hint = f"if {content:g} are degrees, give math.radians({content:g})" if degrees else ""
-                raise InvalidInput(
-                    f"{where} is {as_text(content)} rad; {ending(HALF_ANGLE_RANGE.demand)}{f'; {hint}' * degrees}."
-                )
-            return content
+            angle = plain(content, argument)
+            if not HALF_ANGLE_RANGE.admits(angle):
+                degrees = type(angle) in (float, int) and RIGHT_ANGLE <= angle < 90.0
+                hint = f"; if {angle:g} are degrees, give math.radians({angle:g})" if degrees else ""
+                raise argument.refused(f"is {as_text(angle)} rad", f"{HALF_ANGLE_RANGE.demand}{hint}")
+            return angle
 
         return checked
 

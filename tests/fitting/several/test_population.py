@@ -41,6 +41,55 @@ def test_intervals_hold_the_mean(count, between):
     assert 0.92 <= held / worlds <= 0.98
 
 
+def test_an_absurd_error_does_not_rule_the_mean():
+    """14 curves +- 0.5 to 1.1 kPa and one +- 1 Pa: 2.693 [2.691, 2.694] kPa, where the plain mean is 2.56 +- 0.04."""
+    scatter = np.linspace(-1.0, 1.0, 14) * 0.25
+    values = 2560.0 + 1e3 * np.array([0.133, *(scatter - 0.133 / 14.0)])
+    errors = np.array([1.0, *np.linspace(500.0, 1100.0, 14)])
+    found = population(values, errors, logarithmic=False)
+    plain = values.std(ddof=1) / np.sqrt(15.0)
+    assert plain == pytest.approx(40.0, rel=0.1)
+    assert found.mean == pytest.approx(2560.0, abs=1e-9)
+    assert found.standard_error == pytest.approx(plain, rel=1e-12)
+    assert found.interval() == pytest.approx((2560.0 - 2.144787 * plain, 2560.0 + 2.144787 * plain), rel=1e-6)
+    assert (found.doubted, found.overstated, found.decisive) == ((0,), True, ())
+
+
+def test_an_unknown_error_is_not_zero():
+    """Without an error the curve counts like a usual one, and in no other way than one whose error is absurd."""
+    values, errors = [1000.0, 1100.0, 950.0, 1050.0], [20.0, 30.0, 25.0]
+    zero, absurd, unknown = (population(values, [first, *errors]) for first in (0.0, 1e-3, np.nan))
+    assert zero.mean == absurd.mean == unknown.mean
+    assert zero.interval() == absurd.interval() == unknown.interval()
+    assert zero.doubted == (0,)
+    assert zero.weights.sum() == pytest.approx(1.0, rel=1e-15)
+    assert zero.weights.max() < 0.3
+
+
+def test_a_curve_that_decides_alone_is_named():
+    """With 0.15 of the others' errors it has 1/0.15^2 = 44 of 48 parts of the weight, and that may be true."""
+    values = 1e3 + np.array([0.0, 60.0, -110.0, 80.0, -40.0])
+    found = population(values, [15.0, 100.0, 100.0, 100.0, 100.0], logarithmic=False)
+    assert found.decisive == (0,)
+    assert found.weights[0] == pytest.approx(1.0 / 0.15**2 / (1.0 / 0.15**2 + 4.0), rel=1e-12)
+    assert (found.doubted, found.overstated) == ((), False)
+    assert population(values, [50.0, 100.0, 100.0, 100.0, 100.0], logarithmic=False).decisive == ()
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("factor", [1.0, 5.0], ids=["errors as they are", "errors five times too large"])
+@pytest.mark.parametrize("count", [15, 50])
+def test_intervals_hold_the_mean_beside_an_absurd_error(count, factor):
+    random, held, worlds = np.random.default_rng([count, 3]), 0, 1000
+    for _ in range(worlds):
+        errors = 0.05 * np.exp(random.uniform(-1.15, 1.15, count))
+        moduli = 2e3 * np.exp(errors * random.standard_normal(count))
+        stated = factor * errors * np.array([1e-3, *[1.0] * (count - 1)])
+        low, high = population(moduli, stated * moduli).interval()
+        held += low < 2e3 < high
+    assert 0.92 <= held / worlds <= 0.98
+
+
 def test_calibration_does_not_average_out():
     random = np.random.default_rng(5)
     moduli = 1e3 * np.exp(0.01 * random.standard_normal(400))

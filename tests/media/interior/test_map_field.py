@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
-from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid, von_mises
+from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.media.interior.periodic_map_field import PeriodicMapField
+from winkler.media.interior.tensor import von_mises
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "reference"))
 from ledger_solutions import boussinesq, cerruti

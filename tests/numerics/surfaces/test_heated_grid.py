@@ -118,14 +118,23 @@ def test_in_fast_motion_heat_flows_into_the_depth_only():
 
 def test_surfaces_that_share_heat_have_one_temperature():
     flux, pixel = hertz(48, 1.0, 1.5)
-    for first, second in (((1.0, 0.0), (2.0, 0.0)), ((1.0, 0.0), (1.0, 300.0)), ((0.1, 30.0), (5.0, -2e4))):
+    for first, second in (
+        ((1.0, 0.0), (2.0, 0.0)),
+        ((1.0, 0.0), (1.0, 300.0)),
+        ((0.1, 30.0), (5.0, -2e4)),
+        ((5e7, 3.0), (1.0, 0.0)),
+    ):
         grids = [HeatedGrid.of(flux.shape, pixel, *body) for body in (first, second)]
         sharing = shared_heat.HeatSharing(grids[0], grids[1], flux > 0.0)
-        inflow = sharing.first_flux(flux, 0.3)
-        apart = (grids[0].warmed(inflow) - grids[1].warmed(flux - inflow) - 0.3)[flux > 0.0]
+        inflow, outflow = sharing.fluxes(flux, 0.0)
+        warm = [grid.warmed(part) for grid, part in zip(grids, (inflow, outflow), strict=True)]
+        assert np.max(np.abs(warm[0] - warm[1])[flux > 0.0]) < 1e-7 * np.max(warm[0])
+        np.testing.assert_allclose(inflow + outflow, flux, rtol=1e-12, atol=1e-12)
+        inflow, outflow = sharing.fluxes(flux, 0.3)
+        apart = (grids[0].warmed(inflow) - grids[1].warmed(outflow) - 0.3)[flux > 0.0]
         assert np.max(np.abs(apart)) < 1e-7
         assert not np.any(inflow[flux == 0.0])
-    assert not np.any(sharing.first_flux(0.0 * flux, 0.0))
+    assert not np.any(sharing.fluxes(0.0 * flux, 0.0))
 
 
 def test_one_that_does_not_settle_says_so(monkeypatch):
@@ -134,4 +143,4 @@ def test_one_that_does_not_settle_says_so(monkeypatch):
     monkeypatch.setattr(shared_heat, "MOST_ROUNDS", 1)
     monkeypatch.setattr(shared_heat, "ROUND", 2)
     with pytest.raises(NotConverged, match="do not agree"):
-        shared_heat.HeatSharing(grids[0], grids[1], flux > 0.0).first_flux(flux, 0.0)
+        shared_heat.HeatSharing(grids[0], grids[1], flux > 0.0).fluxes(flux, 0.0)

@@ -397,3 +397,71 @@ def test_the_size_of_free_flight_is_noted():
 def test_what_cannot_be_used_is_refused(make, statements):
     with pytest.raises(wk.InvalidInput, match=statements):
         make()
+
+
+GOOD, BAD = wk.ElectricalConductor(2e-8), wk.ElectricalConductor(1e-6)
+UNLIKE = wk.ElectricalConductors(wk.Plated(BAD, 2e-6, on=GOOD), wk.Plated(GOOD, 2e-6, on=BAD))
+SPOT = wk.Foundation(wk.FlatPunch(5e-6), wk.HalfSpace.between(wk.Elastic(100e9, 0.3)))
+
+
+def test_a_spot_between_unlike_platings_has_no_single_temperature():
+    """Numbers of an independent solution; one temperature of 604.2 K was given, and a share of .7824."""
+    hot = wk.JouleHeating(SPOT, UNLIKE, wk.Force(1.0), wk.Voltage(0.2)).solve()
+    assert (hot.middle_temperature, hot.edge_temperature) == pytest.approx((615.0, 600.2), abs=0.05)
+    assert hot.edge_temperature < hot.contact_temperature < hot.middle_temperature
+    many = wk.Constriction(BALL, UNLIKE, wk.Radius(np.geomspace(1e-6, 9e-6, 60))).solve()
+    one = many.at(41)
+    assert many.first_constriction[41] == pytest.approx(one.first_constriction, rel=1e-8)
+    contact = wk.Constriction(SPOT, UNLIKE, wk.Force(1.0)).solve()
+    assert contact.first_constriction / contact.resistance == pytest.approx(0.7801, abs=5e-5)
+    assert any("614.99 K on its axis, 600.21 K at its edge" in note.statement for note in hot.validity)
+    turned = wk.JouleHeating(
+        SPOT, wk.ElectricalConductors(UNLIKE.second, UNLIKE.first), wk.Force(1.0), wk.Voltage(0.2)
+    ).solve()
+    assert turned.edge_temperature == pytest.approx(hot.edge_temperature, rel=1e-9)
+    like = wk.JouleHeating(SPOT, PAIR, wk.Force(1.0), wk.Voltage(0.2)).solve()
+    assert like.middle_temperature == like.edge_temperature == like.contact_temperature
+
+
+@pytest.mark.parametrize("radius", [1e-6, 5e-6, 40e-6])
+def test_the_first_body_has_the_part_of_the_heat_that_its_resistivity_has_of_the_resistance(radius):
+    """R is least for the current as it flows, so that its derivative by one body's resistivity is that body's heat."""
+
+    def whole(factor):
+        body = wk.Plated(wk.ElectricalConductor(factor * 1e-6), 2e-6, on=wk.ElectricalConductor(factor * 2e-8))
+        pair = wk.ElectricalConductors(body, UNLIKE.second)
+        return float(pair.resistances(np.array([radius])).whole[0])
+
+    step = 1e-2
+    slope = (8.0 * (whole(1.0 + step) - whole(1.0 - step)) - whole(1.0 + 2 * step) + whole(1.0 - 2 * step)) / (
+        12 * step
+    )
+    assert float(UNLIKE.resistances(np.array([radius])).first[0]) == pytest.approx(slope, rel=1e-7)
+
+
+@pytest.mark.parametrize("alpha", [0.0, 4e-3])
+def test_the_hot_spot_between_unlike_platings_on_a_grid(alpha):
+    """On the axis T follows from the share of the cold voltage: theta of both bodies adds up to that of all."""
+    plated = [
+        wk.Plated(wk.ElectricalConductor(one, alpha), 2e-6, on=wk.ElectricalConductor(other, alpha))
+        for one, other in ((1e-6, 2e-8), (2e-8, 1e-6))
+    ]
+    pair = wk.ElectricalConductors(*plated)
+    hot = wk.JouleHeating(SPOT, pair, wk.Force(1.0), wk.Voltage(0.2)).solve()
+    share = float(UNLIKE.resistances(np.array([5e-6])).middle[0])
+    lorenz, ambient = hot.problem.law.lorenz_number, 293.15
+    phi = np.linspace(0.0, 0.2, 200_001)
+    temperature = np.sqrt(ambient**2 + phi * (0.2 - phi) / lorenz)
+    conducted = np.cumsum(1.0 / (1.0 + alpha * (temperature - ambient)))
+    there = int(np.searchsorted(conducted, share * conducted[-1]))
+    assert hot.middle_temperature == pytest.approx(temperature[there], rel=2e-5)
+
+
+def test_conductance_is_in_proportion_to_stiffness_of_bare_bodies_alone():
+    """Plated half-spaces resist 4.710e-4 ohm where their stiffness would say 2.386e-4."""
+    plated = wk.ElectricalConductors(wk.Plated(BAD, 2e-6, on=GOOD), GOOD)
+    rods = wk.ElectricalConductors(wk.Rod(GOOD, 1e-3, 1e-2), wk.Rod(GOOD, 1e-3, 1e-2))
+    filmed = wk.ElectricalConductors(GOOD, GOOD, wk.SurfaceFilm(1e-14))
+    for pair, said in ((PAIR, True), (UNLIKE, False), (plated, False), (rods, False), (filmed, False)):
+        notes = wk.Constriction(BALL, pair, wk.Force(1.0)).solve().validity
+        assert any("are in proportion, 2 / (E*" in note.statement for note in notes) == said

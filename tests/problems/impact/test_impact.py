@@ -316,7 +316,7 @@ def test_exactly_at_the_limit_of_sticking():
     """Where the bound of the first touch grows as fast as the ball slides, it sticks, unless it is hard to slow."""
     unit = 0.4 * SPEED / ratio(0.3)
     assert ball(BALL, 0.4, unit).solve().stages[0].side == 0
-    heavy = ball(BALL, 0.4, unit, lever=0.0).solve()
+    heavy = ball(BALL, 0.4, unit, lever=0.0, inertia=math.inf).solve()
     np.testing.assert_allclose(heavy.balance, 1.0, atol=1e-11)
     assert heavy.stages[0].side == (1 if ratio(0.3) < 1.0 else 0)
 
@@ -382,3 +382,26 @@ def test_notes_state_what_is_left_out():
     assert "Waves in the bodies take about" in statements
     straight = " ".join(note.statement for note in ball(BALL, 0.4, 0.0).solve().validity)
     assert "Cattaneo-Mindlin" not in straight
+
+
+STRUCK = wk.Foundation(wk.Sphere(20e-3), wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)))
+THROWN = {"mass": 0.035, "velocity": 2.0, "lateral_velocity": 1.0}
+
+
+def test_a_steel_ball_that_is_thrown_leaves_with_spin():
+    blow = wk.Impact(STRUCK, wk.Coulomb(0.5), **THROWN, inertia=5.6e-6, lever=20e-3).solve()
+    assert blow.angular_velocity[-1] == pytest.approx(35.865, rel=1e-3)
+    assert blow.lateral_velocity[-1] == pytest.approx(0.713, rel=1e-3)
+
+
+@pytest.mark.parametrize(("given", "missing"), [({"inertia": 5.6e-6}, "lever"), ({"lever": 20e-3}, "inertia")])
+def test_inertia_and_lever_act_only_together(given, missing):
+    """Without a word the ball had kept its spin of zero, and its velocity had turned to -0.827 m/s."""
+    with pytest.raises(wk.InvalidInput, match=f"give .*{missing}|{missing} is 0"):
+        wk.Impact(STRUCK, wk.Coulomb(0.5), **THROWN, **given)
+
+
+def test_a_lever_without_inertia_is_of_a_body_whose_spin_stays():
+    spun = wk.Impact(STRUCK, wk.Coulomb(0.5), mass=0.035, velocity=2.0, angular_velocity=10.0, lever=20e-3).solve()
+    assert spun.angular_velocity[-1] == 10.0
+    assert spun.lateral_velocity[-1] > 0.0

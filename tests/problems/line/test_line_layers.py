@@ -86,14 +86,26 @@ def test_a_force_leads_back_to_its_half_width_and_grows_by_flat_punches(poisson,
     assert float(bed.load_profile_slope(np.array([half_width]))[0]) == pytest.approx(slope, rel=1e-8)
 
 
-def collocated(poisson, half_width, count):
-    """Load of a cylinder on a strip of the thickness 1, after Erdogan and Gupta: zeros of U_n and of T_(n+1)."""
+def bonded(k, poisson):
+    """M of a layer of the thickness 1 bonded to a rigid base (Johnson 1985, section 5.8)."""
     kappa = 3.0 - 4.0 * poisson
+    below = 2.0 * kappa * np.cosh(2.0 * k) + 1.0 + kappa**2 + 4.0 * k * k
+    return (2.0 * kappa * np.sinh(2.0 * k) - 4.0 * k) / below - 1.0
+
+
+def slid(k, softer):
+    """M of a layer of the thickness 1 that slides on a half-plane, from E* of the layer over that of the base."""
+    s, c, e = -0.5 * np.expm1(-2.0 * k), 0.5 * (1.0 + np.exp(-2.0 * k)), np.exp(-2.0 * k)  # over exp(k)
+    both = s * c + k * e
+    return (s * s + softer * both) / (both + softer * (s * s - k * k * e)) - 1.0
+
+
+def collocated(excess, half_width, count):
+    """Load of a cylinder on a strip of the thickness 1, after Erdogan and Gupta: zeros of U_n and of T_(n+1)."""
     step = 0.25 / (1.0 + half_width)
     k = (np.arange(int(22.0 / step))[:, None] + 0.5 * (np.polynomial.legendre.leggauss(12)[0] + 1.0)).ravel() * step
     weights = np.tile(0.5 * step * np.polynomial.legendre.leggauss(12)[1], k.size // 12)
-    below = 2.0 * kappa * np.cosh(2.0 * k) + 1.0 + kappa**2 + 4.0 * k * k
-    excess = (2.0 * kappa * np.sinh(2.0 * k) - 4.0 * k) / below - 1.0
+    excess = excess(k)
     angle = np.pi * np.arange(1, count + 1) / (count + 1)
     s, shares = half_width * np.cos(angle), half_width * np.pi * np.sin(angle) ** 2 / (count + 1)
     x = half_width * np.cos(np.pi * (np.arange(1, count + 2) - 0.5) / (count + 1))
@@ -107,8 +119,50 @@ def collocated(poisson, half_width, count):
 @pytest.mark.parametrize("half_width", [0.2, 1.5, 6.0])
 def test_a_cylinder_by_another_discretisation(poisson, half_width):
     """Collocation on the closed compliance of a bonded layer (Johnson 1985, section 5.8)."""
-    expected = collocated(poisson, half_width, 60)
+    expected = collocated(lambda k: bonded(k, poisson), half_width, 60)
     assert of_width(strip(poisson), half_width).force_per_length == pytest.approx(expected, rel=1e-11)
+
+
+def sliding(softer, profile=CYLINDER, second=None, poisson=0.4):
+    """A film of E* = 1 and the thickness 1 that slides on a base of E* = 1 / softer."""
+    base = wk.Elastic((1.0 - 0.3**2) / softer, 0.3) if softer else wk.Rigid()
+    film = wk.Layer(wk.Elastic(1.0 - poisson**2, poisson), 1.0)
+    return wk.LayeredLineFoundation(profile, wk.SlidingFilm([film], base, second or wk.Rigid()))
+
+
+@pytest.mark.parametrize("softer", [0.0, 0.05, 1.0, 40.0])
+@pytest.mark.parametrize("half_width", [0.2, 1.5, 6.0])
+def test_a_cylinder_on_a_film_that_slides_by_another_discretisation(softer, half_width):
+    """The base decides, and nothing but E* of the film counts."""
+    found = of_width(sliding(softer), half_width).force_per_length
+    assert found == pytest.approx(collocated(lambda k: slid(k, softer), half_width, 80), rel=1e-9)
+    assert of_width(sliding(softer, poisson=0.1), half_width).force_per_length == pytest.approx(found, rel=1e-12)
+
+
+@pytest.mark.parametrize("ratio", [30.0, 100.0])
+def test_a_thin_film_that_slides_is_a_row_of_springs(ratio):
+    """p = E* (a^2 - x^2)/(2 R h), incompressible or not: the film gives way sideways."""
+    contact = of_width(sliding(0.0, poisson=0.5), ratio)
+    assert contact.force_per_length == pytest.approx(2.0 / 3.0 * ratio**3, rel=1.2 / ratio)
+    assert contact.depth == pytest.approx(0.5 * ratio**2, rel=1.0 / ratio)
+    assert contact.peak_pressure == pytest.approx(0.5 * ratio**2, rel=1.0 / ratio)
+
+
+@pytest.mark.parametrize("softer", [0.0, 2.0])
+def test_stresses_in_a_film_that_slides_on_its_base(softer):
+    """No shear on the interface, what bears there holds the load up, and both faces of it bear the same."""
+    contact = of_width(sliding(softer), 1.5)
+    x = np.linspace(-60.0, 60.0, 4001)
+    bottom = contact.stresses(x, np.full(x.size, 1.0))
+    np.testing.assert_allclose(bottom.xz_stress, 0.0, atol=1e-9 * contact.peak_pressure)
+    borne = -np.trapezoid(bottom.zz_stress, x)
+    assert borne == pytest.approx(contact.force_per_length, rel=1e-6 if softer == 0.0 else 1e-3)
+    inside = contact.stresses(np.array([0.0, 0.7]), np.zeros(2))
+    np.testing.assert_allclose(inside.zz_stress, -contact.pressure(np.array([0.0, 0.7])), rtol=1e-9)
+    if softer:
+        below = contact.stresses(x, np.full(x.size, np.nextafter(1.0, 2.0)))
+        np.testing.assert_allclose(below.zz_stress, bottom.zz_stress, atol=1e-9 * contact.peak_pressure)
+    assert any("slides on its base" in note.statement for note in contact.validity)
 
 
 @pytest.mark.few(1)

@@ -116,7 +116,7 @@ def test_second_body_and_refusals():
         assert [float(fields.xx_stress), float(fields.yy_stress)] == pytest.approx(expected, rel=1e-10)
     with pytest.raises(wk.InvalidInput, match="lie in both bodies"):
         contact.stresses(0.0, 0.0, [-1e-5, 1e-5])
-    with pytest.raises(wk.InvalidInput, match="give one of von_mises, max_shear, orthogonal_shear"):
+    with pytest.raises(wk.InvalidInput, match="give one of von_mises, max_shear, orthogonal_shear, longitudinal_shear"):
         contact.greatest_stress(measure="tresca")
     for friction in (math.nan, "0.1", [0.1, 0.2]):
         with pytest.raises(wk.InvalidInput, match="finite coefficient"):

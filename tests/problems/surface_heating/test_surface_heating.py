@@ -14,7 +14,7 @@ from scipy.integrate import quad
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.surfaces import shared_heat
-from winkler.validity import Assumption, Standing
+from winkler.validity import Assumption, Standing, worst
 
 STEEL = wk.ThermalConductor.of(conductivity=50.0, density=7850.0, heat_capacity=450.0)
 STEELS = wk.HeatConductors(STEEL, STEEL)
@@ -239,3 +239,37 @@ def test_a_contact_of_few_pixels_and_hot_bodies_say_so():
     assert notes[Assumption.RESOLUTION] is Standing.ASYMPTOTIC
     assert notes[Assumption.TEMPERATURE] is not Standing.ASYMPTOTIC
     assert fine.grid_error < 0.005
+
+
+@pytest.mark.parametrize(
+    ("speeds", "rise"),
+    [((1.0, 0.0), 0.28359), ((0.0, 1.0), 4e-4 / math.pi * math.log(1.0 + math.sqrt(2.0)) * 3e5 / 50.0)],
+    ids=["moves", "rests"],
+)
+def test_a_square_against_a_near_insulator_takes_all_the_heat(speeds, rise):
+    """.28359 K by moving point sources, .6733 K by Carslaw and Jaeger; .2876 K came out, "exact" with 0.02 K left."""
+    pressure = np.full((64, 64), 1e6)
+    load = wk.SurfaceLoad(pressure, [2e-4, 2e-4], x_traction=0.3 * pressure * (speeds[1] - speeds[0]))
+    pair = wk.HeatConductors(wk.ThermalConductor(50.0, 1e-5), wk.ThermalConductor(1e-6, 1e-5))
+    warm = wk.SurfaceFrictionHeating(load, pair, first_speed=speeds[0], second_speed=speeds[1]).solve()
+    assert warm.max_temperature == pytest.approx(rise, rel=3e-4)
+    assert warm.mismatch < 1e-6 * rise
+    assert warm.last.first_temperature.max() == pytest.approx(
+        warm.last.second_temperature[pressure > 0.0].max(), rel=1e-6
+    )
+    assert worst(warm.validity) in (Standing.EXACT, Standing.ASYMPTOTIC)
+
+
+def test_what_is_left_counts_against_the_rise():
+    """The standing follows from the difference of temperatures over the rise, whatever both are in kelvin."""
+    pressure = np.full((8, 8), 1e6)
+    load = wk.SurfaceLoad(pressure, [2e-4, 2e-4], x_traction=-0.3 * pressure)
+    warm = wk.SurfaceFrictionHeating(load, STEELS, first_speed=1.0).solve()
+    for part, standing in ((1e-6, Standing.EXACT), (0.07, Standing.APPROXIMATE), (0.2, Standing.OUTSIDE)):
+        last = dataclasses.replace(warm.last, mismatch=part * warm.max_temperature)
+        (note,) = [
+            note
+            for note in dataclasses.replace(warm, last=last).validity
+            if "one temperature in every" in note.statement
+        ]
+        assert note.standing is standing

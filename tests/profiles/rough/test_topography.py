@@ -286,7 +286,7 @@ def test_blocks_that_are_not_whole_are_left_out():
         ((np.full((3, 3), np.nan), [1.0, 1.0]), "all missing"),
         ((np.full((3, 3), np.inf), [1.0, 1.0]), "infinite"),
         (("heights", [1.0, 1.0]), "give a number or an array of numbers"),
-        (([[1.0, 2.0], [3.0]], [1.0, 1.0]), "must be numbers in m"),
+        (([[1.0, 2.0], [3.0]], [1.0, 1.0]), "give a number or an array of numbers"),
     ],
 )
 def test_what_is_no_map_is_refused(arguments, sentence):
@@ -321,7 +321,7 @@ def test_what_a_flat_or_a_periodic_map_has_not():
             flat.without_spikes(wrong)
     with pytest.raises(InvalidInput, match="periodic is 'no'; give True or False"):
         Topography(np.zeros((4, 4)), [1.0, 1.0], "no")
-    with pytest.raises(InvalidInput, match="must be numbers in m"):
+    with pytest.raises(InvalidInput, match="give a number or an array of numbers"):
         Topography(np.ones((4, 4)) * 1j, [1.0, 1.0])
 
 

@@ -6,6 +6,7 @@ import contextlib
 import gc
 import os
 import signal
+import subprocess
 import sys
 import time
 import weakref
@@ -98,6 +99,18 @@ def here(tmp_path, monkeypatch, _frozen_heap):
     yield tmp_path
     for sign, handler in before:
         signal.signal(sign, handler)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT of a process alone there")
+@pytest.mark.parametrize("workers", ["0", "1"])
+def test_tests_hear_ctrl_c_where_the_shell_starts_them_deaf_to_it(workers, root):
+    """As `pytest &` in a script does: two tests failed there."""
+    deaf = "import os, signal, sys; signal.signal(2, signal.SIG_IGN); os.execv(sys.executable, sys.argv[1:])"
+    tests = "tests/study/nanoindentation/test_first_yield_and_stiffness.py::test_ctrl_c_keeps_the_curves_that_are_done"
+    words = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-n", workers, tests]
+    ended = subprocess.run([sys.executable, "-c", deaf, *words], cwd=root, capture_output=True, text=True, check=False)
+    assert ended.returncode == 0, ended.stdout
 
 
 @pytest.mark.parametrize("sign", CODES)

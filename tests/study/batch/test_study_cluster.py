@@ -73,9 +73,11 @@ def test_the_command_line(address, tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.slow
-def test_a_worker_of_another_version_is_refused(address, monkeypatch):
-    monkeypatch.setattr(cluster, "version", lambda _: "99.0")
-    with pytest.raises(InvalidInput, match=r"has winkler .*, here is 99\.0; install this version there"):
+def test_a_worker_with_other_sources_is_refused(address, monkeypatch):
+    other = cluster.software() | {"sources": "0123456789abcdef"}
+    monkeypatch.setattr(cluster, "software", lambda: other)  # what a worker answers
+    text = r"has sources of winkler 0123456789abcdef \(here [0-9a-f]{16}\); install there what is here"
+    with pytest.raises(InvalidInput, match=text):
         run(STUDY, workers=Cluster(address))
 
 

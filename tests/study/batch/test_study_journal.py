@@ -6,13 +6,14 @@ import dataclasses
 import functools
 import json
 import re
-from importlib.metadata import version
+import zlib
 
 import numpy as np
 import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.io.software import software
 from winkler.study.batch import sweep
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Recalled, Solved
@@ -176,13 +177,23 @@ def test_a_fit_names_what_a_journal_of_a_sweep_holds(tmp_path):
         pass
 
 
-def test_another_version_of_winkler_does_not_go_on(tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", ["winkler", "sources", "numba", "numpy", "scipy"])
+def test_other_software_does_not_go_on(name, tmp_path, monkeypatch):
     path = tmp_path / "x.journal"
     first(STUDY, path, 4)
-    mine = version("winkler")
-    monkeypatch.setattr("winkler.study.batch.checkpoint.version", lambda _: "99.0")
-    text = rf"was begun by version {re.escape(mine)} of winkler, and this is 99\.0: .*; add --anew to begin again"
+    before, mine = path.read_bytes(), software()
+    monkeypatch.setattr("winkler.io.software.software", lambda: mine | {name: "99.0"})
+    text = rf"was begun with (sources of )?\w+ {re.escape(mine[name])} \(here 99\.0\), .*; add --anew to begin again"
     with pytest.raises(InvalidInput, match=text), Journal(path, STUDY):
+        pass
+    assert path.read_bytes() == before
+
+
+def test_a_journal_that_names_no_software_does_not_go_on(tmp_path):
+    path = tmp_path / "x.journal"
+    head = json.dumps({"journal of": "winkler", "version": software()["winkler"]}).encode()
+    path.write_bytes(b"%08x %s\n" % (zlib.crc32(head), head))
+    with pytest.raises(InvalidInput, match=r"sources of winkler unknown \(here "), Journal(path, STUDY):
         pass
 
 

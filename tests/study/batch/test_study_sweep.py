@@ -15,6 +15,7 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.problems.particles.trace import ContactTrace
+from winkler.study.batch import stream
 from winkler.study.batch.outcome import Failed, Solved, answers_of
 from winkler.study.batch.pool import Machine
 from winkler.study.batch.processes import THREAD_VARIABLES
@@ -284,6 +285,49 @@ def test_the_machine_takes_over_when_a_sweep_lasts():
     assert run(study, workers=Machine(patience=60.0)).points == alone.points
     with pytest.raises(InvalidInput, match="patience is -1"):
         Machine(patience=-1.0)
+
+
+class Clock:
+    """Two clocks: that on the wall, and that of this process."""
+
+    def __init__(self):
+        self.wall = self.own = 0.0
+
+    def monotonic(self):
+        return self.wall
+
+    def process_time(self):
+        return self.own
+
+
+@pytest.mark.parametrize(
+    ("own", "wall", "count", "alone"),
+    [
+        (0.3e-3, 0.1, 1000, 1000),  # a busy machine: the points themselves take 0.3 s
+        (0.3e-3, 0.3e-3, 3000, 3000),  # 0.9 s in all
+        (0.3, 0.3, 5, 5),  # 1.5 s, and too little is left after 1.2
+        (0.25, 0.25, 100, 5),  # after 1.25 s
+        (0.5, 0.125, 100, 9),  # many threads in a point: 0.125 s each
+        (10.0, 10.0, 3, 1),
+    ],
+)
+def test_others_come_in_for_the_time_of_the_points_themselves(own, wall, count, alone, monkeypatch):
+    """Issue 38, item 10: on a busy machine points of 0.3 ms started processes, and the sweep took twice the time."""
+    clock, sent = Clock(), []
+
+    def compute(task, watch):
+        clock.wall += wall
+        clock.own += own
+
+    def completed(compute, todo, workers):
+        sent.extend(todo)
+        return ()
+
+    monkeypatch.setattr(stream, "time", clock)
+    monkeypatch.setattr(stream, "completed", completed)
+    monkeypatch.setattr(Machine, "processors", 2)
+    assert len(list(stream._computed(compute, range(count), Machine(), None))) == alone
+    assert sent == list(range(alone, count))
 
 
 def test_vectors_of_many_contacts_and_steps_are_split_into_their_components():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from winkler.errors import InvalidInput, NotConverged
+from winkler.io.software import software
 from winkler.problems.wear import march as wear_march
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.study.batch.checkpoint import CheckpointStore
@@ -84,17 +85,18 @@ def test_a_spoilt_file_is_no_reason_to_stop(tmp_path):
     assert keep.stored_states(problem) == []
 
 
-@pytest.mark.parametrize(("made", "text"), [("99.0", "version 99.0"), (None, "an unknown version")])
-def test_states_of_another_version_are_refused(made, text, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("made", "text"), [("99.0", "winkler 99.0"), (None, "winkler unknown")])
+def test_states_of_other_software_are_refused(made, text, tmp_path):
     problem, keep = study().problem, CheckpointStore.beside(tmp_path / "results")
     with pytest.raises(Stopped):
         solve_march(problem, stopping(3), keep)
     path = keep.path(problem)
     with np.load(path) as stored:
-        arrays = {name: stored[name] for name in stored.files if name != "version"}
+        arrays = {name: stored[name] for name in stored.files if name != "software"}
     assert len(arrays) < len(np.load(path).files)
-    np.savez(path, **arrays, **({} if made is None else {"version": np.array(made)}))
-    with pytest.raises(InvalidInput, match=rf"^states: .* was begun by {text} of winkler, and this is .*; add --anew"):
+    rows = [*(software() | {"winkler": made}).items()]
+    np.savez(path, **arrays, **({} if made is None else {"software": np.array(rows)}))
+    with pytest.raises(InvalidInput, match=rf"^states: .* was begun with {text} \(here .*\), .*; add --anew"):
         solve_march(problem, keep=keep)
     keep.remove()
     assert keep.stored_states(problem) == []

@@ -169,6 +169,31 @@ def test_one_curve_shares_nothing_and_says_so(here):
     assert any("not fitted together" in sentence for sentence in further_sentences(outcome))
 
 
+def test_a_curve_whose_error_would_decide_the_mean_is_named(here):
+    """A thousandth of its error would give the first curve all of the weight; a fifth, four fifths of it."""
+    write_curve(here / "curve4.csv", 4e3, 4)
+    outcome = fit_study(study(here))
+    place = outcome.fitted[0].fit.index(PATH)
+    usual, middle = np.median([[one.fit.error(PATH), one.fit.value(PATH)] for one in outcome.fitted], axis=0)
+
+    def said(share):
+        first = outcome.fitted[0]
+        errors, values = first.fit.standard_errors.copy(), first.fit.values.copy()
+        errors[place], values[place] = share * usual, middle
+        changed = dataclasses.replace(first.fit, standard_errors=errors, values=values)
+        changed = dataclasses.replace(first, fit=changed)
+        return list(further_sentences(dataclasses.replace(outcome, results=(changed, *outcome.results[1:]))))
+
+    doubt = (
+        "The error of young is less than a tenth of the others', or unknown, and theirs was taken, as it would decide "
+        "the mean: curve0.csv."
+    )
+    assert doubt in said(1e-3)
+    assert doubt not in said(0.2)
+    assert any(one.startswith("curve0.csv alone has ") and one.endswith(" in the mean of young.") for one in said(0.2))
+    assert not any("curve0.csv" in one for one in said(1.0))
+
+
 @pytest.mark.slow
 def test_mean_and_folders(tmp_path):
     for number in range(4):

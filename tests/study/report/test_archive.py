@@ -12,6 +12,7 @@ import pytest
 from study_samples import SAMPLES, pressed
 
 import winkler as wk
+from winkler.io.software import software
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
@@ -99,6 +100,7 @@ def test_provenance_and_the_study_itself_come_back(name, outcomes, reopened):
     assert attributes["study_hash"] == outcome.provenance.hash
     assert len(attributes["study_hash"]) == 64
     assert attributes["winkler_version"] == wk.__version__
+    assert attributes["winkler_sources"] == software()["sources"]
     assert attributes["created"] == outcome.provenance.created
     assert attributes["numpy_version"] == np.__version__
     assert attributes["python_version"].startswith("3.")

@@ -49,7 +49,7 @@ def fmu_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
     header = c_law(law, name)
     guid = unit_guid(header)
     sources = {f"{name}.h": header, f"{name}_fmu.c": fmu_source(law, name, guid)}
-    return _unit(name, description(law, name, guid), sources, {}, SYSTEMS)
+    return {f"{name}.fmu": _unit(name, description(law, name, guid), sources, {}, SYSTEMS)}
 
 
 def fmu3_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
@@ -59,7 +59,7 @@ def fmu3_law(law: StepLaw, name: str) -> dict[str, str | bytes]:
     token = unit_guid(header)
     sources = {f"{name}.h": header, f"{name}_fmu.c": fmu3_source(law, name, token)}
     extra = {"sources/buildDescription.xml": build_description3(name)}
-    return _unit(name, description3(law, name, token), sources, extra, SYSTEMS3)
+    return {f"{name}_fmi3.fmu": _unit(name, description3(law, name, token), sources, extra, SYSTEMS3)}
 
 
 def _unit(
@@ -68,7 +68,7 @@ def _unit(
     sources: Mapping[str, str],
     extra: Mapping[str, str],
     systems: Mapping[tuple[str, str], tuple[str, str]],
-) -> dict[str, str | bytes]:
+) -> bytes:
     """Return the archive."""
     contents: dict[str, str | bytes] = {"modelDescription.xml": described}
     contents |= {f"sources/{file}": text for file, text in sources.items()}
@@ -80,4 +80,4 @@ def _unit(
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as unit:
         for file, content in contents.items():
             unit.writestr(zipfile.ZipInfo(file, DATE), content, zipfile.ZIP_DEFLATED)
-    return {f"{name}.fmu": archive.getvalue()}
+    return archive.getvalue()

@@ -19,20 +19,24 @@ __all__ = ["across_pop_ins"]
 MOST_NAMED = 3
 
 
-def across_pop_ins(curve: ForceCurve, touched: Array) -> Iterator[Flag]:
+def across_pop_ins(curve: ForceCurve, fitted: ForceCurve, touched: Array) -> Iterator[Flag]:
     """Yield `pop_in` for a curve with sudden steps of depth, or drops of force, while the tip is pressed in.
 
     Parameters
     ----------
     curve : ForceCurve
         With its holds.
+    fitted : ForceCurve
+        The m points that were fitted.
     touched : ndarray of bool, (m,)
-        Points in contact, as fitted, of those that do not lie in holds.
+        Which of them are in contact.
     """
-    moving = np.flatnonzero(curve.direction != 0.0)
-    inward = moving[touched & (curve.direction[moving] == IN)]
-    if not inward.size:
+    inside = np.flatnonzero(touched & (fitted.direction == IN))
+    if not inside.size:
         return
+    moving = np.flatnonzero(curve.direction != 0.0)
+    begins = (curve.position[moving] == fitted.position[inside[0]]) & (curve.force[moving] == fitted.force[inside[0]])
+    inward = moving[begins & (curve.direction[moving] == IN)]
     if curve.marks.size:
         stated = np.flatnonzero(curve.marks == MARKS["pop-in"])
         places = stated[np.diff(stated, prepend=-2) > 1].tolist()

@@ -91,7 +91,9 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
             break
         middle = 0.5 * (below + high)
         below, high = (middle, high) if level(middle, SINGLE_RADIUS) <= highest else (below, middle)
-    return high
+    with np.errstate(divide="ignore"):
+        walled = high == end and np.isinf(bed.gap(np.array([end]))[0])
+    return below if walled else high  # no float below a vertical wall is as deep: the contact is pinned there
 
 
 def _levels(curves: Pair, radii: Array) -> Array:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from winkler.fitting.elastic.contact import (
     runs_of,
     states_for,
 )
+from winkler.fitting.elastic.slow_jumps import beside_jumps, missed_in_contact
 from winkler.fitting.elastic.start import starts
 from winkler.fitting.elastic.tables_for import tables_for
 from winkler.fitting.outcome import Fit
@@ -44,6 +45,8 @@ SHIFTS = (-2.5, -1.0, 1.0, 2.5)
 """Shifts of the contact point, in standard errors, from which a fit with adhesion begins again."""
 EXPLAINED_NOISE = 1.2
 """Greatest root mean square of the residuals of a start that needs no other beside it, relative to the noise."""
+MISSED_LEAST = 3.0
+"""Least root mean square of the residuals in contact, relative to the noise, with which they count less."""
 LITTLE = -3.0
 """Change of the logarithm of a work of adhesion from which it begins again."""
 
@@ -55,6 +58,7 @@ class ElasticTask(FitTask):
     coarse_count = 200
     starts_improved = 2
     starts_are_trials = False
+    most_reweightings = 4
 
     @property
     def size(self) -> float:
@@ -94,6 +98,22 @@ class ElasticTask(FitTask):
             elif parameter.name.startswith("law.") and parameter.logarithmic:
                 found.append(moved(coordinates, place, LITTLE))
         return found
+
+    def reweighed(self, coordinates: Array, rough_outline: CurveOutline | None, noise: Array) -> Self | None:
+        """Return, with adhesion, the task without slow jumps, then with contact weighed by what the model misses."""
+        del rough_outline, noise
+        if not isinstance(self.model, AdhesiveIndentation) or self.misfits is not None:
+            return None
+        prediction = self.prediction(coordinates)
+        residuals = (self.measured - prediction.fitted) * self.weights
+        kept = beside_jumps(residuals, prediction.touched, self.runs)
+        if not kept.all():
+            return self.chosen(np.flatnonzero(kept))
+        missed = missed_in_contact(residuals, prediction.touched)
+        if missed <= MISSED_LEAST:
+            return None
+        misfits = np.where(prediction.touched, missed, 1.0)
+        return self._replace(weights=self.weights / misfits, misfits=misfits)
 
     def sample_of(self, stretch: Array) -> Array:
         """Return points evenly spaced."""

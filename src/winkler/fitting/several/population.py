@@ -11,6 +11,10 @@ and the interval of the mean is that of Hartung and Knapp, with Student's t of k
 
 .. math:: \mathrm{se}^2 = \frac{\max(q, \tfrac12)}{\sum w_i}, \qquad q = \frac{\sum w_i (y_i-\mu)^2}{k-1} .
 
+Errors that the scatter refutes as too large (a chance of 1 %) leave the plain mean, with equal :math:`w_i` and
+:math:`\mathrm{se}^2 = s^2/k` of the scatter s.  An error that is zero, unknown, or less than a tenth of the median one
+is not believed, and replaced by the median: it would decide the mean alone.
+
 A calibration that all curves share does not average out; its error is added in quadrature.
 
 References
@@ -33,6 +37,12 @@ __all__ = ["Population", "population", "quantile"]
 
 FEWEST = 2
 FEWEST_FOR_OUTLIERS = 5
+DECISIVE_SHARE = 0.5
+"""Share of the weights from which on one curve of five or more decides the mean alone."""
+LEAST_ERROR = 0.1
+"""Least error that is believed, relative to the median one of three curves or more."""
+CHANCE_OF_SCATTER = 0.01
+"""Chance of a scatter below which errors are too large for it."""
 FALSE_OUTLIERS = 0.01
 """Part of populations without outliers in which one is named."""
 LEAST_SCATTER = 0.5
@@ -64,6 +74,12 @@ class Population:
         Whether the quantity is positive and its logarithm was averaged.
     outliers : tuple of int
         Indices of curves that do not belong to the others; they are part of the mean.
+    weights : ndarray, (k,)
+        Shares of the curves in the mean, whose sum is 1.
+    doubted : tuple of int
+        Indices of curves whose error is zero, unknown, or less than a tenth of the median one; the median was taken.
+    overstated : bool
+        Whether the curves scatter less than their errors allow; the interval follows from the scatter alone.
     """
 
     __words__ = words(
@@ -75,6 +91,9 @@ class Population:
         calibration=("", None, "error of the calibration that the curves share; relative for positive quantities"),
         logarithmic=("", None, "whether the logarithm was averaged"),
         outliers=("", None, "curves that do not belong to the others"),
+        weights=("", "", "shares of the curves in the mean"),
+        doubted=("", None, "curves whose error is not believed"),
+        overstated=("", None, "whether the scatter is less than the errors allow"),
     )
 
     count: int
@@ -85,6 +104,16 @@ class Population:
     calibration: float
     logarithmic: bool
     outliers: tuple[int, ...]
+    weights: Array
+    doubted: tuple[int, ...]
+    overstated: bool
+
+    @property
+    def decisive(self) -> tuple[int, ...]:
+        """Index of the curve that has more than half of the weight, if there are five or more."""
+        if self.count < FEWEST_FOR_OUTLIERS:
+            return ()
+        return tuple(np.flatnonzero(self.weights > DECISIVE_SHARE).tolist())
 
     @property
     def shared_variance(self) -> float:
@@ -148,7 +177,7 @@ def population(
     values : array_like, (k,)
         The number of each curve, in SI units.
     errors : array_like, (k,)
-        Their standard errors, in the same units; those of noise alone.
+        Their standard errors, in the same units; those of noise alone; zero or nan where one is unknown.
     logarithmic : bool, optional
         Whether the number is positive, and its logarithm is averaged (unless given).
     calibration : float, optional
@@ -166,17 +195,21 @@ def population(
     >>> f"{cells.mean:.0f} Pa, {low:.0f} to {high:.0f}; {cells.between:.0%} between, {cells.within:.0%} within"
     '1053 Pa, 775 to 1432; 24% between, 5% within'
     """
-    numbers, deviations = np.asarray(values, dtype=float), np.asarray(errors, dtype=float)
-    _refuse(numbers, deviations, logarithmic, calibration)
+    numbers, stated = np.asarray(values, dtype=float), np.asarray(errors, dtype=float)
+    _refuse(numbers, stated, logarithmic, calibration)
+    deviations = np.nan_to_num(stated)
     y, variances = numbers, deviations**2
     if logarithmic:
         y, variances = np.log(numbers), (deviations / numbers) ** 2
     unit = float(np.sqrt(np.mean((y - y.mean()) ** 2 + variances))) or 1.0
-    y, variances = y / unit, np.maximum(variances / unit**2, np.finfo(float).eps)
-    between = _between(y, variances)
+    doubted, variances = _believed(variances / unit**2)
+    y, between = y / unit, _between(y / unit, variances)
     weights = 1.0 / (between + variances)
-    mean = float(weights @ y / weights.sum())
-    squared = max(float(weights @ (y - mean) ** 2) / (y.size - 1), LEAST_SCATTER) / float(weights.sum())
+    mean, squares, least = *_mean(y, weights), LEAST_SCATTER
+    if overstated := between == 0.0 and _is_rare(squares, y.size - 1):
+        weights = np.full(y.size, 1.0 / float(variances.mean()))
+        mean, squares, least = *_mean(y, weights), 0.0
+    squared = max(squares / (y.size - 1), least) / float(weights.sum())
     return Population(
         count=y.size,
         mean=math.exp(unit * mean) if logarithmic else unit * mean,
@@ -186,6 +219,9 @@ def population(
         calibration=float(calibration),
         logarithmic=logarithmic,
         outliers=_outliers(y, variances),
+        weights=weights / float(weights.sum()),
+        doubted=doubted,
+        overstated=overstated,
     )
 
 
@@ -195,14 +231,40 @@ def _refuse(numbers: Array, deviations: Array, logarithmic: bool, calibration: f
             f"population: numbers have the shape {numbers.shape}, errors {deviations.shape}; give one of each for at "
             f"least {FEWEST} curves."
         )
-    if not (np.all(np.isfinite(numbers)) and np.all(np.isfinite(deviations)) and np.all(deviations >= 0.0)):
-        raise InvalidInput("population: a number or an error is not finite, or an error is negative; leave it out.")
+    if not np.all(np.isfinite(numbers)) or np.any(np.isinf(deviations)) or np.any(deviations < 0.0):
+        raise InvalidInput(
+            "population: a number or an error is not finite, or an error is negative; leave it out, or give nan for "
+            "an error that is unknown."
+        )
     if logarithmic and not np.all(numbers > 0.0):
         raise InvalidInput(
             f"population: {numbers.min():.6g} is not positive; give logarithmic=False, or leave this curve out."
         )
     if not (math.isfinite(calibration) and calibration >= 0.0):
         raise InvalidInput(f"population: calibration is {calibration!r}; give a finite error, not negative.")
+
+
+def _believed(variances: Array) -> tuple[tuple[int, ...], Array]:
+    """Return the curves whose error is not believed, and the variances with the median one in their place."""
+    known = variances > 0.0
+    if not known.any():
+        return (), np.full(variances.shape, np.finfo(float).eps)
+    least = LEAST_ERROR**2 * float(np.median(variances[known])) if variances.size > FEWEST else 0.0
+    doubted = ~known | (variances < least)
+    return tuple(np.flatnonzero(doubted).tolist()), np.where(doubted, np.median(variances[~doubted]), variances)
+
+
+def _mean(y: Array, weights: Array) -> tuple[float, float]:
+    """Return the weighted mean, and the weighted sum of squares about it."""
+    mean = float(weights @ y / weights.sum())
+    return mean, float(weights @ (y - mean) ** 2)
+
+
+def _is_rare(squares: float, freedom: int) -> bool:
+    """Return whether the scatter is too small for the errors."""
+    from scipy.special import gammainc
+
+    return bool(gammainc(0.5 * freedom, 0.5 * squares) < CHANCE_OF_SCATTER)
 
 
 def _between(y: Array, variances: Array) -> float:

@@ -18,6 +18,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
+from winkler.profiles.area_coefficients import AreaCoefficients
 from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.profiles.profile import Profile
 from winkler.profiles.pyramids.pyramid import PyramidShape
@@ -76,21 +77,11 @@ class CalibratedArea:
         deepest=("h_c", "m", "greatest contact depth of the calibration"),
     )
 
-    coefficients: tuple[float, ...]
+    coefficients: AreaCoefficients
     shallowest: NonNegative = 0.0
     deepest: PositiveOrInfinite = math.inf
 
     def __post_init__(self) -> None:
-        try:
-            numbers = tuple(float(number) for number in self.coefficients)
-        except (TypeError, ValueError):
-            numbers = ()
-        if not numbers or not all(map(math.isfinite, numbers)) or not any(numbers):
-            raise InvalidInput(
-                f"CalibratedArea: coefficients are {self.coefficients!r}; give finite numbers C0, C1, ... of which at "
-                "least one is not zero."
-            )
-        object.__setattr__(self, "coefficients", numbers)
         if not 0.0 <= self.shallowest < self.deepest:
             raise InvalidInput(
                 f"CalibratedArea: it is calibrated from {self.shallowest!r} to {self.deepest!r} m; give two depths "

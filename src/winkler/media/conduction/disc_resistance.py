@@ -33,6 +33,8 @@ from winkler.materials.conducting_body import (
 from winkler.numerics.fields.filmed_disc import spreading
 from winkler.numerics.fields.flux_tube import LARGEST_RADIUS_RATIO, relief
 from winkler.numerics.transforms import fredholm
+from winkler.numerics.transforms.kernel_matrix import kernel_matrix, panel_nodes
+from winkler.numerics.transforms.punch_tables import punch_at
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -45,6 +47,11 @@ BARBER = (
     "(2003) 53-66, doi:10.1098/rspa.2002.1038"
 )
 OWN_SOLUTION = "own solution of the integral equation along the line of springs"
+
+NODES = 16
+"""On each panel of the line on which the shares of both bodies are found."""
+PLACES, PLACES_PER_FOLD = 8, 8
+"""Radii at which shares are found, and more for each factor of e between the radii."""
 
 
 class Resistances(NamedTuple):
@@ -59,6 +66,10 @@ class Resistances(NamedTuple):
     bulk_first: float
     """Of the length of a rod."""
     bulk_second: float
+    middle: Array
+    """What of the voltage over both constrictions falls in the first body on the axis of the spot [-]."""
+    edge: Array
+    """The same at the edge of the spot; between bodies that are not plated, or alike, it is the mean."""
 
     @property
     def bulk(self) -> float:
@@ -156,12 +167,50 @@ def _echo(body: ConductingBody, xi: ComplexArray) -> tuple[Any, Any, Any]:
     return echo, less, more
 
 
-def _surface_resistivity(first: ConductingBody, second: ConductingBody, radius: Array) -> Array:
-    """Return the radius of the disc that would conduct as well if the surfaces' conductors were all there is."""
-    plated = [body for body in (first, second) if isinstance(body, Plated)]
-    if all(len({resistivity_of(part) for part in parts_of(body)}) == 1 for body in plated):
-        return radius
-    return fredholm.area(PlatedResponse(first, second), radius)
+def _uniform(body: ConductingBody) -> bool:
+    """Return whether a body has one resistivity down to its base."""
+    return len({resistivity_of(part) for part in parts_of(body)}) == 1
+
+
+def _shares(first: ConductingBody, second: ConductingBody, a: float) -> tuple[float, float, float]:
+    r"""Return the first body's share of the voltage over a spot: its mean over the current, on the axis, at the edge.
+
+    The springs of both bodies together have the current phi; those of one alone the displacement
+    :math:`\varrho_1(\varphi+K_1\varphi)`, whose T2 is the voltage over that body.
+
+    Parameters
+    ----------
+    first, second : ElectricalConductor, ThermalConductor or Plated
+        One of them plated.
+    a : float
+        Radius [m].
+    """
+    rho = [resistivity_of(surface_of(body)) for body in (first, second)]
+    *_, phi, _, panels = punch_at(PlatedResponse(first, second), a, NODES)
+    flow = phi.ravel()
+    x, w = panel_nodes(a * panels, NODES)
+    own = flow
+    if isinstance(first, Plated) and not _uniform(first):
+        own = flow + kernel_matrix(PlatedResponse(first, first), a, panels.size - 2, NODES) @ flow
+    own = rho[0] / sum(rho) * own
+    fit = np.polynomial.legendre.Legendre.fit
+    middle = float(fit(x[:NODES], own[:NODES], NODES - 1)(0.0))
+    last = float(fit(x[-NODES:], own[-NODES:], NODES - 1)(a))
+    edge = last + 2.0 / math.pi * float(w @ ((own - last) / np.sqrt((a - x) * (a + x))))
+    return float((w * flow) @ own) / float(w @ flow), middle, edge
+
+
+def _all_shares(first: ConductingBody, second: ConductingBody, a: Array) -> Array:
+    """Return `_shares` of many radii ``(3, m)``: of more than a series in ln(a) needs, by that series."""
+    low, high = math.log(float(np.min(a))), math.log(float(np.max(a)))
+    count = math.ceil(PLACES + PLACES_PER_FOLD * (high - low))
+    if a.size <= count:
+        return np.array([_shares(first, second, one) for one in a.tolist()]).T
+    cheb = np.polynomial.chebyshev
+    s = cheb.chebpts1(count)
+    found = [_shares(first, second, one) for one in np.exp(0.5 * (low + high + (high - low) * s)).tolist()]
+    series = np.linalg.solve(cheb.chebvander(s, count - 1), np.array(found))
+    return np.asarray(cheb.chebval((2.0 * np.log(a) - low - high) / (high - low or 1.0), series))
 
 
 def _relieved(body: ConductingBody, radius: Array) -> Array:
@@ -205,27 +254,20 @@ def disc_resistances(
     rho = [resistivity_of(surface_of(body)) for body in (first, second)]
     filmed = bool(area_resistance) and _bare(first, second)
     spread = spreading(2.0 * area_resistance / (sum(rho) * a)) if filmed else np.ones(a.shape)
-    if any(isinstance(body, Plated) for body in (first, second)):
-        # both halves of a plated pair are found together; what the plating changes is returned body by body
-        whole = sum(rho) / (
-            4.0 * np.where(touching, _surface_resistivity(first, second, np.where(touching, radius, 0.0)), 1.0)
-        )
-        alone = [
-            r / (4.0 * np.where(touching, _own(body, radius), 1.0))
-            for r, body in zip(rho, (first, second), strict=True)
-        ]
-        parts = [whole * one / (alone[0] + alone[1]) for one in alone]
-    else:
-        parts = [r / (4.0 * a) * spread for r in rho]
-    parts = [part * _relieved(body, radius) for part, body in zip(parts, (first, second), strict=True)]
+    parts = [r / (4.0 * a) * spread for r in rho]
+    shares = np.broadcast_to(rho[0] / sum(rho), (3, a.size))
+    if not (_uniform(first) and _uniform(second)):
+        whole = sum(rho) / (4.0 * np.where(touching, fredholm.area(PlatedResponse(first, second), radius), 1.0))
+        if first != second and touching.any():
+            shares = shares.copy()
+            shares[:, touching] = _all_shares(first, second, radius[touching])
+        parts = [whole * shares[0], whole * (1.0 - shares[0])]
+    relieved = [_relieved(body, radius) for body in (first, second)]
+    parts = [part * less for part, less in zip(parts, relieved, strict=True)]
+    _, middle, edge = shares * relieved[0] / (shares * relieved[0] + (1.0 - shares) * relieved[1])
     film = np.where(touching, area_resistance / (np.pi * a**2), 0.0)
     apart = [np.where(touching, part, np.inf) for part in parts]
-    return Resistances(apart[0], apart[1], film, bulk_of(first), bulk_of(second))
-
-
-def _own(body: ConductingBody, radius: Array) -> Array:
-    """Return the disc that one body feels, against another one of the same kind."""
-    return _surface_resistivity(body, body, np.where(radius > 0.0, radius, 0.0))
+    return Resistances(apart[0], apart[1], film, bulk_of(first), bulk_of(second), middle, edge)
 
 
 def _bare(first: ConductingBody, second: ConductingBody) -> bool:
@@ -251,8 +293,8 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "The platings conduct as layers bonded without resistance; their halves of the "
-                "resistance are separated as if each met its like.",
+                "The platings conduct as layers bonded without resistance. Between unlike ones the voltage (or "
+                "temperature) over each body varies across the spot; stated is its mean over the current (or heat).",
                 OWN_SOLUTION,
             )
         )

@@ -44,22 +44,12 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.media.interior.confocal import Confocal, confocal, rule
+from winkler.media.interior.tensor import Tensor
 from winkler.numerics.types import Array
 
-__all__ = ["PLACES_AT_ONCE", "Tensor", "half_ellipsoid_stresses", "third_moments"]
+__all__ = ["PLACES_AT_ONCE", "half_ellipsoid_stresses", "third_moments"]
 
 PLACES_AT_ONCE = 512
-
-
-class Tensor(NamedTuple):
-    """The components of a stress, tension positive."""
-
-    xx: Array
-    yy: Array
-    zz: Array
-    xy: Array
-    xz: Array
-    yz: Array
 
 
 def half_ellipsoid_stresses(

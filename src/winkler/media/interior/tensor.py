@@ -1,15 +1,84 @@
-"""Stress in a point without any symmetry: invariants of a full stress tensor.
+"""Stress in a point without any symmetry: invariants of a full stress tensor, and its shear along the surface.
 
 Where stresses are infinite the invariants are too.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
 import numpy as np
 
+from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 
-__all__ = ["principal_of_tensor", "von_mises_of_tensor"]
+__all__ = [
+    "Measure",
+    "Tensor",
+    "lateral_shear",
+    "longitudinal_shear",
+    "max_shear",
+    "measure_named",
+    "orthogonal_shear",
+    "principal_of_tensor",
+    "von_mises",
+    "von_mises_of_tensor",
+]
+
+
+class Tensor(NamedTuple):
+    """The components of a stress, tension positive."""
+
+    xx: Array
+    yy: Array
+    zz: Array
+    xy: Array
+    xz: Array
+    yz: Array
+
+
+Measure = Callable[[Tensor], Array]
+"""What is compared of a stress."""
+
+
+def von_mises(stress: Tensor) -> Array:
+    """Return the equivalent stress after von Mises."""
+    return von_mises_of_tensor(*stress)
+
+
+def max_shear(stress: Tensor) -> Array:
+    """Return the greatest shear stress, half the difference of the outermost principal stresses."""
+    principal = principal_of_tensor(*stress)
+    return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
+
+
+def orthogonal_shear(stress: Tensor) -> Array:
+    """Return the shear stress in the plane along the surface, whatever its direction."""
+    return np.hypot(stress.xz, stress.yz)
+
+
+def longitudinal_shear(stress: Tensor) -> Array:
+    """Return the size of the shear stress along x in the plane along the surface."""
+    return np.abs(stress.xz)
+
+
+def lateral_shear(stress: Tensor) -> Array:
+    """Return the size of the shear stress along y in the plane along the surface."""
+    return np.abs(stress.yz)
+
+
+MEASURES: Mapping[str, Measure] = MappingProxyType(
+    {each.__name__: each for each in (von_mises, max_shear, orthogonal_shear, longitudinal_shear, lateral_shear)}
+)
+
+
+def measure_named(name: object, owner: str) -> Measure:
+    """Return the measure of a name; refuse another name, in the words of its owner."""
+    if not isinstance(name, str) or name not in MEASURES:
+        raise InvalidInput(f"{owner}: there is no stress {name!r}; give one of {', '.join(MEASURES)}.")
+    return MEASURES[name]
 
 
 def von_mises_of_tensor(xx: Array, yy: Array, zz: Array, xy: Array, xz: Array, yz: Array) -> Array:

@@ -15,24 +15,44 @@ In the uppermost layer they are what the interfaces add to the field of a half-p
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Elastic
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.coated_interior import WaveState, wave_states
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["PlaneWaves", "added_stresses", "plane_waves"]
+__all__ = ["PlaneWaves", "PressedLayers", "added_stresses", "plane_waves"]
 
 FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0
 MOST_WAVES = 200_000
 PAIRS_PER_CHUNK = 1_000_000
+
+
+class PressedLayers(Protocol):
+    """Isotropic layers on a half-plane or a rigid base, bonded or sliding on each other."""
+
+    @property
+    def layers(self) -> tuple[Layer, ...]:
+        """From the surface down."""
+
+    @property
+    def stack(self) -> tuple[Layer | StackLayer, ...]:
+        """The same, with what they are bonded to."""
+
+    @property
+    def on(self) -> Solid:
+        """What carries them."""
+
+    @property
+    def response(self) -> SurfaceResponse:
+        """Of the pair to a pressure."""
 
 
 class PlaneWaves(NamedTuple):
@@ -43,13 +63,13 @@ class PlaneWaves(NamedTuple):
 
 
 def plane_waves(
-    medium: CoatedHalfSpace, half_width: float, farthest: float, transform: Callable[[Array], Array]
+    medium: PressedLayers, half_width: float, farthest: float, transform: Callable[[Array], Array]
 ) -> PlaneWaves:
     """Return the pressure of a strip as waves, for places up to a distance from the middle.
 
     Parameters
     ----------
-    medium : CoatedHalfSpace
+    medium : CoatedHalfSpace or SlidingFilm
     half_width, farthest : float
         [m].
     transform
@@ -71,12 +91,12 @@ def plane_waves(
     return PlaneWaves(k, weights * transform(k) / np.pi)
 
 
-def added_stresses(medium: CoatedHalfSpace, waves: PlaneWaves, x: Array, z: Array) -> Array:
+def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array) -> Array:
     """Return sigma_x, sigma_y, sigma_z and tau_xz [Pa] ``(4, m)``, in the uppermost layer without the half-plane's.
 
     Parameters
     ----------
-    medium : CoatedHalfSpace
+    medium : CoatedHalfSpace or SlidingFilm
     waves : PlaneWaves
     x, z : ndarray, (m,)
         Places [m]; a point on an interface belongs to the upper layer.
@@ -92,7 +112,7 @@ def added_stresses(medium: CoatedHalfSpace, waves: PlaneWaves, x: Array, z: Arra
             f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request places in them."
         )
     result = np.zeros((4, x.size))
-    for depth, state, end in wave_states(medium.layers, medium.on, bottoms, np.unique(z), waves.k):
+    for depth, state, end in wave_states(medium.stack, medium.on, bottoms, np.unique(z), waves.k):
         (members,) = np.nonzero(z == depth)
         result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members])
     return result

@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.types import Array, Curve
+from winkler.numerics.types import Array, ComplexArray, Curve
 from winkler.values import value
 
 __all__ = ["Panels", "fit_panels", "stationary"]
@@ -29,7 +29,7 @@ class Panels:
     """
 
     edges: Array
-    coefficients: Array
+    coefficients: Array | ComplexArray
 
     def __call__(self, x: Array) -> Array:
         """Evaluate by Clenshaw's recurrence; outside the interval the outer panels go on."""

@@ -3,10 +3,13 @@ r"""Two surfaces on a grid that touch and share heat so that their temperatures 
 With the temperatures K1 q1 and K2 q2 under the fluxes into either body, q1 + q2 = q, and a second body that is warmer
 by D far away,
 
-.. math:: (K_1 + K_2)\,q_1 = K_2\,q + D
+.. math:: (K_1 + K_2)\,q_1 = K_2\,q + D , \qquad (K_1 + K_2)\,q_2 = K_1\,q - D
 
-where they touch (Blok's condition of continuity).  The operator is not symmetric, as heat goes downstream; generalised
-minimal residuals take ten to thirty-five steps, preconditioned by the waves of temperature
+where they touch (Blok's condition of continuity).  What is left of the equation is a difference of temperatures.  So
+that of the two is solved whose right-hand side is less: no surface is warmer than if its body took all the heat, and
+against an insulator the other side is greater than the temperatures by the ratio of the conductivities.  The operator
+is not symmetric, as heat goes downstream; generalised minimal residuals take ten to thirty-five steps, preconditioned
+by the waves of temperature
 
 .. math:: \hat T = \frac{\hat q}{\lambda\sqrt{\mathbf k^2 + i k_x V/\kappa}} .
 """
@@ -45,8 +48,8 @@ class HeatSharing(NamedTuple):
     second: HeatedGrid
     touching: Array
 
-    def first_flux(self, flux: Array, difference: float) -> Array:
-        """Return what flows into the first body [W/m^2], (nx, ny); zero where nothing touches.
+    def fluxes(self, flux: Array, difference: float) -> tuple[Array, Array]:
+        """Return what flows into the first and the second body [W/m^2], (nx, ny); zero where nothing touches.
 
         Parameters
         ----------
@@ -60,6 +63,11 @@ class HeatSharing(NamedTuple):
         NotConverged
             If the temperatures are not made to agree.
         """
+        if float(np.sum(self.first.warmed(flux)[self.touching])) < float(
+            np.sum(self.second.warmed(flux)[self.touching])
+        ):
+            second, first = self._replace(first=self.second, second=self.first).fluxes(flux, -difference)
+            return first, second
         from scipy.sparse.linalg import LinearOperator, gmres
 
         here, shape = self.touching, self.touching.shape
@@ -80,7 +88,7 @@ class HeatSharing(NamedTuple):
         wanted = heated + difference
         scale = float(np.linalg.norm(heated)) + abs(difference) * float(np.sqrt(heated.size))
         if scale == 0.0:
-            return np.zeros(shape)
+            return np.zeros(shape), np.zeros(shape)
         size = (heated.size, heated.size)
         equal = float(np.sum(heated)) / (float(np.sum(both.warmed(flux)[here])) or 1.0) * flux[here]
         found, left = gmres(
@@ -90,4 +98,5 @@ class HeatSharing(NamedTuple):
         )  # fmt: skip
         if left:
             raise NotConverged("the temperatures of the two surfaces do not agree where they touch")
-        return spread(found)
+        into = spread(found)
+        return into, flux - into

@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["element_compliance", "linear_potential"]
+__all__ = ["element_compliance", "linear_potential", "linear_slope"]
 
 FAR = 30.0
 """Distance in half-lengths from which moments of the traction are summed: the logarithms lose digits there."""
@@ -36,6 +36,20 @@ def element_compliance(edges: Array) -> Array:
     far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
     lifted = far * np.log(np.where(far == 0.0, 1.0, np.abs(far))) - far
     return np.asarray(2.0 / np.pi * np.diff(lifted, axis=1))
+
+
+def linear_slope(nodes: Array, x: Array) -> Array:
+    """Return Re F at the surface of tractions that are one at a node and fall to zero at the next ``(k, m - 2)``.
+
+    Parameters
+    ----------
+    nodes : ndarray, (m,)
+        Ascending; the first and the last carry nothing.
+    x : ndarray, (k,)
+        Places, none of them a node.
+    """
+    away = x[:, None] - nodes
+    return np.asarray(np.diff(np.diff(away * np.log(np.abs(away)), axis=1) / np.diff(nodes), axis=1) / np.pi)
 
 
 def linear_potential(nodes: Array, values: Array, x: Array, z: Array) -> tuple[Array, Array]:

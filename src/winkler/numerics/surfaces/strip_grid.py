@@ -17,7 +17,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["StripStep", "strip_compliance", "strip_step"]
+__all__ = ["StripStep", "first_to_stick", "strip_compliance", "strip_step"]
 
 MOST_ITERATIONS = 2000
 ALL_AT_ONCE = 30
@@ -100,9 +100,7 @@ def strip_step(
     for iteration in range(MOST_ITERATIONS):
         sticks = slips == 0
         if total is not None and not sticks.any():
-            sticks[_first_to_stick(slips, before - compliance @ (slips * bound), parts @ (slips * bound) - total)] = (
-                True
-            )
+            sticks[first_to_stick(slips, before - compliance @ (slips * bound), parts @ (slips * bound) - total)] = True
         traction = np.where(sticks, 0.0, slips * bound)
         inner = compliance[np.ix_(sticks, sticks)]
         wanted = before[sticks] - compliance[np.ix_(sticks, ~sticks)] @ traction[~sticks]
@@ -130,7 +128,7 @@ def strip_step(
     )
 
 
-def _first_to_stick(slips: Array, free: Array, surplus: float) -> int:
+def first_to_stick(slips: Array, free: Array, surplus: float) -> int:
     """Return which node of a strip that slips everywhere comes to rest: friction bears more than the sum.
 
     Parameters

@@ -17,6 +17,7 @@ from winkler.media.conduction.conductors import ElectricalConductors, HeatConduc
 from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
+from winkler.problems.conduction.stiffness_analogy import plain
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.validity import shape_notes
 from winkler.validity import Assumption, Note, Standing
@@ -58,16 +59,32 @@ def conducting_disc(
     return contact, resistances_of(bed, conductors, np.ravel(np.asarray(contact.radius, dtype=float)))
 
 
-def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
+def scope_notes(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> tuple[Note, ...]:
     """Return why the disc of this bed conducts as it does; of many loads for the widest contact."""
     widest = float(np.max(radius, initial=0.0))
-    if not isinstance(bed.footprint, RoundOutline):
+    if not isinstance(bed.footprint, RoundOutline) and not plain(conductors):
+        first = Note(
+            Assumption.CONDUCTION,
+            Standing.APPROXIMATE,
+            "Thick bare conductors conduct through this contact like through the disc of equal stiffness; what a film "
+            "spreads and what a rod constricts is taken as at that disc. A film counts by the true area.",
+            BARBER,
+        )
+    elif not isinstance(bed.footprint, RoundOutline):
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
             "The contact conducts like the disc of equal stiffness, whatever its shape, if the bodies are homogeneous "
-            "and elastic and the radii of the bed are k / (2 E*). A film counts by the true area, if that is known.",
+            "and elastic and the radii of the bed are k / (2 E*).",
             BARBER,
+        )
+    elif not plain(conductors):
+        first = Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            "With a film, a plating or a rod conductance and stiffness are not in proportion; the resistance follows "
+            "from the radius of the contact alone.",
+            HOLM,
         )
     elif isinstance(bed.medium, HomogeneousMedium):
         first = Note(

@@ -18,6 +18,7 @@ from winkler.media.conduction.conductors import ElectricalConductors, HeatConduc
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.conduction.disc import resistances_of
 from winkler.problems.conduction.heated_contact import ColdContact, hot_at_voltage, profile
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution, cold_contact
 from winkler.problems.conduction.stiffness_analogy import plain
@@ -162,7 +163,8 @@ def _current(solution: JouleHeatingSolution, r: Array, z: Array) -> CurrentField
         voltage = np.where(z < 0.0, float(solution.voltage), 0.0)
         ambient = np.full(r.shape, problem.temperature)
         return CurrentFields(r, z, voltage, ambient, np.zeros(r.shape), np.zeros(r.shape))
-    cold = cold_contact(problem, np.array([radius]))
+    parts = resistances_of(problem.bed, problem.conductors, np.array([radius]))
+    cold = cold_contact(problem, parts, parts.middle, np.array([True]))
     hot = hot_at_voltage(cold, np.array([float(solution.voltage)]))
     potential, temperature = np.zeros(r.shape), np.zeros(r.shape)
     sides = (z >= 0.0, z < 0.0)

@@ -15,12 +15,13 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
 from winkler.loading import Load
-from winkler.materials.conducting_body import ConductingBody, parts_of
+from winkler.materials.conducting_body import ConductingBody, Rod, parts_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.media.conduction.disc_resistance import Resistances
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
-from winkler.problems.conduction.disc import conducting_disc, resistances_of
+from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.heated_contact import (
     ColdContact,
     HotContact,
@@ -113,10 +114,11 @@ class JouleHeating:
             If a current is sent through bodies that do not touch.
         """
         contact, parts = conducting_disc(self.bed, self.conductors, self.load)
-        hot = self._driven(np.ravel(contact.radius))
+        hot = self._driven(parts)
         flowing = hot.current > 0.0
         resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), parts.whole)
         touch, most = temperatures(self.law, self.temperature, hot)
+        middle, edge = (self._touched(parts, share, hot, touch) for share in (parts.middle, parts.edge))
 
         shape = np.shape(contact.radius)
         return JouleHeatingSolution(
@@ -131,12 +133,14 @@ class JouleHeating:
             film_voltage=shaped(hot.film, shape),
             heat_rate=shaped(hot.current * hot.voltage, shape),
             contact_temperature=shaped(touch, shape),
+            middle_temperature=shaped(middle, shape),
+            edge_temperature=shaped(edge, shape),
             max_temperature=shaped(most, shape),
         )
 
-    def _driven(self, radius: Array) -> HotContact:
-        touching = radius > 0.0
-        none = np.zeros(radius.shape)
+    def _driven(self, parts: Resistances) -> HotContact:
+        touching = np.isfinite(parts.first)
+        none = np.zeros(touching.shape)
         hot = HotContact(none.copy(), none.copy(), none.copy(), none.copy())
         if isinstance(self.drive, Current) and self.drive.current > 0.0 and not touching.all():
             raise InvalidInput(
@@ -144,7 +148,7 @@ class JouleHeating:
                 "presses them together, or a voltage."
             )
         if touching.any():
-            cold = cold_contact(self, radius[touching])
+            cold = cold_contact(self, parts, parts.first / (parts.first + parts.second), touching)
             drive = np.ones(int(touching.sum()))
             if isinstance(self.drive, Current):
                 coefficients = hot_at_current(cold, self.drive.current * drive)
@@ -157,21 +161,40 @@ class JouleHeating:
             hot.film[~touching] = self.drive.voltage
         return hot
 
+    def _touched(self, parts: Resistances, share: Array, hot: HotContact, mean: Array) -> Array:
+        """Return T_c [K] at a place of the spot from the first body's share there, `mean` if it is that of the mean."""
+        touching = np.isfinite(parts.first)
+        touching[touching] = share[touching] != parts.first[touching] / (parts.first + parts.second)[touching]
+        found = mean.copy()
+        if touching.any():
+            there = hot_at_voltage(cold_contact(self, parts, share, touching), hot.voltage[touching])
+            found[touching] = temperatures(self.law, self.temperature, there)[0]
+        return found
 
-def cold_contact(problem: JouleHeating, radius: Array) -> ColdContact:
-    """Return what is known of contacts of given radii `(m,)` before they are heated.
+
+def cold_contact(problem: JouleHeating, parts: Resistances, share: Array, touching: Array) -> ColdContact:
+    """Return what is known of contacts before they are heated, at a place of the spot.
+
+    Parameters
+    ----------
+    problem : JouleHeating
+    parts : Resistances
+    share : ndarray, (m,)
+        Of the first body in the voltage over both constrictions, at that place or on average over the current [-].
+    touching : ndarray of bool, (m,)
+        Which of them to return.
 
     Raises
     ------
     OutsideValidity
         If a plating and what carries it resist differently as they are heated.
     """
-    parts = resistances_of(problem.bed, problem.conductors, radius)
+    share, spread = share[touching], (parts.first + parts.second)[touching]
     first, second = problem.conductors.first, problem.conductors.second
     return ColdContact(
-        parts.first + parts.bulk_first,
-        parts.second + parts.bulk_second,
-        parts.film,
+        share * spread + parts.bulk_first,
+        (1.0 - share) * spread + parts.bulk_second,
+        parts.film[touching],
         (_coefficient(first), _coefficient(second)),
         problem.temperature,
         problem.law,
@@ -208,12 +231,18 @@ class JouleHeatingSolution(ConductingSolution):
     heat_rate : float or ndarray
         Joule heat I V [W].
     contact_temperature : float or ndarray
-        T_c [K] where the bodies touch.
+        T_c [K] where the bodies touch; of a spot whose voltage varies that of its mean over the current.
+    middle_temperature, edge_temperature : float or ndarray
+        T_c [K] on the axis and at the edge of the spot, which differ between unlike platings.
     max_temperature : float or ndarray
         T_max [K]; inside the body that resists more, if they differ.
     """
 
-    __words__ = words(heat_rate=("Q", "W", "Joule heat"))
+    __words__ = words(
+        heat_rate=("Q", "W", "Joule heat"),
+        middle_temperature=("T_{c,0}", "K", "temperature of the contact on its axis"),
+        edge_temperature=("T_{c,a}", "K", "temperature of the contact at its edge"),
+    )
 
     problem: JouleHeating
     cold_resistance: Quantity
@@ -222,6 +251,8 @@ class JouleHeatingSolution(ConductingSolution):
     film_voltage: Quantity
     heat_rate: Quantity
     contact_temperature: Quantity
+    middle_temperature: Quantity
+    edge_temperature: Quantity
     max_temperature: Quantity
 
     @property
@@ -244,6 +275,33 @@ class JouleHeatingSolution(ConductingSolution):
                 KOHLRAUSCH,
             ),
         ]
+        bodies = (problem.conductors.first, problem.conductors.second)
+        middle, edge, mean = (
+            np.ravel(part) for part in (self.middle_temperature, self.edge_temperature, self.contact_temperature)
+        )
+        if np.any(middle != mean):
+            worst = int(np.argmax(np.abs(middle - edge)))
+            alike = len({_coefficient(body) for body in bodies}) == 1
+            notes.append(
+                Note(
+                    Assumption.CONDUCTION,
+                    Standing.EXACT if alike else Standing.APPROXIMATE,
+                    f"Between unlike platings the spot has no single temperature: {middle[worst]:.5g} K on its axis, "
+                    f"{edge[worst]:.5g} K at its edge, {mean[worst]:.5g} K at the mean voltage of the current"
+                    + ("." if alike else "; the current lines are those of the cold contact."),
+                    "own solution: with heat flowing as the current, L (T^2 - T_0^2) is the product of both voltages",
+                )
+            )
+        if any(isinstance(body, Rod) for body in bodies) and bodies[0] != bodies[1]:
+            notes.append(
+                Note(
+                    Assumption.CONDUCTION,
+                    Standing.ASYMPTOTIC,
+                    "The contact is taken as of one voltage and one temperature, as it is while it is narrow beside "
+                    "the rods.",
+                    KOHLRAUSCH,
+                )
+            )
         if problem.conductors.film.area_resistance:
             notes.append(
                 Note(

@@ -52,7 +52,7 @@ class ConductingSolution:
         bed, conductors = self.problem.bed, self.problem.conductors
         depth, radius = np.asarray(self.depth, dtype=float), np.asarray(self.radius, dtype=float)
         yielding = yield_notes_of_bed(bed, depth, radius) if strong_parts(bed.medium) else ()
-        return (*scope_notes(bed, radius), *yielding, *conductors.notes)
+        return (*scope_notes(bed, conductors, radius), *yielding, *conductors.notes)
 
     def at(self, index: int | tuple[int, ...]) -> Self:
         """Return the solution of one load of an array.

@@ -22,7 +22,7 @@ from winkler.materials.conducting_body import resistivity_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_left
 from winkler.values import value, words
 
 __all__ = ["SpotCluster", "SpotClusterSolution"]
@@ -177,7 +177,7 @@ class SpotClusterSolution:
         return (
             Note(
                 Assumption.RESOLUTION,
-                Standing.EXACT,
+                standing_left(self.uncertainty),
                 f"All spots have one voltage; the last refinement changed the resistance by {self.uncertainty:.1g} of "
                 "itself.",
                 "W. Wolfe's eigenfunctions of the disc, Galerkin's method",

@@ -29,8 +29,8 @@ __all__ = ["torsion_notes", "torsion_yield_notes"]
 
 LEAST_DEPTH = 1e-3
 """Stresses of a twist are sought below this depth, in contact radii."""
-REFINEMENTS = 4
-"""Rounds of refinement: the value is good to about a per mille."""
+ROUNDS = 4
+"""Rounds of the search: the value is good to about a per mille."""
 PATH_SAMPLES, RADIUS_SAMPLES = 24, 193
 """At so many points of a path where the load falls the traction is examined, at so many radii."""
 
@@ -120,4 +120,4 @@ def _greatest(state: TorsionState, first: bool) -> float:
     def field(r: Array, z: Array) -> Array:
         return body_of_twisted(state, r, np.zeros(r.shape), sign * np.maximum(z, LEAST_DEPTH * state.radius)).von_mises
 
-    return greatest(field, state.radius, zooms=REFINEMENTS).value
+    return greatest(field, state.radius, rounds=ROUNDS).value

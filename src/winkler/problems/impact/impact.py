@@ -66,7 +66,7 @@ class Impact:
         omega [rad/s] at first touch, about the axis in the surface and across the motion; positive as of a ball that
         rolls forwards.  It needs a lever.
     inertia : float, optional
-        I [kg m^2] about that axis through the centre of mass; infinite if the body does not turn.
+        I [kg m^2] about that axis through the centre of mass; infinite if the body does not turn.  It needs a lever.
     lever : float, optional
         From the centre of mass to the surface [m]: the radius of a ball.
     count : int, optional
@@ -75,7 +75,8 @@ class Impact:
     Raises
     ------
     InvalidInput
-        If a number is of the wrong sign or kind, a body spins without a lever, or friction exceeds 1e5 but is finite.
+        If a number is of the wrong sign or kind, friction exceeds 1e5 but is finite, a body spins or has an inertia
+        without a lever, or has a lever but neither an inertia nor an angular velocity.
 
     References
     ----------
@@ -122,10 +123,20 @@ class Impact:
                 f"Impact: with a friction coefficient of {self.law.coefficient:g} hardly a spring slides, and rounding "
                 f"hides which; give at most {LARGEST_FRICTION:g}, or Coulomb(math.inf) if nothing slides."
             )
-        if self.lever == 0.0 and self.angular_velocity != 0.0:
+        if self.lever == 0.0 and (self.angular_velocity != 0.0 or self.inertia < math.inf):
+            given = (
+                f"an angular velocity of {self.angular_velocity:g} rad/s"
+                if self.angular_velocity != 0.0
+                else f"an inertia of {self.inertia:g} kg m^2"
+            )
             raise InvalidInput(
-                f"Impact: with an angular velocity of {self.angular_velocity:g} rad/s the lever is {self.lever:g} m; "
+                f"Impact: with {given} the lever is {self.lever:g} m; "
                 "it must be positive: give the distance from the centre of mass to the surface, the radius of a ball."
+            )
+        if self.lever > 0.0 and self.inertia == math.inf and self.angular_velocity == 0.0:
+            raise InvalidInput(
+                f"Impact: a lever of {self.lever:g} m acts only on a body that turns; give its inertia, of a ball "
+                f"2/5 m R^2, here {0.4 * self.mass * self.lever**2:.3g} kg m^2, or leave the lever out."
             )
 
     @property

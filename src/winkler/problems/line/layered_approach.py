@@ -28,12 +28,14 @@ from winkler.foundation.strip_waves import averages
 from winkler.materials.elastic import Elastic
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.coated_interior import wave_states
+from winkler.media.stacked.sliding_film import SlidingFilm
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 
 __all__ = ["has_depth", "layered_approach"]
 
+OnBase = CoatedHalfSpace | SlidingFilm
 FIRST_WAVE_NUMBER, LARGEST_PHASE = 0.1, 12.0
 POINTS, POINTS_PER_RATIO = 64, 48
 WIDEST = 0.2
@@ -42,7 +44,7 @@ WIDEST = 0.2
 
 def has_depth(medium: object) -> bool:
     """Return whether a medium is layers on a rigid base under a rigid body, so that a depth needs no reference."""
-    if not isinstance(medium, CoatedHalfSpace):
+    if not isinstance(medium, OnBase):
         return False
     return not isinstance(medium.on, Elastic) and not isinstance(medium.second, Elastic)
 
@@ -96,7 +98,7 @@ def _logarithm(ratio: float) -> float:
     return float(np.mean(np.log(ratio + np.hypot(ratio, 2.0 * np.sin(0.5 * angle)))))
 
 
-def _first_depth(medium: CoatedHalfSpace, place: float | Reference | None) -> float:
+def _first_depth(medium: OnBase, place: float | Reference | None) -> float:
     if not isinstance(place, Real) or not medium.thickness <= place < math.inf:
         raise InvalidInput(
             "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below "
@@ -106,7 +108,7 @@ def _first_depth(medium: CoatedHalfSpace, place: float | Reference | None) -> fl
     return float(place)
 
 
-def _second_depth(medium: CoatedHalfSpace, place: float | Reference | None, half_width: float) -> tuple[float, float]:
+def _second_depth(medium: OnBase, place: float | Reference | None, half_width: float) -> tuple[float, float]:
     """Return the depth in the second body [m], and what its finite size adds over the load per E*."""
     body = medium.second
     assert isinstance(body, Elastic)
@@ -129,18 +131,18 @@ def _second_depth(medium: CoatedHalfSpace, place: float | Reference | None, half
     return float(depth), share * finite.added(body.poisson)
 
 
-def _moved_first(medium: CoatedHalfSpace, k: Array, depth: float) -> Array:
+def _moved_first(medium: OnBase, k: Array, depth: float) -> Array:
     """Return displacements times k per pressure of 1 [1/Pa] in the body under the layers."""
     moved = np.zeros(k.size)
     if depth < math.inf:
         bottoms = np.cumsum([layer.thickness for layer in medium.layers])
         at = np.array([np.nextafter(max(depth, float(bottoms[-1])), math.inf)])
-        for _, state, end in wave_states(medium.layers, medium.on, bottoms, at, k):
+        for _, state, end in wave_states(medium.stack, medium.on, bottoms, at, k):
             moved[:end] = state.moved[:end, 1]
     return moved
 
 
-def _moved_second(medium: CoatedHalfSpace, k: Array, depth: float) -> Array:
+def _moved_second(medium: OnBase, k: Array, depth: float) -> Array:
     """Return the same of the second body, a half-plane."""
     body = medium.second
     if depth == math.inf or not isinstance(body, Elastic):

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.media.stacked.sliding_film import SlidingFilm
 from winkler.problems.assumptions.film import film_note
 from winkler.problems.line.layered_approach import has_depth, layered_approach
 from winkler.problems.line.layered_stress import layered_fields
@@ -44,11 +45,16 @@ def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float
 
 def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
     """Return these notes but for that on yield."""
+    layers = (
+        "An isotropic, linear elastic film that slides on its base without friction and does not lift off,"
+        if isinstance(bed.medium, SlidingFilm)
+        else "Perfectly bonded, isotropic, linear elastic layers"
+    )
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Perfectly bonded, isotropic, linear elastic layers in plane strain, pressed without friction: the Fourier "
-        "response of the stack, solved in Chebyshev modes; the ends of a body of finite length are not included.",
+        f"{layers} in plane strain under normal load: the Fourier response of the stack, solved in Chebyshev "
+        "modes; the ends of a body of finite length are not included.",
         WAVES,
     )
     notes = shape_notes(bed, half_width, response)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.equations.highest import highest
+from winkler.numerics.equations.highest import highest_of_curve
 
 __all__ = ["is_sharp", "peak_pressure", "rim_load"]
 
@@ -57,4 +57,4 @@ def peak_pressure(bed: LineBed, force: float, half_width: float) -> float:
     on_rim = rim_load(bed, force, half_width)
     if is_sharp(bed, half_width, on_rim):
         return np.inf
-    return highest(lambda x: bed.pressure(x, half_width, on_rim), half_width)
+    return highest_of_curve(lambda x: bed.pressure(x, half_width, on_rim), half_width)

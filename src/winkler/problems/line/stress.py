@@ -55,8 +55,12 @@ class LineFields:
 
     @property
     def max_shear(self) -> Array:
-        """Greatest shear stress in the plane of x and z [Pa], half the difference of the principal stresses there."""
-        return np.asarray(np.hypot(0.5 * (self.xx_stress - self.zz_stress), self.xz_stress))
+        """Greatest shear stress [Pa], half the difference of the outermost principal stresses, of which y has one."""
+        middle, half = (
+            0.5 * (self.xx_stress + self.zz_stress),
+            np.hypot(0.5 * (self.xx_stress - self.zz_stress), self.xz_stress),
+        )
+        return np.asarray(np.maximum(half, 0.5 * (half + np.abs(middle - self.yy_stress))))
 
 
 class LineContact(NamedTuple):

@@ -29,7 +29,7 @@ def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tu
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction: flat punches of all "
+        "Homogeneous, linear elastic half-planes in plane strain under normal load: flat punches of all "
         "half-widths add up to the solution itself; the ends of a body of finite length are not included.",
         JAEGER,
     )

@@ -3,11 +3,17 @@ r"""Dissimilar cylinders that roll steadily: pressure drags the surfaces, and tr
 With Dundurs' constant beta both act on each other within the strip, where the slope of the gap and the slip over the
 speed of rolling are (Bentall and Johnson)
 
-.. math:: \frac xR = \frac2{\pi E^*}\int\frac{p(s)}{x-s}\,\mathrm ds - \frac{2\beta}{E^*}q , \qquad
+.. math:: \frac{x-m}R = \frac2{\pi E^*}\int\frac{p(s)}{x-s}\,\mathrm ds - \frac{2\beta}{E^*}q , \qquad
           s(x) = \xi - \frac2{\pi E^*}\int\frac{q(s)}{x-s}\,\mathrm ds - \frac{2\beta}{E^*}p .
 
-On boundary elements pressure and traction are found in turn until both stay.  Without friction to speak of all slips,
-and the free cylinder creeps by :math:`0.9140\,\beta a/R`.
+Neither has a length of its own: on a strip from -1 to 1 the pressure follows from the traction, with the middle m as
+one unknown more, and the load gives the width afterwards.  Pressure and traction are linear between nodes that are
+dense at both edges, and both equations hold at the middles of the elements.  Where everything sticks,
+
+.. math:: a^2 = \frac{4PR}{\pi E^*(1+4\eta^2)} , \qquad \xi = \frac{2\eta a}R , \qquad
+          \eta = \frac{\operatorname{artanh}\beta}\pi .
+
+Without friction to speak of all slips, and the free cylinder creeps by :math:`0.9140\,\beta a/R`.
 
 References
 ----------
@@ -16,23 +22,31 @@ R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404, doi:10.1016/0
 
 from __future__ import annotations
 
+import functools
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.strip_grid import StripStep, strip_compliance, strip_step
+from winkler.numerics.surfaces.strip_elements import linear_slope
+from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
 
-__all__ = ["CoupledStrip", "coupled_strip"]
+__all__ = ["CoupledStrip", "coupled_strip", "creepage_error"]
 
-COUNT = 200
-"""Elements on half of the contact of similar bodies."""
-BESIDE = 1.4
-"""Half of the grid over the half-width."""
-SETTLED, ACCEPTED, MOST_ROUNDS, MOST_TRIES = 1e-9, 1e-6, 60, 200
-"""Change of pressure and traction over their greatest values at which the search ends, and with which it may."""
-ROUNDING = 1e-12
+COUNT = 400
+"""Elements of the strip."""
+ALL_AT_ONCE, MOST_ROUNDS, MOST_WIDTHS = 30, 60, 60
+"""Rounds in which all nodes change that are wrong, rounds in all, and widths that are tried under a creepage."""
+ACCEPTED = 1e-5
+"""Part of the load on nodes that break Coulomb's law, with which the search may end: zones of few edge elements."""
+STEPS = (1, 4)
+"""Steps in which Dundurs' constant is brought up from that of similar bodies."""
+ELEMENT_ERROR, ZONE_ERROR = 5e-5, 3e-3
+"""Of the creepage on all elements, and by the elements that stick: twice what random strips miss with finer ones."""
+ROUNDING, WIDE = 1e-12, 1e-10
+"""Of nodes, and of the width under a creepage."""
 
 
 class CoupledStrip(NamedTuple):
@@ -41,11 +55,11 @@ class CoupledStrip(NamedTuple):
     Parameters
     ----------
     x, pressure, traction
-        At the nodes that touch ``(m,)``, ascending: the leading edge is last.
+        At the nodes ``(m,)``, ascending, with both edges: the leading edge is last.
     slip
-        Over the speed of rolling, of the second surface over the first ``(m,)``, halfway ahead of each node.
+        Over the speed of rolling, of the second surface over the first ``(m - 1,)``, in the middle of each element.
     slips
-        -1, 0 or 1 where it slips backwards, sticks, slips forwards ``(m,)``.
+        -1, 0 or 1 where it slips backwards, sticks, slips forwards ``(m - 1,)``, of each element.
     creepage, force
         xi [-], Q over E* a.
     """
@@ -61,21 +75,135 @@ class CoupledStrip(NamedTuple):
     @property
     def stick_share(self) -> float:
         """Part of the width that sticks [-]."""
-        return float(np.mean(self.slips == 0.0))
+        return float(np.diff(self.x) @ (self.slips == 0.0)) / float(self.x[-1] - self.x[0])
 
     @property
     def loss(self) -> float:
-        """What friction loses per distance rolled, over E* a.
+        """What friction loses per distance rolled, over E* a, with the mean traction of each element."""
+        mean = 0.5 * (self.traction[1:] + self.traction[:-1])
+        return float(np.diff(self.x) @ np.abs(mean * self.slip))
 
-        Halfway between two nodes the traction is their mean; behind the last one it falls to zero.
-        """
-        halfway = 0.5 * (self.traction + np.append(self.traction[1:], 0.0))
-        behind = 0.5 * self.traction[0] * self.slip[0]
-        return float(np.sum(np.abs(halfway * self.slip)) + abs(behind)) / COUNT
+
+def creepage_error(strip: CoupledStrip) -> float:
+    """Return the bound of the error of a creepage, over it or that of a free strip that sticks, if that is greater."""
+    return ELEMENT_ERROR + ZONE_ERROR / max(1, int(np.count_nonzero(strip.slips == 0.0)))
+
+
+class _EdgeDenseGrid(NamedTuple):
+    """A strip from -1 to 1: the equations at the middles of its elements, the unknowns at the nodes inside.
+
+    Parameters
+    ----------
+    nodes, weights
+        ``(n + 1,)``; widths of the nodes inside ``(n - 1,)``.
+    slope, mean
+        2/pi times the integral of q(s)/(x - s), and q, at the middles ``(n, n - 1)``.
+    alone, follows
+        Pressure without traction ``(n - 1,)``, and by what q the pressure rises if 2 beta is one ``(n - 1, n - 1)``.
+    """
+
+    nodes: Array
+    weights: Array
+    slope: Array
+    mean: Array
+    alone: Array
+    follows: Array
+
+
+@functools.cache
+def _grid(count: int) -> _EdgeDenseGrid:
+    nodes = -np.cos(np.pi * np.arange(count + 1) / count)
+    widths, middles = np.diff(nodes), 0.5 * (nodes[1:] + nodes[:-1])
+    slope = 2.0 * linear_slope(nodes, middles)
+    mean = 0.5 * (np.eye(count, count - 1) + np.eye(count, count - 1, -1))
+    solved = np.linalg.solve(np.hstack([slope, -np.ones((count, 1))]), np.column_stack([middles, mean]))[:-1]
+    return _EdgeDenseGrid(nodes, 0.5 * (widths[1:] + widths[:-1]), slope, mean, solved[:, 0], solved[:, 1:])
+
+
+class _UnitStrip(NamedTuple):
+    """A strip from -1 to 1 with a slope of the gap of one: at nodes inside; slip at elements, the last one first."""
+
+    traction: Array
+    pressure: Array
+    slip: Array
+    slips: Array
+    creepage: float
+
+
+class _StripEquations:
+    """The strip under one coefficient of friction and one of Dundurs' constants.
+
+    Of each element but the one at the trailing edge the node behind it sticks or slips as the element does.
+    """
+
+    def __init__(self, grid: _EdgeDenseGrid, beta: float, friction: float) -> None:
+        self.grid, self.friction = grid, friction
+        self.follows = 2.0 * beta * grid.follows
+        self.passing = grid.slope + 2.0 * beta * grid.mean @ self.follows
+        self.drawn = -2.0 * beta * grid.mean @ grid.alone
+
+    def state(self, slips: Array, ratio: float | None, creepage: float) -> _UnitStrip:
+        """Return the strip whose nodes stick or slip so, under a force of this part of the load or with a creepage."""
+        grid, sticks = self.grid, slips == 0.0
+        rubs = (slips * self.friction)[:, None]
+        system = np.where(sticks[:, None], self.passing[1:], np.eye(slips.size) - rubs * self.follows)
+        right = np.where(sticks, self.drawn[1:], rubs[:, 0] * grid.alone)
+        if ratio is None:
+            traction = np.linalg.solve(system, right + creepage * sticks)
+        else:
+            sums = grid.weights - ratio * (grid.weights @ self.follows)
+            bordered = np.block([[system, -1.0 * sticks[:, None]], [sums[None, :], np.zeros((1, 1))]])
+            *rest, creepage = np.linalg.solve(bordered, np.append(right, ratio * float(grid.weights @ grid.alone)))
+            traction = np.array(rest)
+        slip = creepage + self.drawn - self.passing @ traction
+        slip[1:][sticks] = 0.0
+        return _UnitStrip(traction, grid.alone + self.follows @ traction, slip, slips, float(creepage))
+
+    def sliding(self, side: float) -> _UnitStrip:
+        """Return the strip that slips everywhere to one side, with the least creepage at which it does."""
+        slips = np.full(self.grid.alone.size, side)
+        free = self.state(slips, None, 0.0)
+        least = float(side * np.max(-side * free.slip[1:]))
+        return free._replace(slip=free.slip + least, creepage=least)
+
+    def settled(self, slips: Array, ratio: float | None, creepage: float) -> _UnitStrip | None:
+        """Return the strip that obeys Coulomb's law, from a guess of what slips; None if it is not found."""
+        least, best = math.inf, None
+        for turn in range(MOST_ROUNDS):
+            if ratio is not None and slips.all():
+                slips = self._resting(slips, ratio)
+            found = self.state(slips, ratio, creepage)
+            load = float(self.grid.weights @ found.pressure)
+            bound, slip = self.friction * found.pressure, found.slip[1:]
+            allowed = np.maximum(bound, 0.0)
+            broken = np.abs(found.traction - np.clip(found.traction + slip, -allowed, allowed))
+            share = float(self.grid.weights @ broken) / (min(self.friction, 1.0) * load) if load > 0.0 else math.inf
+            if share < least:
+                least, best = share, found
+            rounding = ROUNDING * float(np.max(np.abs(self.passing @ found.traction)))
+            over = np.where(np.abs(found.traction) > bound * (1.0 + ROUNDING), np.sign(found.traction), 0.0)
+            better = np.where(slips == 0.0, over, np.where(slip * slips < -rounding, 0.0, slips))
+            wrong = np.flatnonzero(better != slips)
+            if wrong.size == 0 and load > 0.0:
+                return found
+            if turn >= ALL_AT_ONCE and least < ACCEPTED:
+                return best
+            changed = wrong if turn < ALL_AT_ONCE else wrong[-1:]
+            slips = slips.copy()
+            slips[changed] = better[changed]
+        return None
+
+    def _resting(self, slips: Array, ratio: float) -> Array:
+        """Return a strip that slips everywhere with the node at rest that comes to rest first."""
+        moving = self.state(slips, None, 0.0)
+        surplus = float(self.grid.weights @ (moving.traction - ratio * moving.pressure))
+        slips = slips.copy()
+        slips[first_to_stick(slips, moving.slip[1:], surplus)] = 0.0
+        return slips
 
 
 def coupled_strip(
-    beta: float, friction: float, slope: float, *, force: float | None = None, creepage: float = 0.0
+    beta: float, friction: float, slope: float, *, force: float | None = None, creepage: float = 0.0, count: int = COUNT
 ) -> CoupledStrip:
     """Return the strip under a force, or with a creepage.
 
@@ -91,75 +219,74 @@ def coupled_strip(
         Q over E* a.
     creepage : float, optional
         xi [-], where no force is given.
+    count : int, optional
+        Elements.
 
     Raises
     ------
     NotConverged
         If pressure and traction are not found.
     """
-    h = 1.0 / COUNT
-    x = h * np.arange(-round(BESIDE * COUNT), round(BESIDE * COUNT) + 1)
-    near = h * strip_compliance(x.size, 1.0, 1.0)
-    away = np.arange(x.size)
-    compliance, earlier = near[np.abs(away[:, None] - away)], near[np.abs(away[:, None] + 1 - away)]
-    load = 0.25 * np.pi * slope
-    pressure, traction, slips = 0.5 * slope * np.sqrt(np.maximum(1.0 - x * x, 0.0)), np.zeros(x.size), np.zeros(x.size)
-    change = np.inf
-    for _ in range(MOST_ROUNDS):
-        borne = np.append(0.0, np.cumsum(0.5 * (traction[1:] + traction[:-1]))) * h
-        found = _pressed(compliance, 0.5 * slope * x * x + 2.0 * beta * borne, load / h, pressure > 0.0)
-        rows = np.flatnonzero(found)
-        rows = np.arange(rows[0], rows[-1] + 1)
-        drawn = -beta * h * (found + np.append(found[1:], 0.0))[rows]
-        step = _rubbed((compliance - earlier)[np.ix_(rows, rows)], drawn, friction * found[rows], slips[rows],
-                       force, creepage)  # fmt: skip
-        before, traction, slips = traction, np.zeros(x.size), np.zeros(x.size)
-        traction[rows], slips[rows] = step.traction, step.slips
-        change = max(
-            float(np.max(np.abs(traction - before))) / friction, float(np.max(np.abs(found - pressure)))
-        ) / float(np.max(found))
-        pressure = found
-        if change < SETTLED:
-            break
-    if change > ACCEPTED or rows[0] == 0 or rows[-1] == x.size - 1:
+    grid = _grid(count)
+    ratio = None if force is None else force / (0.25 * math.pi * slope)
+    found = next(
+        filter(None, (_searched(grid, beta, friction, steps, ratio, creepage / slope) for steps in STEPS)), None
+    )
+    if found is None:
         raise NotConverged(
             f"LineRolling: pressure and traction of dissimilar cylinders (Dundurs' beta {beta:.3g}, friction "
             f"{friction:.3g}) were not found; give less friction, or leave the coupling out."
         )
-    slip = (step.shift + drawn - (compliance - earlier)[np.ix_(rows, rows)] @ step.traction) / h
-    slip[step.slips == 0.0] = 0.0
+    half, middle = _half(grid, found), _middle(grid, beta, found)
+    pressure, traction = (slope * half * np.pad(row, 1) for row in (found.pressure, found.traction))
+    slips = np.append(found.slips[:1], found.slips)
     return CoupledStrip(
-        x[rows], found[rows], step.traction, slip, step.slips, step.shift / h, h * float(np.sum(step.traction))
-    )
+        half * (grid.nodes + middle), pressure, traction, np.where(slips == 0.0, 0.0, slope * half * found.slip), slips,
+        slope * half * found.creepage, slope * half**2 * float(grid.weights @ found.traction),
+    )  # fmt: skip
 
 
-def _pressed(compliance: Array, gap: Array, total: float, touching: Array) -> Array:
-    """Return the pressure of a sum at nodes with this gap before they are pressed; nothing pulls, nothing overlaps."""
-    for _ in range(MOST_TRIES):
-        rows = np.flatnonzero(touching)
-        edge = np.ones((rows.size, 1))
-        system = np.block([[compliance[np.ix_(rows, rows)], -edge], [edge.T, np.zeros((1, 1))]])
-        found = np.linalg.solve(system, np.append(-gap[rows], total))
-        pressure = np.zeros(gap.size)
-        pressure[rows] = found[:-1]
-        apart = compliance @ pressure + gap - found[-1]
-        pulls = touching & (pressure < 0.0)
-        overlaps = ~touching & (apart < -ROUNDING * np.max(np.abs(gap)))
-        if not (pulls.any() or overlaps.any()):
-            return pressure
-        touching = (touching & ~pulls) | overlaps
-    raise NotConverged("LineRolling: the strip of dissimilar cylinders was not found; give less friction.")
+def _searched(
+    grid: _EdgeDenseGrid, beta: float, friction: float, steps: int, ratio: float | None, creepage: float
+) -> _UnitStrip | None:
+    """Return the strip of a slope of one under Q/P or a creepage, from Carter's zones or a strip that sticks."""
+    drive = creepage if ratio is None else ratio
+    side, used = math.copysign(1.0, drive), abs(drive) / friction
+    strips = [_StripEquations(grid, beta * step / steps, friction) for step in range(1, steps + 1)]
+    if ratio is not None and used >= 1.0 - ROUNDING:
+        return strips[-1].sliding(side)
+    share = max(1.0 - used, 0.0) if ratio is None else math.sqrt(1.0 - used)
+    carter = np.where(grid.nodes[1:-1] < 1.0 - 2.0 * share, side, 0.0)
+    for slips in (carter, np.zeros(carter.size)):
+        found: _UnitStrip | None = None
+        for strip in strips:
+            found = _wide(strip, slips if found is None else found.slips, ratio, creepage)
+            if found is None:
+                break
+        if found is not None:
+            return found
+    return None
 
 
-def _rubbed(
-    passing: Array, drawn: Array, bound: Array, slips: Array, force: float | None, creepage: float
-) -> StripStep:
-    """Return traction, slip and creepage times the spacing under a steady pressure."""
-    if force is None:
-        return strip_step(passing, drawn, bound, slips, shift=creepage / COUNT, rounding=ROUNDING)
-    total = force * COUNT
-    if abs(total) < float(np.sum(bound)) * (1.0 - ROUNDING):
-        return strip_step(passing, drawn, bound, slips, total=total, rounding=ROUNDING)
-    side = np.copysign(1.0, force)
-    free = drawn - passing @ (side * bound)
-    return StripStep(side * bound, np.full(bound.size, side), float(side * np.max(-side * free)))
+def _wide(strip: _StripEquations, slips: Array, ratio: float | None, creepage: float) -> _UnitStrip | None:
+    """Return the strip at its own width: a creepage is that of the strip from -1 to 1 times the half-width."""
+    half = 1.0
+    for _ in range(MOST_WIDTHS):
+        found = strip.settled(slips, ratio, creepage / half)
+        if found is None or ratio is not None:
+            return found
+        before, half, slips = half, _half(strip.grid, found), found.slips
+        if abs(half - before) <= WIDE * half:
+            return found
+    return None
+
+
+def _half(grid: _EdgeDenseGrid, found: _UnitStrip) -> float:
+    """Return the half-width over that of similar bodies under the same load."""
+    return math.sqrt(0.25 * math.pi / float(grid.weights @ found.pressure))
+
+
+def _middle(grid: _EdgeDenseGrid, beta: float, found: _UnitStrip) -> float:
+    """Return how far ahead of the axis the middle of the strip is, over its half-width."""
+    sloped = grid.slope[0] @ found.pressure - 2.0 * beta * grid.mean[0] @ found.traction
+    return float(sloped) - 0.5 * float(grid.nodes[0] + grid.nodes[1])

@@ -12,7 +12,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike, Quantity
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of
-from winkler.problems.line_rolling.coupled import COUNT, CoupledStrip
+from winkler.problems.line_rolling.coupled import CoupledStrip
 from winkler.problems.line_rolling.coupled_stresses import coupled_stresses
 from winkler.problems.line_rolling.pressed import rolling_stresses, sliding_creepage
 from winkler.problems.which_body import in_first_body
@@ -67,7 +67,9 @@ class UnderOneDrive:
         a, c, mu = self._one("slip")
         x = finite_places("LineRollingSolution.slip", "x", x)
         if self.strips:
-            return self._nodal(x - 0.5 * a / COUNT, self.strips[0].slip)
+            strip = self.strips[0]
+            within = (strip.x[0] <= x / a) & (x / a <= strip.x[-1])
+            return np.where(within, np.interp(x / a, 0.5 * (strip.x[1:] + strip.x[:-1]), strip.slip), 0.0)
         behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
         rate = np.sqrt(behind) * abs(mu) / self.problem.bed.profile.curvature_radius
         beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.contact, abs(mu))
@@ -95,9 +97,7 @@ class UnderOneDrive:
 
     def _nodal(self, x: Array, row: Array) -> Array:
         """Return a row of a coupled strip by place, straight between the nodes."""
-        strip, a = self.strips[0], float(self.contact.half_width)
-        nodes = a * np.concatenate([strip.x[:1] - 1.0 / COUNT, strip.x, strip.x[-1:] + 1.0 / COUNT])
-        return np.asarray(np.interp(x, nodes, np.concatenate([[0.0], row, [0.0]])))
+        return np.asarray(np.interp(x / float(self.contact.half_width), self.strips[0].x, row))
 
     def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
         """Return the stresses below the surface under one drive, of pressure and traction.

@@ -92,7 +92,7 @@ class LineRollingStart:
     Raises
     ------
     InvalidInput
-        If the profile is not round, a number is out of range, or a creepage has no reference.
+        If the profile is not round, a number is out of range, a creepage has no reference, or a force has one.
     OutsideValidity
         If a creepage is lateral or a spin.
 
@@ -145,6 +145,11 @@ class LineRollingStart:
                 "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound under "
                 "a force per length: give the distance `reference` in m against which it is counted, or prescribe "
                 "LineShearForce(Q)."
+            )
+        if not isinstance(self.drive, Creepage) and math.isfinite(self.reference):
+            raise InvalidInput(
+                f"LineRollingStart: against a reference of {self.reference:g} m only a prescribed creepage is counted, "
+                "and a shear force is prescribed; leave the reference out."
             )
 
     @property

@@ -32,7 +32,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line_rolling.coupled import CoupledStrip, coupled_strip
-from winkler.problems.line_rolling.coupled_stresses import COUPLED, FULL_COUPLING, coupled_yield_notes
+from winkler.problems.line_rolling.coupled_stresses import FULL_COUPLING, coupled_note, coupled_yield_notes
 from winkler.problems.line_rolling.one_drive import UnderOneDrive
 from winkler.problems.line_rolling.pressed import (
     OneLineLoad,
@@ -59,6 +59,12 @@ CARTER = Note(
     "Coulomb friction, steady rolling in plane strain: the zones of stick and slip and the tractions are Carter's.",
     "F. W. Carter, Proc. R. Soc. A 112 (1926) 151-157, doi:10.1098/rspa.1926.0100",
 )
+NOT_COUPLED = Note(
+    Assumption.UNCOUPLED,
+    Standing.EXACT,
+    "The bodies are elastically similar: pressure and traction do not act on each other, and `coupled` has no effect.",
+    "Dundurs' constant beta is zero",
+)
 
 
 @value
@@ -77,8 +83,8 @@ class LineRolling:
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     coupled : bool, optional
-        Whether pressure and traction of dissimilar bodies act on each other; without it they do not (Carter).  Half of
-        the contact is divided into 200 elements, and the load is that of the contact without friction.
+        Whether pressure and traction of dissimilar bodies act on each other; without it they do not (Carter).  The
+        strip is divided into 400 elements, dense at both edges, and bears the load of the contact without friction.
 
     Raises
     ------
@@ -250,6 +256,8 @@ class LineRollingSolution(UnderOneDrive):
         force, share = (float(np.ravel(column)[index]) for column in (self.shear_force_per_length, self.stick_share))
         strip = line_notes(bed, float(self.contact.half_width))
         if self.strips:
-            return (*strip, FULL_COUPLING, COUPLED, *coupled_yield_notes(self.contact, self.strips[index]))
+            rolled = self.strips[index]
+            return (*strip, FULL_COUPLING, coupled_note(rolled), *coupled_yield_notes(self.contact, rolled))
         yielding = rolling_yield_notes(self.contact, mu if force >= 0.0 else -mu, share)
-        return (*strip, sticking_note(bed.medium, mu), CARTER, *yielding)  # type: ignore[arg-type]
+        similar = (NOT_COUPLED,) if self.problem.coupled else ()
+        return (*strip, sticking_note(bed.medium, mu), *similar, CARTER, *yielding)  # type: ignore[arg-type]

@@ -9,6 +9,7 @@ import numpy as np
 
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.periodic import PeriodicBed, in_closed_form
+from winkler.numerics.equations.highest import highest_of_curve
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.stress import LineContact, stresses
@@ -54,15 +55,7 @@ def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
         return 0.0
     if is_sharp(bed.line, bed.line.rim, 0.0):
         return np.inf
-    low, high = 0.0, a
-    for _ in range(REFINEMENTS):
-        places = np.linspace(low, high, PRESSURE_SAMPLES)
-        levels = bed.pressure(places, a, extra)
-        best = int(np.argmax(levels))
-        low, high = places[max(best - 1, 0)], places[min(best + 1, PRESSURE_SAMPLES - 1)]
-        if best == 0:
-            break
-    return float(levels[best])
+    return highest_of_curve(lambda x: bed.pressure(x, a, extra), a)
 
 
 def periodic_notes(bed: PeriodicBed, one: LineFoundation, strip: Strip) -> tuple[Note, ...]:
@@ -80,7 +73,7 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation, strip: Strip) -> tuple
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction in equal strips without "
+        "Homogeneous, linear elastic half-planes in plane strain under normal load in equal strips without "
         "end; far below, a patch of them many pitches wide is pressed evenly.",
         WESTERGAARD,
     )

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
@@ -26,7 +27,7 @@ FINE, COARSE = 0.02, 0.1
 MOST_STRESSED, AWAY = 3, 0.1
 """Strips below which the greatest stress is sought; depth below a sharp place at which it is judged, over the
 half-width."""
-PLACES, DEPTHS, FINEST_DEPTH, ZOOMS = 25, 21, 1e-3, 8
+PLACES, DEPTHS, FINEST_DEPTH = 25, 21, 1e-3
 WIDTHS_SEARCHED, DEEPEST_SEARCHED = 1.5, 2.5
 
 
@@ -47,7 +48,7 @@ def profile_notes(
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain, pressed without friction: all strips press on each "
+        "Homogeneous, linear elastic half-planes in plane strain under normal load: all strips press on each "
         "other; the ends of a body of finite length and thickness are not included.",
         FLAMANT,
     )
@@ -123,12 +124,11 @@ def _greatest(found: FoundStrips, part: StrongPart) -> Placed:
         shallow = half * (AWAY if _sharp(found) or not found.refined else FINEST_DEPTH)
         x = middle + half * WIDTHS_SEARCHED * np.linspace(-1.0, 1.0, PLACES)
         z = np.geomspace(shallow, DEEPEST_SEARCHED * half, DEPTHS)
-        for _ in range(ZOOMS):
-            across, down = np.meshgrid(x, z, indexing="ij")
-            stress = fields_of(across, down, *found.potential(across, down), InBody(part.solid.poisson)).von_mises
-            i, j = (int(number) for number in np.unravel_index(int(np.argmax(stress)), stress.shape))
-            place = Placed(float(stress[i, j]), float(x[i]), float(z[j]))
-            best = max(best, place, key=lambda one: one.value)
-            x = np.linspace(x[max(i - 1, 0)], x[min(i + 1, x.size - 1)], 7)
-            z = np.linspace(z[max(j - 1, 0)], z[min(j + 1, z.size - 1)], 7)
+        body = InBody(part.solid.poisson)
+
+        def stress(across: Array, down: Array, body: InBody = body) -> Array:
+            return fields_of(across, down, *found.potential(across, down), body).von_mises
+
+        top = highest(stress, [x, z])
+        best = max(best, Placed(top.value, *top.place), key=lambda one: one.value)
     return best

@@ -15,7 +15,7 @@ import numpy as np
 from winkler.checks.place_checks import finite_places
 from winkler.foundation.line import LineFoundation
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.numerics.equations.highest import highest
+from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
@@ -85,7 +85,7 @@ class LineViscoelasticState:
             return 0.0
         if is_sharp(self.bed, self.half_width, self.edge_load):
             return np.inf
-        return highest(self.pressure, self.half_width)
+        return highest_of_curve(self.pressure, self.half_width)
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure [Pa], zero outside of the contact.

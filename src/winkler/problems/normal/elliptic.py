@@ -43,10 +43,10 @@ __all__ = ["EllipticIndentation", "EllipticSolution"]
 ELLIPSE = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Homogeneous, linear elastic half-spaces, pressed without friction: Hertz's ellipse is exact for bodies of two "
-    "curvatures.",
+    "Homogeneous, linear elastic half-spaces: under normal load Hertz's ellipse is exact for bodies of two curvatures.",
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
+OF_THE_DISTANCE = "It is that of the distance between the bodies; give a CurvedPair for the slopes of each body."
 
 
 @value
@@ -246,8 +246,9 @@ class EllipticSolution:
         ----------
         friction, angle : float
             As of `stresses`.
-        measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
-            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface.
+        measure : {'von_mises', 'max_shear', 'orthogonal_shear', 'longitudinal_shear', 'lateral_shear'}
+            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface,
+            whatever its direction, along x, and along y.
         below : bool
             In the first body; otherwise in the second.
 
@@ -287,11 +288,17 @@ class EllipticSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, onset of yield."""
-        axes = float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))
+        axes, bodies = (
+            (float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))),
+            self.problem.bodies,
+        )
+        steep = steepness_note(bodies.steepest_slope(*axes))
+        if isinstance(bodies, CurvedBodies):
+            steep = dataclasses.replace(steep, statement=f"{steep.statement} {OF_THE_DISTANCE}")
         return (
             *(note for note in self.problem.medium.notes if note.standing is not Standing.EXACT),  # of a round contact
             ELLIPSE,
-            steepness_note(self.problem.bodies.steepest_slope(*axes)),
+            steep,
             *ellipse_yield_notes(
                 self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
             ),

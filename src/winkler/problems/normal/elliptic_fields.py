@@ -4,31 +4,21 @@ from __future__ import annotations
 
 import math
 import numbers
-from collections.abc import Mapping
-from types import MappingProxyType
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.media.interior import half_ellipsoid_peak as peak
 from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
 from winkler.media.interior.half_ellipsoid_displacement import half_ellipsoid_displacements
+from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
 from winkler.media.interior.peak import StressSpot
-from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
+from winkler.media.interior.tensor import measure_named, principal_of_tensor, von_mises_of_tensor
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
 __all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "solid_below", "traction_of"]
-
-MEASURES: Mapping[str, peak.Measure] = MappingProxyType(
-    {
-        "von_mises": peak.von_mises,
-        "max_shear": peak.max_shear,
-        "orthogonal_shear": peak.orthogonal_shear,
-    }
-)
 
 
 @value
@@ -49,7 +39,6 @@ class EllipticFields:
         x=("x", "m", "place along the surface"),
         y=("y", "m", "place along the surface, across x"),
         principal_stresses=(r"\sigma_1, \sigma_2, \sigma_3", "Pa", "principal stresses, greatest first"),
-        orthogonal_shear=(r"\tau_0", "Pa", "shear stress in the plane along the surface, whatever its direction"),
     )
 
     x: Array
@@ -144,7 +133,7 @@ def greatest_below_ellipse(
 
     Parameters
     ----------
-    measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
+    measure : {'von_mises', 'max_shear', 'orthogonal_shear', 'longitudinal_shear', 'lateral_shear'}
     semi_axis, slenderness : float
         a along x [m], and b/a of b along y.
     pressure : float
@@ -158,10 +147,9 @@ def greatest_below_ellipse(
     InvalidInput
         If there is no such measure.
     """
-    if not isinstance(measure, str) or measure not in MEASURES:
-        raise InvalidInput(f"EllipticSolution: there is no stress {measure!r}; give one of {', '.join(MEASURES)}.")
+    compared = measure_named(measure, "EllipticSolution")
     a, b = semi_axis, slenderness * semi_axis
     mirror = 1.0 if traction >= (0.0, 0.0) else -1.0  # the opposite traction has its place mirrored in the axis
     rubbed = (mirror * traction[0] + 0.0, mirror * traction[1] + 0.0)
-    spot = peak.greatest_in_half_ellipsoid(MEASURES[measure], slenderness, poisson, rubbed)
+    spot = greatest_in_half_ellipsoid(compared, slenderness, poisson, rubbed)
     return StressSpot(pressure * spot.value, mirror * spot.x * a + 0.0, mirror * spot.y * b + 0.0, spot.z * min(a, b))

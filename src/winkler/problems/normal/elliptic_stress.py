@@ -25,12 +25,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.equations.highest import highest
 from winkler.numerics.types import Array
 
 __all__ = ["EllipticPeak", "axis_stresses", "greatest_under_ellipse"]
 
-SAMPLES = 49
-REFINEMENTS = 12
+DEPTHS = np.geomspace(1e-4, 4.0, 49)
 
 
 class EllipticPeak(NamedTuple):
@@ -76,19 +76,16 @@ def greatest_under_ellipse(slenderness: float, poisson: float) -> EllipticPeak:
     """
     a, b = 1.0 / slenderness, 1.0
 
-    def stress(z: Array) -> Array:
-        s_x, s_y, s_z = axis_stresses(a, b, poisson, z)
-        return np.asarray(np.sqrt(0.5 * ((s_x - s_y) ** 2 + (s_y - s_z) ** 2 + (s_z - s_x) ** 2)))
-
-    low, high = math.log(1e-4), math.log(4.0)
-    for _ in range(REFINEMENTS):
-        z = np.exp(np.linspace(low, high, SAMPLES))
-        values = stress(z)
-        best = int(np.argmax(values))
-        low, high = math.log(z[max(best - 1, 0)]), math.log(z[min(best + 1, SAMPLES - 1)])
-    below = EllipticPeak(float(values[best]), float(z[best]))
+    top = highest(lambda z: _von_mises(*axis_stresses(a, b, poisson, z)), [DEPTHS])
+    below = EllipticPeak(top.value, *top.place)
+    twice, free = 2.0 * poisson, 1.0 - 2.0 * poisson
+    in_middle = _von_mises(-twice - free * b / (a + b), -twice - free * a / (a + b), -1.0)
     at_ends = _ends(slenderness) * abs(1.0 - 2.0 * poisson) * math.sqrt(3.0)
-    return max(below, EllipticPeak(at_ends, 0.0))
+    return max(below, EllipticPeak(max(at_ends, float(in_middle)), 0.0))
+
+
+def _von_mises(x: Array | float, y: Array | float, z: Array | float) -> Array:
+    return np.asarray(np.sqrt(0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2)))
 
 
 def _ends(slenderness: float) -> float:

@@ -9,6 +9,7 @@ strength Y and the ellipse a, b of the force one, yielding begins at
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import ClassVar
 
 from winkler.errors import InvalidInput
@@ -167,4 +168,7 @@ class EllipticYieldOnsetSolution:
             "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
         )
         others = (note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC)
-        return (*others, sliding_note(self.problem.medium, self.problem.friction.coefficient), criterion)
+        rubbed = sliding_note(self.problem.medium, self.problem.friction.coefficient)
+        if self.problem.friction.coefficient == 0.0 and self.problem.angle != 0.0:
+            rubbed = replace(rubbed, statement=f"{rubbed.statement} The angle of friction has no effect.")
+        return (*others, rubbed, criterion)

@@ -30,9 +30,8 @@ from winkler.materials.elastic import Elastic
 from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
-from winkler.media.interior.peak import REFINEMENTS, greatest
-from winkler.media.interior.stress import von_mises
-from winkler.media.interior.tensor import von_mises_of_tensor
+from winkler.media.interior.peak import greatest
+from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
@@ -44,9 +43,10 @@ EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""
 INFINITE = ", so the elastic stress is infinite there and it yields there"
 UNRESOLVED = ", where the von Mises stress of an incompressible body is finite but was not sought"
-REFINEMENTS_IN_LAYERS = 4
-"""Rounds of refinement in layers, whose stresses are Hankel integrals: the value is good to about a per mille."""
-FINE_REFINEMENTS_IN_LAYERS = 7
+STARTS_IN_LAYERS = 2
+ROUNDS_IN_LAYERS = 4
+"""Starts and rounds of the search in layers, whose stresses are Hankel integrals: good to about a per mille."""
+FINE_ROUNDS_IN_LAYERS = 7
 """The same where it is asked for: good to 1e-7."""
 INTERFACE_OFFSET = 1e-9
 """How far below an interface the lower layer begins, of its depth."""
@@ -63,9 +63,14 @@ class GreatestStress(NamedTuple):
 
 @functools.lru_cache(maxsize=256)
 def greatest_stress(
-    pressed: PressedSprings, part: StrongPart, friction: float = 0.0, *, fine: bool = False
+    pressed: PressedSprings,
+    part: StrongPart,
+    friction: float = 0.0,
+    *,
+    fine: bool = False,
+    measure: Measure = von_mises,
 ) -> GreatestStress:
-    """Return the greatest von Mises stress in a part of the bodies.
+    """Return the greatest stress of a kind in a part of the bodies.
 
     Parameters
     ----------
@@ -76,6 +81,8 @@ def greatest_stress(
         Traction over pressure; more than zero on a `HalfSpace` and on bonded layers.
     fine : bool
         Whether the place is sought as precisely in layers as in a half-space, which takes longer.
+    measure : callable
+        What is compared: the von Mises stress, unless given; of an ellipse with friction no other.
 
     Raises
     ------
@@ -84,10 +91,10 @@ def greatest_stress(
     """
     bed = pressed.bed
     if isinstance(bed.footprint, EllipticOutline):
-        return _under_ellipse(pressed, bed.footprint, part, friction)
+        return _under_ellipse(pressed, bed.footprint, part, friction, measure)
     refuse_unless_round(bed, "yield", "the stress below the surface")
     if type(pressed) is PressedSprings and _is_ball(pressed):
-        largest = _ball(part.solid.poisson, friction)
+        largest = _ball(part.solid.poisson, friction, measure)
         peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
         return GreatestStress(largest.value * peak, largest.x * pressed.radius, largest.z * pressed.radius, "")
     sharp = list(sharp_places(pressed, part.solid.poisson, friction)) if part.top == 0.0 else []
@@ -99,35 +106,34 @@ def greatest_stress(
         for place, _ in sharp:
             regular &= np.hypot(np.abs(x) - place, z) >= off
         if regular.any():
-            stress[regular] = stress_in_plane(pressed, part, friction, x[regular], z[regular])
+            stress[regular] = stress_in_plane(pressed, part, friction, x[regular], z[regular], measure)
         return stress
 
     layered = isinstance(bed.medium, DepthVaryingMedium)
-    in_layers = FINE_REFINEMENTS_IN_LAYERS if fine else REFINEMENTS_IN_LAYERS
+    costly = {"starts": STARTS_IN_LAYERS, "rounds": FINE_ROUNDS_IN_LAYERS if fine else ROUNDS_IN_LAYERS}
     place = greatest(
         field,
         pressed.radius,
         top=part.top * (1.0 + INTERFACE_OFFSET),
         bottom=part.bottom,
         both_sides=friction > 0.0,
-        zooms=in_layers if layered else REFINEMENTS,
-        smooth=not sharp,
+        **(costly if layered else {}),
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 
 
 def _under_ellipse(
-    pressed: PressedSprings, outline: EllipticOutline, part: StrongPart, friction: float
+    pressed: PressedSprings, outline: EllipticOutline, part: StrongPart, friction: float, measure: Measure
 ) -> GreatestStress:
     """Return the greatest stress under Hertz's ellipse, dragged along x; its springs are those of a disc as stiff."""
     radius = np.array([pressed.radius])
     force = float((pressed.bed.stiffness(radius) * pressed.depth - pressed.bed.gap_load(radius))[0])
     a, b = (float(axis[0]) for axis in outline.semi_axes(radius))
     smaller, pressure = min(a, b), 1.5 * force / (math.pi * a * b)
-    if friction > 0.0:
+    if friction > 0.0 or measure is not von_mises:
         from winkler.media.interior import half_ellipsoid_peak as below  # not loaded for numbers of round contacts
 
-        rubbed = below.greatest_in_half_ellipsoid(below.von_mises, b / a, part.solid.poisson, (friction, 0.0))
+        rubbed = below.greatest_in_half_ellipsoid(measure, b / a, part.solid.poisson, (friction, 0.0))
         return GreatestStress(rubbed.value * pressure, rubbed.x * a, rubbed.z * smaller, "")
     largest = greatest_under_ellipse(smaller / max(a, b), part.solid.poisson)
     return GreatestStress(largest.value * pressure, 0.0, largest.depth * smaller, "")
@@ -153,8 +159,10 @@ def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> It
             yield place, f"the slope of the profile jumps{UNRESOLVED if bounded else INFINITE}"
 
 
-def stress_in_plane(pressed: PressedSprings, part: StrongPart, friction: float, x: Array, z: Array) -> Array:
-    """Return the von Mises stress [Pa] in the plane y = 0 of a contact that is dragged along x by `friction` times p.
+def stress_in_plane(
+    pressed: PressedSprings, part: StrongPart, friction: float, x: Array, z: Array, measure: Measure = von_mises
+) -> Array:
+    """Return the stress of a kind [Pa] in the plane y = 0 of a contact that is dragged along x by `friction` times p.
 
     Parameters
     ----------
@@ -166,12 +174,16 @@ def stress_in_plane(pressed: PressedSprings, part: StrongPart, friction: float, 
         Traction over pressure [-].
     x, z : ndarray
         Of one shape [m], z >= 0 into that body.
+    measure : callable
+        Of which kind; von Mises' unless given.
     """
     medium, springs = pressed.bed.medium, pressed.blunted
     with np.errstate(invalid="ignore"):  # stresses are infinite in points of the surface
         across = medium.interior(springs, np.abs(x), z, below=part.first)
     if friction == 0.0:
-        return von_mises(across.radial_stress, across.hoop_stress, across.axial_stress, across.shear_stress)
+        none = np.zeros(x.shape)
+        alone = (across.radial_stress, across.hoop_stress, across.axial_stress, none, across.shear_stress, none)
+        return measure(Tensor(*alone))
     y, solid = np.zeros(x.shape), part.solid
     with np.errstate(invalid="ignore"):
         if isinstance(medium, HalfSpace):
@@ -180,13 +192,15 @@ def stress_in_plane(pressed: PressedSprings, part: StrongPart, friction: float, 
             )
         else:
             along = medium.dragged_interior(springs, x, y, z, below=part.first)  # type: ignore[attr-defined]
-    return von_mises_of_tensor(
-        across.radial_stress + friction * along.xx_stress,
-        across.hoop_stress + friction * along.yy_stress,
-        across.axial_stress + friction * along.zz_stress,
-        friction * along.xy_stress,
-        np.sign(x) * across.shear_stress + friction * along.xz_stress,
-        friction * along.yz_stress,
+    return measure(
+        Tensor(
+            across.radial_stress + friction * along.xx_stress,
+            across.hoop_stress + friction * along.yy_stress,
+            across.axial_stress + friction * along.zz_stress,
+            friction * along.xy_stress,
+            np.sign(x) * across.shear_stress + friction * along.xz_stress,
+            friction * along.yz_stress,
+        )
     )
 
 
@@ -196,13 +210,13 @@ def _is_ball(pressed: PressedSprings) -> bool:
 
 
 @functools.lru_cache(maxsize=1024)
-def _ball(poisson: float, friction: float) -> GreatestStress:
+def _ball(poisson: float, friction: float, measure: Measure) -> GreatestStress:
     """Return the greatest stress over the greatest pressure, and its place over the contact radius."""
     solid = Elastic(1.0, poisson)
     medium = HalfSpace(solid)
     unit, part = PressedSprings(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
     peak = 2.0 * medium.modulus / math.pi
     largest = greatest(
-        lambda x, z: stress_in_plane(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0, smooth=True
+        lambda x, z: stress_in_plane(unit, part, friction, x, z, measure) / peak, 1.0, both_sides=friction > 0.0
     )
     return GreatestStress(largest.value, largest.r, largest.z, "")

@@ -13,7 +13,7 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings
-from winkler.numerics.equations.highest import highest
+from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.types import Array
 
 __all__ = ["peak_pressure"]
@@ -50,6 +50,6 @@ def peak_pressure(pressed: PressedSprings) -> float:
     try:
         if pressed.edge > 0.0 or np.any(np.isposinf(pressure(kinks))):
             return math.inf
-        return highest(pressure, a)
+        return highest_of_curve(pressure, a)
     except NotConverged as error:
         raise OutsideValidity(f"The greatest pressure is not known: {error}") from None

@@ -16,7 +16,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import NonNegative
-from winkler.errors import NotConverged, OutsideValidity
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.materials.conducting_body import resistivity_of, surface_of
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.media.conduction.spot_resistances import plated_surface
@@ -55,7 +55,7 @@ class ThermalJoint:
     Raises
     ------
     InvalidInput
-        If an argument has the wrong type, or a number is negative.
+        If an argument has the wrong type, a number is negative, or an empty gap has a jump distance.
     OutsideValidity
         If a body is a rod, or a plating is thinner than 1e-7 of the map.
 
@@ -95,6 +95,11 @@ class ThermalJoint:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.CONDUCTION, Assumption.STEADY}
 
     def __post_init__(self) -> None:
+        if self.jump_distance > 0.0 and self.gap_conductivity == 0.0:
+            raise InvalidInput(
+                f"ThermalJoint: a jump distance of {self.jump_distance:g} m is of a gas, and the gap is empty; give "
+                "its gap_conductivity, or leave jump_distance out."
+            )
         refuse_bodies("ThermalJoint", self.conductors, float(np.max(self.contact.topography.lengths)))
 
     @property

@@ -13,7 +13,7 @@ from winkler.problems.profile_pair.notes import placed_notes, yield_of_patches
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
 from winkler.problems.surface_rolling.notes import named
 from winkler.problems.surface_rolling.small_creep import small_creep_note
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.validity import Assumption, Note, Standing, standing_left, standing_of
 
 __all__ = ["pair_rolling_notes"]
 
@@ -56,7 +56,7 @@ def pair_rolling_notes(
         ),
         Note(
             Assumption.SLIP,
-            Standing.ASYMPTOTIC,
+            standing_left(misfit, Standing.ASYMPTOTIC),
             f"Exact theory of rolling, {named(friction)} in each pixel, to {misfit:.1g} of what friction would lose "
             "if all slipped; the rigid slip follows the radii of both bodies across the patch.",
             KALKER,

@@ -31,7 +31,7 @@ from winkler.problems.rough.stuck_contacts import StuckContacts
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_left
 from winkler.values import value
 
 __all__ = ["Reduction", "ReductionSolution", "reduce"]
@@ -220,7 +220,7 @@ class ReductionSolution:
         return (
             Note(
                 Assumption.RESOLUTION,
-                Standing.ASYMPTOTIC,
+                standing_left(self.misfit, Standing.ASYMPTOTIC),
                 f"Springs under a height map, from {self.depth.size} contacts by boundary elements; their forces "
                 f"differ by at most {self.misfit:.1g} of the greatest one, since between contacts force curves that "
                 "bend upwards have no other force. Stiffness, and with it conductance, is less certain: it was within "

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.profiles.rough.map_notes import map_notes
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["border_notes", "surface_notes"]
 
@@ -61,7 +61,7 @@ def surface_notes(
         Note(Assumption.RESPONSE, Standing.EXACT, border, STANLEY if rough.periodic else POLONSKY),
         Note(
             Assumption.RESOLUTION,
-            Standing.ASYMPTOTIC,
+            standing_left(max(overlap, left), Standing.ASYMPTOTIC),
             f"Solved until surfaces overlap by at most {overlap:.1g} of the depth, and pressures do {left:.1g} "
             "of the work of the force on gaps; smooth contacts gain two digits of the force for ten times the "
             "pixels along a side.",

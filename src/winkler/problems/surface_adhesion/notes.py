@@ -10,7 +10,7 @@ from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["surface_adhesion_notes"]
 
@@ -67,7 +67,7 @@ def surface_adhesion_notes(
         *medium_notes(medium, rough, math.inf, 0.0, 0.0, 0.0)[:2],
         Note(
             Assumption.RESOLUTION,
-            Standing.ASYMPTOTIC,
+            standing_left(residual, Standing.ASYMPTOTIC),
             f"The zone of attraction beside an edge spans {on_grid.span:.3g} pixels; the pull-off force of a ball is "
             "then within about a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at "
             f"most {residual:.1g} of the greatest.",

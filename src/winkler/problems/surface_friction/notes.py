@@ -15,7 +15,7 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import solved_together_note
 from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["UNCOUPLED_LAYERS", "surface_shear_notes"]
 
@@ -63,7 +63,7 @@ def surface_shear_notes(
         *medium_notes(medium, rough, math.inf, blurred, overlap, overlap),
         Note(
             Assumption.SLIP,
-            Standing.EXACT,
+            standing_left(float(np.max(misfit))),
             f"{_named(law)} in each pixel, in the direction of its own slip: what slips is at its bound, with "
             f"tractions along the slip of each step, to {float(np.max(misfit)):.1g} of the energy stored and lost.",
             KALKER,

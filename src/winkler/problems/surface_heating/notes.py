@@ -7,7 +7,7 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.surface_heating.state import SurfaceHeatState
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.validity import Assumption, Note, Standing, standing_left, standing_of
 
 __all__ = ["JAEGER", "surface_heating_notes"]
 
@@ -41,6 +41,8 @@ def surface_heating_notes(
     slow = "" if max(peclets) > 1.0 else " A slow body comes to it late: heat must spread over the contact."
     touching = last.pressure > 0.0
     rise = float(np.max(hottest)) - min(bulk)
+    risen = last.max_temperature - min(bulk)
+    left = last.mismatch / risen if risen > 0.0 else 0.0
     return (
         Note(
             Assumption.CONDUCTION,
@@ -52,9 +54,9 @@ def surface_heating_notes(
         ),
         Note(
             Assumption.CONDUCTION,
-            Standing.EXACT,
-            "The bodies share the heat so that their surfaces have one temperature in every pixel where they touch; "
-            f"{last.mismatch:.1g} K are left.",
+            standing_left(left),
+            "The bodies share the heat so that their surfaces have one temperature in every pixel where they touch, to "
+            f"{left:.1g} of the greatest rise.",
             BLOK,
         ),
         Note(

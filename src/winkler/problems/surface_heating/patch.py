@@ -40,7 +40,7 @@ class HeatedPatch(NamedTuple):
     bulk
         Temperatures of the bodies far away [K].
     exchanged
-        What flows into the first body because these differ [W/m^2].
+        What flows into the first and the second body because these differ [W/m^2].
     coarse
         The same on pixels of twice the size; none where the contact has too few.
     """
@@ -50,7 +50,7 @@ class HeatedPatch(NamedTuple):
     pressure: Array
     places: tuple[Array, Array]
     bulk: Pair
-    exchanged: Array
+    exchanged: tuple[Array, Array]
     coarse: HeatedPatch | None
 
     @classmethod
@@ -98,9 +98,9 @@ class HeatedPatch(NamedTuple):
         area = _step(self.places[0]) * _step(self.places[1])
         rubs = bool(np.any(flux > 0.0))
         shared = _solved(self.owner, self.sharing, flux if rubs else self.pressure, 0.0)
-        share = float(np.sum(shared) / np.sum(flux if rubs else self.pressure))
-        inflow = (shared if rubs else 0.0) + self.exchanged
-        warm = self.bulk[0] + first.warmed(inflow), self.bulk[1] + second.warmed(flux - inflow)
+        share = float(np.sum(shared[0]) / np.sum(flux if rubs else self.pressure))
+        inflow, outflow = ((into if rubs else 0.0) + due for into, due in zip(shared, self.exchanged, strict=True))
+        warm = self.bulk[0] + first.warmed(inflow), self.bulk[1] + second.warmed(outflow)
         hottest = np.where(touching, np.maximum(*warm), -np.inf)
         peak, low = float(np.max(hottest)), min(self.bulk)
         x, y = _middle(self.places, hottest, peak - low)
@@ -110,7 +110,7 @@ class HeatedPatch(NamedTuple):
         return SurfaceHeatState(
             heat_rate=area * float(np.sum(flux)),
             first_share=share,
-            exchanged_heat_rate=area * float(np.sum(self.exchanged)),
+            exchanged_heat_rate=area * float(np.sum(self.exchanged[0])),
             max_temperature=peak,
             x=x,
             y=y,
@@ -131,9 +131,9 @@ def half_length(touching: Array, pixel: float) -> float:
     return 0.5 * pixel * float(columns[-1] - columns[0] + 1) if columns.size else 0.0
 
 
-def _solved(owner: str, sharing: HeatSharing, flux: Array, difference: float) -> Array:
+def _solved(owner: str, sharing: HeatSharing, flux: Array, difference: float) -> tuple[Array, Array]:
     try:
-        return sharing.first_flux(flux, difference)
+        return sharing.fluxes(flux, difference)
     except NotConverged as error:
         raise NotConverged(f"{owner}: {error}; give a map of fewer pixels, or of pixels nearer to squares.") from None
 

@@ -18,7 +18,7 @@ from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
 from winkler.problems.surface_friction.by_turns import COUPLED_TOLERANCE
 from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["named", "surface_rolling_notes"]
 
@@ -59,7 +59,7 @@ def surface_rolling_notes(
     bodies = "Half-spaces" if isinstance(medium, HomogeneousMedium) else "Layered or graded bodies"
     law = Note(
         Assumption.SLIP,
-        Standing.ASYMPTOTIC,
+        standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
         f"{bodies} that roll, {named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
         f"would lose if all slipped{met} the rolling there are {across} pixels: forces err in proportion to their "
         "size, by about 0.5 % of mu F_N with 40.",

@@ -19,6 +19,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
@@ -36,10 +37,17 @@ from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
+
+NO_SPEED = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "Coulomb's friction is the same at all velocities of slip: the speed has no effect on forces and creepages.",
+    "the law of friction",
+)
 
 
 @value
@@ -285,4 +293,5 @@ class SurfaceRollingSolution(RolledMap):
         )  # fmt: skip
         creeps = self.longitudinal_creepage, self.lateral_creepage, self.spin_creepage
         slip = greatest_slip(*creeps, self.last.pressure > 0.0, np.array(stated.topography.pixel))
-        return (*notes, small_creep_note(slip), *self._yield_notes(np.size(self.force)))
+        idle = (NO_SPEED,) if stated.speed > 0.0 and isinstance(stated.friction, Coulomb) else ()
+        return (*notes, *idle, small_creep_note(slip), *self._yield_notes(np.size(self.force)))

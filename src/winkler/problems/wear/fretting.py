@@ -270,12 +270,15 @@ class FrettingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         stated = self.problem
-        found = stated.state(unworn(self.states[0].nodes)).loss_per_cycle
+        first = stated.state(unworn(self.states[0].nodes))
+        found, given = first.loss_per_cycle, stated.amplitude
+        shear_force = float(given.shear_force) if isinstance(given, ShearForce) else first.shear_force
+        share = shear_force / (stated.law.coefficient * first.force)
         notes = fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states)
         medium = stated.bed.medium
         if not isinstance(medium, DepthVaryingMedium):
             springs = FrictionDamping(stated.bed, stated.law, stated.normal, stated.amplitude).solve()
-            return (*notes, *slip_grid_note(found, float(springs.loss_per_cycle)))
+            return (*notes, *slip_grid_note(found, float(springs.loss_per_cycle), share))
         wears = layer_loses(medium, stated.wear, layer_wears=stated.layer_wears)
         expected = expected_loss(stated, self.states[0].nodes, found)
-        return (*notes, *slip_grid_note(found, expected), *layer_notes(medium, self.states, layer_wears=wears))
+        return (*notes, *slip_grid_note(found, expected, share), *layer_notes(medium, self.states, layer_wears=wears))

@@ -265,5 +265,5 @@ class LineFrettingSolution:
         expected = float(strips.dissipation_per_length[-1] - strips.dissipation_per_length[1])
         return (
             *line_fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states),
-            *slip_grid_note(found, expected),
+            *slip_grid_note(found, expected, shear / (stated.law.coefficient * force)),
         )

@@ -145,23 +145,28 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbin
     return (*pressed, *worn, DEBRIS, resolution_note(states[-1], tolerance, "depth"))
 
 
-LOST_SLIP = Note(
-    Assumption.RESOLUTION,
-    Standing.OUTSIDE,
-    "In a cycle before wear springs of no width lose less than can be computed: what the grid wears off is rounding; "
-    "give a larger amplitude.",
-    DIMAKI,
-)
+LEAST_SHARE = 1e-11
+"""Below this part of the shear force of sliding the stick radius differs from the contact radius by rounding."""
 
 
-def slip_grid_note(found: float, expected: float) -> tuple[Note, ...]:
+def slip_grid_note(found: float, expected: float, share: float) -> tuple[Note, ...]:
     """Return the note on how well a grid resolves the slip, by its loss in a cycle before wear and that of springs.
 
     Wear takes pressure times slip, which is this loss over the coefficient of friction.  Nothing is said where nothing
     slips.
+
+    Parameters
+    ----------
+    found, expected : float
+        Loss in a cycle before wear on the grid and of springs [J], or per length [J/m].
+    share : float
+        Amplitude of the shear force before wear, over the force at which everything slides [-].
     """
+    lost = f"The shear force reaches {share:.2g} of the sliding friction before wear, and slip and wear are rounding"
+    if 0.0 < share < LEAST_SHARE or found > expected == 0.0:
+        return (Note(Assumption.RESOLUTION, Standing.OUTSIDE, f"{lost}; give a larger amplitude.", DIMAKI),)
     if not expected > 0.0:
-        return (LOST_SLIP,) if found > 0.0 else ()
+        return ()
     error = found / expected - 1.0
     more = "more" if error > 0.0 else "less"
     text = f"In a cycle before wear the grid loses {100.0 * abs(error):.2g} per cent {more} than springs of no width do"

@@ -15,7 +15,7 @@ from winkler.limits import MOST_HOLES
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.trends import LINE_LEVELS, along_x, line_levels, trend_of
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["Topography"]
 
@@ -58,12 +58,7 @@ class Topography:
     removed: str = dataclasses.field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
-        try:
-            if np.iscomplexobj(self.heights):
-                raise TypeError("heights are real")
-            heights = np.array(self.heights, dtype=float)
-        except (TypeError, ValueError):
-            raise InvalidInput("Topography: heights must be numbers in m; give an array.") from None
+        heights = np.asarray(self.heights)
         if heights.ndim != 2 or min(heights.shape) < 2:
             raise InvalidInput(
                 f"Topography: heights have the shape {heights.shape}; give a map of at least 2 x 2 pixels, (nx, ny)."
@@ -73,7 +68,6 @@ class Topography:
         if np.any(np.isinf(heights)) or np.all(np.isnan(heights)):
             raise InvalidInput("Topography: heights are infinite, or all missing; give finite ones, nan for missing.")
         refuse_size("Topography: heights", heights)
-        object.__setattr__(self, "heights", frozen_array(heights))
 
     @property
     def pixel(self) -> tuple[float, float]:

@@ -12,12 +12,14 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated, Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from winkler.checks.number_checks import Advice, FiniteRow, Positive
 from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.types import Array
+from winkler.profiles.formula_parts import constants_of
 from winkler.profiles.sections.mirrored_section import MirroredSection
 from winkler.profiles.sections.section import CylinderRow, PunchRow, Section, ascending
 from winkler.validity import Assumption, Note, Standing
@@ -189,21 +191,14 @@ class FormulaSection(Section):
         width: float,
         *,
         cut_off: bool = False,
-        corners: Iterable[float] = (),
+        corners: ArrayLike = (),
         constants: Mapping[str, float] | Iterable[tuple[str, float]] = (),
         **named: float,
     ) -> None:
-        try:
-            numbers, listed = dict(constants) | named, tuple(float(corner) for corner in corners)
-        except (TypeError, ValueError):
-            raise InvalidInput(
-                "FormulaSection: constants are a table of names and numbers, as {'R': 0.01}, and corners a list of "
-                "places, as [1e-3]."
-            ) from None
         object.__setattr__(self, "expression", expression)
         object.__setattr__(self, "width", width)
-        object.__setattr__(self, "constants", tuple(sorted(numbers.items())))
-        object.__setattr__(self, "corners", tuple(sorted(set(listed))))
+        object.__setattr__(self, "constants", constants_of("FormulaSection", constants, named))
+        object.__setattr__(self, "corners", corners)
         object.__setattr__(self, "cut_off", cut_off)
         self.__post_init__()
 
@@ -213,6 +208,7 @@ class FormulaSection(Section):
                 raise InvalidInput(
                     f"FormulaSection: the corner {corner!r} must be a place in m between 0 and the width."
                 )
+        object.__setattr__(self, "corners", tuple(sorted({float(corner) for corner in self.corners})))
         x = np.linspace(0.0, self.width, TRIED)
         beside = x[~np.isin(x, self.corners)]
         values = np.array(self._law.taylor(beside)[:2])

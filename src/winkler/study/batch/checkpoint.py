@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import contextlib
 import glob
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput
+from winkler.io.software import differences
 from winkler.study.chapters.kind import path_of
 from winkler.study.language.canonical import digest_of
 from winkler.values import value
 
-__all__ = ["CheckpointStore", "refuse_other_version"]
+__all__ = ["CheckpointStore", "refuse_other_software"]
 
 RESUMABLE_PROBLEMS = (
     "winkler.problems.wear.fretting:FrettingWear",
@@ -31,26 +31,25 @@ RESUMABLE_MAPS = ("winkler.problems.surface_wear.wear:SurfaceWear",)
 ENDING = ".states.npz"
 
 
-def refuse_other_version(owner: str, made: object) -> None:
-    """Refuse the records that another version of winkler left of a run that was stopped.
+def refuse_other_software(owner: str, made: object) -> None:
+    """Refuse the records that other software left of a run that was stopped.
 
     Parameters
     ----------
     owner
         Subject of the sentence.
     made
-        The version that wrote them; empty if it is not stated.
+        What wrote them, as `winkler.io.software.software` states it.
 
     Raises
     ------
     InvalidInput
     """
-    mine = version("winkler")
-    if made != mine:
-        which = f"version {made}" if made else "an unknown version"
+    other = differences(made)
+    if other:
         raise InvalidInput(
-            f"{owner} was begun by {which} of winkler, and this is {mine}: their numbers may differ; add --anew to "
-            "begin again without it, or go on with that version."
+            f"{owner} was begun with {other}, whose numbers may differ; add --anew to begin again without it, or go on "
+            "with what it was begun with."
         )
 
 
@@ -89,12 +88,12 @@ class CheckpointStore:
         Raises
         ------
         InvalidInput
-            If another version of winkler has written them: its numbers may be others.
+            If other software has written them: its numbers may be others.
         """
         path = self.path(problem)
         if not self.resumes(problem) or not path.exists():
             return []
-        from winkler.io.array_file import version_of
+        from winkler.io.array_file import software_of
         from winkler.io.surface_wear_states import read_surface_wear
         from winkler.io.wear_states import read_wear
 
@@ -103,7 +102,7 @@ class CheckpointStore:
             states += read_surface_wear(path) if self._maps(problem) else read_wear(problem.bed, path)
         except InvalidInput:  # the march begins anew
             return []
-        refuse_other_version(f"states: '{path}'", version_of(path))
+        refuse_other_software(f"states: '{path}'", software_of(path))
         return states
 
     def write(self, problem: Any, states: list[Any]) -> None:

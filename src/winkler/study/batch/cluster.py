@@ -1,6 +1,6 @@
 """A cluster of many machines, through dask.distributed: the points of a sweep are solved by its workers.
 
-It needs the extra ``cluster`` (``pip install winkler[cluster]``) here, and the same version of winkler on the workers.
+It needs the extra ``cluster`` (``pip install winkler[cluster]``) here, and the same software on the workers.
 The points of a worker that dies are solved by the others, or by new ones.  When no worker is left, and none comes for
 a while, the sweep is given up; dask would wait for ever.
 """
@@ -12,11 +12,11 @@ import functools
 import math
 import time
 from collections.abc import Callable, Collection, Iterator
-from importlib.metadata import version
 from typing import Annotated, Any, NamedTuple
 
 from winkler.checks.number_checks import Advice
 from winkler.errors import InvalidInput, NotConverged
+from winkler.io.software import differences, software
 from winkler.values import value
 
 __all__ = ["Cluster", "Connection", "connected"]
@@ -104,7 +104,7 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
             raise InvalidInput(
                 f"cluster: '{cluster.address}' has no workers; start some with `dask worker {cluster.address}`."
             )
-        _same_version(client)
+        _same_software(client)
         try:
             submit = functools.partial(client.submit, pure=False)
             yield Connection(submit, threads, functools.partial(_ready, client, cluster))
@@ -140,15 +140,8 @@ def _ready(client: Any, cluster: Cluster, waiting: Collection[Any]) -> list[tupl
             )
 
 
-def _same_version(client: Any) -> None:
-    own_version = version("winkler")
-    for place, worker_version in client.run(_version, on_error="return").items():
-        if worker_version != own_version:
-            has = f"winkler {worker_version}" if isinstance(worker_version, str) else "no winkler"
-            raise InvalidInput(
-                f"cluster: the worker {place} has {has}, here is {own_version}; install this version there."
-            )
-
-
-def _version() -> str:
-    return version("winkler")
+def _same_software(client: Any) -> None:
+    for place, theirs in client.run(software, on_error="return").items():
+        other = "no winkler, or an older one" if isinstance(theirs, Exception) else differences(theirs)
+        if other:
+            raise InvalidInput(f"cluster: the worker {place} has {other}; install there what is here.")

@@ -15,14 +15,14 @@ import json
 import os
 import zlib
 from collections.abc import Iterator
-from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.study.batch.checkpoint import refuse_other_version
+from winkler.io.software import software
+from winkler.study.batch.checkpoint import refuse_other_software
 from winkler.study.batch.locking import lock
 from winkler.study.language.canonical import digest, how_fitted, plain
 from winkler.study.language.study import Study
@@ -107,9 +107,9 @@ class Journal:
             self._write(json.dumps(self._head))
 
     def _refuse_other(self, head: Any) -> None:
-        """Refuse the journal of another version of winkler, or of another study."""
+        """Refuse the journal of other software, or of another study."""
         try:
-            refuse_other_version(f"journal: '{self.path}'", head.get("version") if isinstance(head, dict) else "")
+            refuse_other_software(f"journal: '{self.path}'", head.get("software") if isinstance(head, dict) else None)
         except InvalidInput:
             self._close()
             raise
@@ -192,7 +192,7 @@ def _content(line: bytes) -> Any:
 
 def _head(study: Study | FitStudy) -> dict[str, Any]:
     """Return the content of the first line: equal heads mean equal points, expectations and numbers."""
-    made = {"journal of": "winkler", "version": version("winkler")}
+    made = {"journal of": "winkler", "software": software()}
     if not isinstance(study, Study):
         return {**made, "fit": _hash([how_fitted(study), str(study.time_limit)])}
     drawn_points = [_drawn(axis) for axis in study.axes] if study.design.draws else []

@@ -57,6 +57,7 @@ __all__ = [
     "Solved",
     "SolvedPoint",
     "answers_of",
+    "number_names",
 ]
 
 
@@ -73,7 +74,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
     """
     answers: dict[str, Quantity] = {}
     rows: tuple[int, ...] | None = None
-    for name in _numbers_of(solution.__class__):
+    for name in number_names(solution.__class__):
         try:
             content = getattr(solution, name)
         except OutsideValidity:  # a quantity that this medium does not have
@@ -90,7 +91,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
 
 
 @functools.cache
-def _numbers_of(cls: type[Any]) -> tuple[str, ...]:
+def number_names(cls: type[Any]) -> tuple[str, ...]:
     """Return the names of the numbers of a class of solutions: its fields, then its properties."""
     names = [field.name for field in dataclasses.fields(cls)]
     for base in reversed(cls.__mro__):
@@ -143,6 +144,8 @@ class Provenance:
         ``(name, version)`` of Python and of the packages that computed.
     source
         Name of the study file, without its folder; empty for a study made in Python.
+    sources
+        Digest of the sources of winkler: the version alone does not tell what was changed.
     """
 
     version: str
@@ -151,6 +154,7 @@ class Provenance:
     seconds: float
     packages: tuple[tuple[str, str], ...]
     source: str = ""
+    sources: str = ""
 
     def attributes(self, title: str, study: str) -> dict[str, Any]:
         """Return the attributes of a NetCDF file that state its origin, with the title and the text of the study."""
@@ -158,6 +162,7 @@ class Provenance:
             "title": title,
             "program": "winkler",
             "winkler_version": self.version,
+            "winkler_sources": self.sources,
             "study_hash": self.hash,
             "study": study,
             "study_file": self.source,

@@ -24,12 +24,13 @@ R = TypeVar("R")
 
 @value
 class Machine:
-    """All processors of this machine, as soon as a task has lasted for a while.
+    """All processors of this machine, as soon as tasks have taken a while, and those that are left will, too.
 
     Parameters
     ----------
     patience : float, optional
-        Time after which further processes are started [s]; starting them takes about as long.
+        Time after which further processes are started, if what is left takes as long [s]; starting them does. Time that
+        other programs take of a busy machine does not count.
     """
 
     patience: Annotated[float, Number("it must be zero or a positive time in s", 0.0)] = 1.0

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import functools
 import json
-import typing
 from collections.abc import Iterable
 from typing import Any
 
@@ -15,6 +14,7 @@ from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.points import ComparedNumber, Failed, Recalled, Solved
 from winkler.study.batch.tasks import PointTask
 from winkler.study.batch.verdicts import compared
+from winkler.study.language.compared.expected_units import solution_types
 from winkler.study.language.study import Expectation
 from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
@@ -153,9 +153,8 @@ def _rows(rows: list[Any]) -> tuple[tuple[Event, ...], ...]:
 @functools.cache
 def _answer_type(problem_type: type, name: str) -> type:
     """Return the class of the solutions of a problem, by its name."""
-    hint = typing.get_type_hints(problem_type.solve).get("return")  # type: ignore[attr-defined]
-    for cls in typing.get_args(hint) or (hint,):
-        if isinstance(cls, type) and cls.__name__ == name:
+    for cls in solution_types(problem_type):
+        if cls.__name__ == name:
             return cls
     raise InvalidInput(
         f"journal: {problem_type.__name__}.solve does not state that it returns {name}; annotate it `-> {name}`."

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import datetime
-import functools
 import platform
-import re
 import time
 from collections.abc import Callable, Iterable
-from importlib.metadata import distribution, version
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
+from winkler.io.software import software
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import ComparedNumber, Failed, Outcome, Point, Provenance, Solved
 from winkler.study.batch.pool import Workers
@@ -130,12 +128,6 @@ def raised(point: Failed, sentence: str) -> WinklerError:
 def provenance(question: str, seconds: float, source: str) -> Provenance:
     """Return the provenance of numbers computed now; `question` is the hash of the study."""
     created = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    packages = (("python", platform.python_version()), *((name, _version(name)) for name in ("numpy", "scipy")))
-    return Provenance(_version("winkler"), question, created, seconds, packages, source)
-
-
-@functools.cache
-def _version(package: str) -> str:
-    """Return the version of an installed package; its files are read once, and not all of their text is parsed."""
-    stated = re.search(r"^Version: *(\S+)", distribution(package).read_text("METADATA") or "", re.MULTILINE)
-    return stated[1] if stated else version(package)
+    made = {"python": platform.python_version(), **software()}
+    version, sources = made.pop("winkler"), made.pop("sources")
+    return Provenance(version, question, created, seconds, tuple(made.items()), source, sources)

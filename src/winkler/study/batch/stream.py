@@ -106,13 +106,17 @@ def _computed(
         yield from completed(compute, todo, workers)
         return
     others, patience = (workers.processors, workers.patience) if isinstance(workers, Machine) else (1, 0.0)
-    started = time.monotonic()
+    spent = 0.0
     for place, task in enumerate(todo):
+        began, used = time.monotonic(), time.process_time()
         content = compute(task, watch=watch)
+        # neither what other programs take of a busy machine, nor what several threads take at once
+        spent += min(time.monotonic() - began, time.process_time() - used)
         yield place, content
         if _interrupted(content):
             return
         rest = place + 1
-        if others > 1 < len(todo) - rest and time.monotonic() - started > patience:
+        left = len(todo) - rest
+        if others > 1 < left and left * (spent - patience) > patience * rest:  # first seconds are spent on loading
             yield from ((rest + later, other) for later, other in completed(compute, todo[rest:], others))
             return

@@ -27,6 +27,16 @@ MISES = Equation(
     r"+(\sigma_{zz}-\sigma_{xx})^2\right]+3\left(\sigma_{xy}^2+\sigma_{xz}^2+\sigma_{yz}^2\right)",
 )
 
+MAX_SHEAR = Equation(
+    "The greatest shear stress is half the difference of the outermost principal stresses",
+    r"\tau_{max} = \frac{\sigma_1-\sigma_3}{2}",
+)
+ORTHOGONAL = Equation(
+    "That in planes along the surface, as Hertz's ellipse rolls along its semi-axis b, is after Lundberg and Palmgren",
+    r"\tau_0 = p_0\frac{\sqrt{2t-1}}{2t(t+1)}, \quad z_0 = \frac{b}{(t+1)\sqrt{2t-1}}, \quad "
+    r"\frac{b}{a} = \sqrt{(t^2-1)(2t-1)}",
+)
+
 SUBSURFACE = Chapter(
     "fields",
     kinds={
@@ -41,6 +51,18 @@ SUBSURFACE = Chapter(
         },
     },
     answers={
+        "contact_stress": answer(
+            "winkler.problems.subsurface.contact_stress:ContactStress",
+            headline=("max_shear", "max_shear_depth", "orthogonal_shear", "orthogonal_shear_depth", "von_mises"),
+            contact={"kind": "indentation"},
+            picture=Caption(
+                "depths",
+                "Stresses below the contact",
+                "The greatest stress of each kind at each depth; of an ellipse below its shorter axis.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MISES, MAX_SHEAR, ORTHOGONAL),
+        ),
         "map_stress": answer(
             "winkler.problems.subsurface.map_stress:MapStress",
             headline=("von_mises", "z", "x", "y", "yield_factor"),

@@ -7,14 +7,12 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, StrictBool, StrictStr, create_model
 
-from winkler.errors import InvalidInput, suggest
 from winkler.study.language import quantities
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.study.language.schema import FORBID, MISSING, choice
-from winkler.study.language.study import Expectation, Places, named
-from winkler.vocabulary import GLOSSARY
+from winkler.study.language.study import Places
 
-__all__ = ["SECTIONS", "expectation", "section_keys", "study_form", "unit_of_quantity"]
+__all__ = ["PLACE_KEYS", "SECTIONS", "section_keys", "study_form"]
 
 SECTIONS: dict[str, dict[str, str]] = {
     "the study": {
@@ -124,52 +122,6 @@ def _text(raw: Any) -> Any:
     if not isinstance(raw, str):
         wrong(f'{WHERE} is {raw!r}, not text; give the name of an answer or a field, such as "depth".')
     return raw
-
-
-def expectation(table: dict[str, Any]) -> Expectation:
-    """Return one ``[[expect]]``.  Its value is a quantity, or a number with its unit in ``unit``."""
-    name = table["quantity"]
-    unit = unit_of_quantity(name)
-    raw, unit_text = table["value"], table["unit"]
-    if unit_text is not MISSING and isinstance(raw, int | float) and not isinstance(raw, bool):
-        raw = f"{raw!r} {unit_text}".strip()
-    elif unit_text is not MISSING and isinstance(raw, list):
-        raw = {"values": raw, "unit": unit_text}
-    scale = table["scale"]
-    if unit_text is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
-        scale = f"{scale!r} {unit_text}".strip()
-    place = tuple(
-        (key, float(quantities.read_at(key, table[key], "m"))) for key in PLACE_KEYS if table[key] is not MISSING
-    )
-    if tuple(key for key, _ in place) not in ((), ("r",), ("r", "z"), ("x",), ("x", "y", "z")):
-        raise InvalidInput(
-            f"expect gives {' and '.join(key for key, _ in place)}; give r on the surface, r and z below it, "
-            "x along the springs, or x, y and z."
-        )
-    return Expectation(
-        quantity=name,
-        expected=quantities.read_at("value", raw, unit),
-        tolerance=float(quantities.read_at("tolerance", table["tolerance"], "")),
-        place=place,
-        scale=0.0 if scale is MISSING else float(quantities.read_at("scale", scale, unit)),
-    )
-
-
-def unit_of_quantity(name: str) -> str:
-    """Return the unit of an expected quantity; of a path such as ``problem.bed.medium.modulus``, that of its end.
-
-    A number at the end is a place among many answers, ``shear_force.-1`` the last one.
-
-    Raises
-    ------
-    InvalidInput
-        If it is not in the glossary.
-    """
-    last = named(name)
-    names = sorted({key for key, word in GLOSSARY.items() if word.unit is not None})
-    if last not in names:
-        raise InvalidInput(f"quantity is '{name}'{suggest(last, names)}; give a quantity of the glossary.")
-    return GLOSSARY[last].unit or ""
 
 
 def _either_value(raw: Any) -> Any:

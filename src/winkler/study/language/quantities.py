@@ -19,7 +19,8 @@ from pydantic_core import PydanticCustomError
 from winkler.checks.field_checks import numbers_taken
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.numerics.types import Array
-from winkler.units import quantity
+from winkler.profiles.area_coefficients import coefficient_unit
+from winkler.units import is_fixed, quantity
 from winkler.vocabulary import word
 
 __all__ = [
@@ -65,8 +66,8 @@ RANGE_KEYS = ("from", "to", "count", "spacing")
 
 
 INDEXED: dict[tuple[str, str], Callable[[int], str]] = {
-    ("AreaFunction", "coefficients"): lambda place: f"m^{2.0 - 2.0 ** (1 - place):g}" if place else "",
-    ("CalibratedTip", "coefficients"): lambda place: f"m^{2.0 - 2.0 ** (1 - place):g}" if place else "",
+    ("AreaFunction", "coefficients"): coefficient_unit,
+    ("CalibratedTip", "coefficients"): coefficient_unit,
 }
 """Fields whose entries each have their own unit, by their place in the list."""
 
@@ -121,7 +122,7 @@ def endless(owner: type, field: str) -> bool:
 def dependent(owner: type) -> tuple[str, ...]:
     """Return the fields of `owner` whose unit depends on another field, such as the coefficient of c r^n."""
     units = {field.name: unit_of(owner, field.name) for field in dataclasses.fields(owner)}
-    return tuple(name for name, unit in units.items() if unit is not None and re.search(r"\^\([^)]*[A-Za-z]", unit))
+    return tuple(name for name, unit in units.items() if unit is not None and not is_fixed(unit))
 
 
 def settled(unit: str, owner: type, content: dict[str, Any]) -> str:
@@ -163,7 +164,7 @@ def number(raw: Any, unit: str | None) -> Any:
     if isinstance(raw, np.ndarray | list | dict):
         what = "a list" if isinstance(raw, list) else "a table"
         wrong(f'{WHERE} is {what}; give one quantity, such as "{sample(unit or "")}".')
-    if unit is not None and re.search(r"\^\([^)]*[A-Za-z]", unit):
+    if unit is not None and not is_fixed(unit):
         return raw
     if isinstance(raw, bool) or not isinstance(raw, str | int | float):
         what = f'a quantity, such as "{sample(unit)}"' if unit else "a number, such as 0.3"

@@ -207,7 +207,7 @@ def checked(raw: dict[str, Any], file: str, folder: Path) -> tuple[Any, Any]:
 
 
 def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
-    from winkler.study.language import grammar
+    from winkler.study.language.compared.expectations import expectation
 
     form, problem = checked(raw, file, folder)
     try:
@@ -215,7 +215,7 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
         expect = []
         for place, item in enumerate(form.expect):
             try:
-                expect.append(grammar.expectation(dict(item)))
+                expect.append(expectation(dict(item), problem))
             except InvalidInput as error:
                 sentence = str(error)
                 rest = sentence.removeprefix("expect") if sentence.startswith("expect") else f".{sentence}"

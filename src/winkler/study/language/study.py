@@ -30,6 +30,9 @@ PICTURES = ("svg", "png", "pdf")
 GRADES = ("analytical", "cross-code", "independent implementation", "published table", "measured")
 """Grades of independence of a literature case."""
 
+OF_THE_GLOSSARY = "of the glossary"
+"""In place of a unit: the one that the name has in the glossary."""
+
 
 @value
 class Places:
@@ -135,6 +138,8 @@ class Expectation:
         the line of springs, ``(("x", x), ("y", y), ("z", z))`` in the axes of the bodies [m].
     scale
         What deviations are relative to, in the unit of the quantity; zero (the default) for the expected number itself.
+    unit
+        Of the quantity, of a path that of its end, in SI; by default that of the glossary.
     """
 
     quantity: str
@@ -142,21 +147,19 @@ class Expectation:
     tolerance: NonNegative
     place: tuple[tuple[str, float], ...] = ()
     scale: NonNegative = 0.0
+    unit: str = OF_THE_GLOSSARY
 
     section: ClassVar[str] = "expect"
 
     def __post_init__(self) -> None:
-        if named(self.quantity) not in GLOSSARY:
-            raise InvalidInput(f"expect: '{self.quantity}' is no quantity of the glossary.")
+        if self.unit == OF_THE_GLOSSARY:
+            if named(self.quantity) not in GLOSSARY:
+                raise InvalidInput(f"expect: '{self.quantity}' is no quantity of the glossary; give its unit.")
+            object.__setattr__(self, "unit", GLOSSARY[named(self.quantity)].unit or "")
         if self.scale == 0.0 and np.any(np.asarray(self.expected) == 0.0):
             raise InvalidInput(
                 f"expect: the expected {self.quantity} is zero, so that no deviation is small against it; add scale."
             )
-
-    @property
-    def unit(self) -> str:
-        """Unit of the quantity; of a path, that of its end."""
-        return GLOSSARY[named(self.quantity)].unit or ""
 
 
 @value

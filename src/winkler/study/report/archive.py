@@ -33,7 +33,7 @@ from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
 from winkler.study.language.writing import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.netcdf import netcdf_attributes, write_variables
+from winkler.study.report.netcdf import has_netcdf, netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
@@ -60,7 +60,8 @@ def write_archive(outcome: Outcome, folder: Path) -> None:
     folder
         Must exist; files of the same names are replaced.
     """
-    write_variables(folder / NETCDF, *_dataset(outcome))
+    if has_netcdf():
+        write_variables(folder / NETCDF, *_dataset(outcome))
     write_table(outcome.table(), folder / CSV)
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)

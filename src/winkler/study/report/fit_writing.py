@@ -24,7 +24,7 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import write_table
 from winkler.study.report.examined.sections import write_further
-from winkler.study.report.netcdf import Variables, netcdf_attributes, write_variables
+from winkler.study.report.netcdf import Variables, has_netcdf, netcdf_attributes, write_variables
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
@@ -54,10 +54,11 @@ def write_numbers(outcome: FitOutcome, folder: Path) -> None:
     """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
     write_table(outcome.table(), folder / CSV, nothing="")
     write_further(outcome, folder)
-    write_variables(folder / NETCDF, *_dataset(outcome))
-    grid = map_grid(outcome)
-    if isinstance(grid, Grid):
-        write_variables(folder / MAPS, *_maps(outcome, grid))
+    if has_netcdf():
+        write_variables(folder / NETCDF, *_dataset(outcome))
+        grid = map_grid(outcome)
+        if isinstance(grid, Grid):
+            write_variables(folder / MAPS, *_maps(outcome, grid))
     _write_curves(outcome, folder / "curves")
 
 

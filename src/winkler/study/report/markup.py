@@ -6,8 +6,9 @@ import html
 import re
 
 from winkler.readable import with_readable_numbers
+from winkler.validity import Standing
 
-__all__ = ["number", "safe", "section", "table", "with_fixed_units"]
+__all__ = ["badge", "number", "safe", "section", "table", "with_fixed_units"]
 
 
 def safe(text: object) -> str:
@@ -30,6 +31,11 @@ def with_fixed_units(sentence: str) -> str:
 def section(title: str, *parts: str) -> str:
     """Return a section of a page; empty parts are left out."""
     return f"<section>\n<h2>{safe(title)}</h2>\n" + "\n".join(part for part in parts if part) + "\n</section>"
+
+
+def badge(standing: Standing) -> str:
+    """Return the standing of statements as a page shows it."""
+    return f'<span class="standing {standing.value}">{standing.value}</span>'
 
 
 def number(text: str) -> str:

@@ -7,6 +7,8 @@ attributes: the arguments of ``xarray.Dataset``.  The conventions of the file ar
 
 from __future__ import annotations
 
+import functools
+import logging
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +16,9 @@ import numpy as np
 
 from winkler.vocabulary import Word
 
-__all__ = ["Variables", "netcdf_attributes", "write_variables"]
+__all__ = ["Variables", "has_netcdf", "netcdf_attributes", "write_variables"]
 
+LOG = logging.getLogger(__name__)
 LEAST_COMPRESSED = 1000
 """Arrays of floats with more numbers are compressed, without loss."""
 
@@ -27,6 +30,21 @@ def netcdf_attributes(entry: Word) -> dict[str, str]:
     """Return unit, meaning and symbol of a word as the attributes of a variable."""
     texts = {"long_name": entry.meaning, "symbol": entry.symbol}
     return texts if entry.unit is None else {"units": entry.unit or "1", **texts}
+
+
+@functools.cache
+def has_netcdf() -> bool:
+    """Return whether NetCDF files can be written; a process says once that they cannot."""
+    try:
+        import h5netcdf  # noqa: F401
+        import h5py  # noqa: F401
+    except (ImportError, OSError) as error:
+        why = " ".join(str(error).split()).rstrip(".")
+        LOG.warning(
+            "winkler: no NetCDF file is written, as h5netcdf or h5py cannot be loaded (%s); all other results are.", why
+        )
+        return False
+    return True
 
 
 def write_variables(path: Path, variables: Variables, coords: Variables, attributes: dict[str, Any]) -> None:

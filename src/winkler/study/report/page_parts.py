@@ -15,14 +15,13 @@ from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure, save, svg_element
-from winkler.study.report.markup import safe, section, table
+from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.validity import Note, Standing
 
 __all__ = [
     "REPORT",
     "STANDING_MEANINGS",
-    "badge",
     "figure_elements",
     "folded",
     "formula_list",
@@ -67,11 +66,6 @@ def framed(title: str, version: str, body: list[str]) -> str:
     )
 
 
-def badge(standing: Standing) -> str:
-    """Return the standing of statements as a page shows it."""
-    return f'<span class="standing {standing.value}">{standing.value}</span>'
-
-
 def figure_elements(shown: Iterable[ReportFigure]) -> str:
     """Return figures with their captions for a page."""
     return f'<div class="figures">{"".join(map(_figure_element, shown))}</div>'
@@ -93,10 +87,11 @@ def formula_list(formulas: Iterable[Equation]) -> str:
     return f'<ol class="formulas">{items}</ol>' if items else ""
 
 
-def trust(notes: tuple[Note, ...]) -> str:
-    """Return a section with every note, the worst first."""
+def trust(notes: tuple[Note, ...], questions: tuple[str, ...] = ()) -> str:
+    """Return a section with questions about unlikely numbers, and with every note, the worst first."""
+    asked = "".join(f'<p class="question">{safe(question)}</p>' for question in questions)
     if not notes:
-        return section("How far this can be trusted", "<p>The problem states nothing about its validity.</p>")
+        return section("How far this can be trusted", f"{asked}<p>The problem states nothing about its validity.</p>")
     order = list(Standing)
     ranked = sorted(notes, key=lambda note: -order.index(note.standing))
     items = "".join(
@@ -106,7 +101,7 @@ def trust(notes: tuple[Note, ...]) -> str:
     )
     legend = "; ".join(f"{standing.value}: {meaning}" for standing, meaning in STANDING_MEANINGS.items())
     return section(
-        "How far this can be trusted", f'<ul class="notes">{items}</ul>', f'<p class="small">{safe(legend)}.</p>'
+        "How far this can be trusted", asked, f'<ul class="notes">{items}</ul>', f'<p class="small">{safe(legend)}.</p>'
     )
 
 
@@ -126,7 +121,7 @@ def papers(content: Any) -> str:
 def origin(made: Provenance, hashed: str, *parts: str) -> str:
     """Return a section with the provenance of the numbers; `hashed` names the content of the hash."""
     rows = [
-        ("winkler", made.version),
+        ("winkler", f"{made.version}, sources {made.sources}"),
         ("study file", made.source or "made in Python"),
         (f"hash of {hashed} (SHA-256)", made.hash),
         ("created (UTC)", made.created),

@@ -15,8 +15,9 @@ from winkler.study.report.archive import CSV, NETCDF
 from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
+from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
-from winkler.study.report.markup import safe, section
+from winkler.study.report.markup import badge, safe, section
 from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
 from winkler.validity import Standing, worst
 
@@ -60,7 +61,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
         _pictures(outcome, pictures),
         input_section(outcome),
         _formulas(outcome),
-        parts.trust(notes),
+        parts.trust(notes, questions_of(outcome)),
         parts.papers(outcome.study),
         _provenance(outcome),
     ]
@@ -71,7 +72,7 @@ def _standing_line(outcome: Outcome, standing: Standing) -> str:
     made = outcome.provenance
     counts = f"{len(outcome.points)} points" if len(outcome.points) > 1 else "one point"
     return (
-        f"<p>{parts.badge(standing)} <span class='small'>{parts.STANDING_MEANINGS[standing]} (the worst of all "
+        f"<p>{badge(standing)} <span class='small'>{parts.STANDING_MEANINGS[standing]} (the worst of all "
         f"statements below). Solved with winkler {safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
     )
 

@@ -94,6 +94,7 @@ def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> Non
     content = {
         "program": "winkler",
         "version": made.version,
+        "sources": made.sources,
         "study": made.source,
         "hash": made.hash,
         "created": made.created,

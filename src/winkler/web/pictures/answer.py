@@ -22,6 +22,7 @@ from winkler.study.report.describe import settings_text
 from winkler.study.report.extra_pictures import extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, svg_element
 from winkler.study.report.figures import answers_over, shown_point
+from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
@@ -75,7 +76,7 @@ def answer_text(outcome: Outcome, text: str, moments: Moments, moment: int) -> A
     return AnswerText(
         worst(outcome.validity).value,
         answers,
-        trust(outcome.validity),
+        trust(outcome.validity, questions_of(outcome)),
         papers(outcome.study),
         text,
         moments.total,

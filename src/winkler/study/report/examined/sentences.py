@@ -90,12 +90,27 @@ def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
         f"Mean of {free.label} over {made.count} curves: {shown(made.mean)} (95 %: {shown(low)} to "
         f"{shown(high)}{calibrated}); they scatter by {between} beyond their errors of {within}."
     )
+    if made.overstated:
+        yield f"The curves scatter less in {free.label} than their errors allow: the interval is that of the scatter."
     if made.outliers:
-        names = [outcome.fitted[index].name for index in made.outliers[:MOST_NAMES]]
-        more = f" and {len(made.outliers) - MOST_NAMES} more" if len(made.outliers) > MOST_NAMES else ""
-        yield f"Far from the others in {free.label}, and part of the mean: {', '.join(names)}{more}."
+        names = _names(outcome, made.outliers)
+        yield f"Far from the others in {free.label}, and part of the mean: {names}."
+    if made.doubted:
+        yield (
+            f"The error of {free.label} is less than a tenth of the others', or unknown, and theirs was taken, as it "
+            f"would decide the mean: {_names(outcome, made.doubted)}."
+        )
+    for place in made.decisive:
+        name, share = outcome.fitted[place].name, made.weights[place]
+        yield f"{name} alone has {share:.0%} of the weight in the mean of {free.label}."
     if made.logarithmic:
         yield from _groups(outcome, free)
+
+
+def _names(outcome: FitOutcome, places: Sequence[int]) -> str:
+    """Return the names of some curves, the first few of many."""
+    more = f" and {len(places) - MOST_NAMES} more" if len(places) > MOST_NAMES else ""
+    return ", ".join(outcome.fitted[place].name for place in places[:MOST_NAMES]) + more
 
 
 def groups_of(outcome: FitOutcome) -> dict[str, list[Fitted]]:

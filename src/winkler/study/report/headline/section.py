@@ -12,8 +12,9 @@ from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.advice import Doubt, worst_doubt
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, sought_numbers
-from winkler.study.report.markup import safe, with_fixed_units
+from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
+from winkler.validity import Standing
 
 __all__ = ["doubt_line", "doubt_of", "headline_section"]
 
@@ -35,8 +36,10 @@ def headline_section(outcome: Outcome) -> str:
     sentence = (
         f"The verdict on the body: {verdict}. {_sentence(outcome, numbers)}" if verdict else _sentence(outcome, numbers)
     )
-    lead = f'<p class="lead sought-line">{with_fixed_units(sentence)}</p>'
-    cards = "".join(_card(one, first=place == 0 and not verdict) for place, one in enumerate(numbers))
+    standing = doubt_of(outcome).standing
+    mark = f" {badge(standing)}" if standing is Standing.OUTSIDE else ""
+    lead = f'<p class="lead sought-line">{with_fixed_units(sentence)}{mark}</p>'
+    cards = "".join(_card(one, mark, first=place == 0 and not verdict) for place, one in enumerate(numbers))
     if verdict:
         large = f'<div class="value">{safe(verdict)}</div><div class="name">verdict on the body</div>'
         cards = f'<div class="card sought">{large}</div>{cards}'
@@ -85,11 +88,11 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
     return capital(f"{where}{sought.sentence(event)}{under}.")
 
 
-def _card(one: SoughtNumber, *, first: bool) -> str:
+def _card(one: SoughtNumber, mark: str, *, first: bool) -> str:
     meaning = f'<div class="name">{safe(one.word.meaning)}</div>' if first else ""
     remark = f'<div class="name">{safe(one.remark)}</div>' if one.remark else ""
     return (
-        f'<div class="{"card sought" if first else "card"}"><div class="value">{safe(one.text)}</div>'
+        f'<div class="{"card sought" if first else "card"}"><div class="value">{safe(one.text)}{mark}</div>'
         f'<div class="name">{safe(one.label)} {symbol(one.word.symbol)}</div>{remark}{meaning}</div>'
     )
 

@@ -1,0 +1,76 @@
+"""The sheet of the stresses inside a contact: the greatest of each kind at each depth."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.fields import restore
+from winkler.numerics.types import Array
+from winkler.plot import style
+from winkler.plot.dispatch import without_extent
+from winkler.plot.panel import Panel, PanelAxis, Sheet, among, points
+from winkler.plot.series import common_scale, series, with_unit
+from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.subsurface.contact_stress import ContactStressSolution
+
+__all__ = ["contact_stress_sheet"]
+
+ACROSS, DOWN = 61, 81
+"""Places of the plane of which the greatest at each depth is drawn."""
+FARTHEST, DEEPEST = 1.2, 2.0
+"""How far and deep it reaches, over the contact radius, the half-width or the shorter semi-axis."""
+NAMES = {
+    "von_mises": "von Mises stress",
+    "max_shear": "greatest shear stress",
+    "orthogonal_shear": "shear stress along the surface",
+}
+
+
+@without_extent(ContactStressSolution)
+def contact_stress_sheet(item: ContactStressSolution) -> Sheet:
+    """Return the greatest stresses at each depth, below the shorter axis of an ellipse, and the greatest of all."""
+    drawn = [series(name, content, type(item)) for name, content in _at_depths(item).items()]
+    stress = dataclasses.replace(drawn[0], content=np.concatenate([one.content for one in drawn]))
+    depth = series("z", np.abs(_depths(item)))
+    marks = [among(place, one.content, depth.content, NAMES[one.name]) for place, one in enumerate(drawn)]
+    greatest = [(getattr(item, name), abs(getattr(item, f"{name}_depth"))) for name in NAMES]
+    marks.append(points(*np.transpose(greatest), style.INK, size=5.0))
+    across = dataclasses.replace(
+        PanelAxis.of(stress, common_scale(*drawn), low=0.0), label="greatest stress at a depth"
+    )
+    upright = PanelAxis.of(depth, depth.scale, low=float(np.max(depth.content)), high=0.0)
+    title = f"greatest shear stress {with_unit(item.max_shear, 'Pa')} in {with_unit(abs(item.max_shear_depth), 'm')}"
+    return Sheet((Panel(tuple(marks), across, upright, legend="best"),), width=5.4, height=3.8, title=title)
+
+
+def _width(item: ContactStressSolution) -> float:
+    contact = item.contact
+    if isinstance(contact, EllipticSolution):
+        return float(min(contact.longitudinal_semi_axis, contact.lateral_semi_axis))
+    return float(contact.radius if isinstance(contact, IndentationSolution) else contact.half_width)
+
+
+def _depths(item: ContactStressSolution) -> Array:
+    side = float(np.copysign(1.0, item.max_shear_depth))
+    return np.asarray(side * DEEPEST * _width(item) * np.linspace(1e-4, 1.0, DOWN))
+
+
+def _at_depths(item: ContactStressSolution) -> dict[str, Array]:
+    """Return the greatest of each stress at each depth [Pa]."""
+    x, z = FARTHEST * _width(item) * np.linspace(0.0, 1.0, ACROSS)[:, None], _depths(item)
+    contact = item.contact
+    if isinstance(contact, IndentationSolution):
+        below = restore(contact, x, z)
+        along = np.abs(below.shear_stress)
+    elif isinstance(contact, EllipticSolution):
+        shorter_is_y = contact.lateral_semi_axis <= contact.longitudinal_semi_axis
+        below = contact.stresses(0.0 if shorter_is_y else x, x if shorter_is_y else 0.0, z)
+        along = below.orthogonal_shear
+    else:
+        below = contact.stresses(x, z)
+        along = np.abs(below.xz_stress)
+    found = {"von_mises": below.von_mises, "max_shear": below.max_shear, "orthogonal_shear": along}
+    return {name: np.max(content, axis=0) for name, content in found.items()}
