@@ -88,8 +88,9 @@ def cell(kind: str, medium: str) -> Cell:
     notes = [note for note in stated if of_method(note) or (counted and note.assumption is Assumption.RESOLUTION)]
     if kind not in SHORT["partly_outside"] and any(note.standing is Standing.OUTSIDE for note in notes):
         raise ValueError(f"{kind} on {medium}: its example is outside the validity of the method, take another.")
-    worse = list(Standing)[1 if counted else 2 :]
-    whys = [reason(note.statement, medium) for note in notes if note.standing in worse]
+    if not notes:
+        raise ValueError(f"{kind} on {medium}: its validity does not say how exact the method is; give it a note.")
+    whys = [reason(note.statement, medium) for note in notes if note.standing is not Standing.EXACT]
     return Cell("approximate" if whys else "exact", tuple(dict.fromkeys(whys)))
 
 

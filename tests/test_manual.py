@@ -88,8 +88,9 @@ QUICK_CELLS = [
     ("indentation", "half_space", "exact"),
     ("rolling_start", "half_space", "approximate"),
     ("sliding_wear", "graded_half_space", "approximate"),
-    ("surface_rolling", "half_space", "exact"),
-    ("torsion", "stacked_half_space", "exact"),
+    ("surface_rolling", "half_space", "approximate"),
+    ("torsion", "stacked_half_space", "approximate"),
+    ("torsion", "coated_half_space", "exact"),
     ("elliptic_indentation", "coated_half_space", "refused"),
     ("viscoelastic_tangential", "relaxing_in_proportion", "refused"),
 ]

@@ -127,6 +127,14 @@ def test_a_start_alone_is_one_point():
     assert (path.time, path.across, path.along) == ([0.0], [2.0], [0.0])
 
 
+@pytest.mark.parametrize("kind", [Shift, ShearForce, Angle, Torque])
+def test_a_start_without_a_lateral_load_is_at_zero_of_the_one_that_follows(kind):
+    steps = (Hold(2.0), Ramp(lateral=kind(3.0)))
+    path = Program([Start(Force(1.0)), *steps])
+    assert path.lateral == kind([0.0, 0.0, 3.0])
+    assert path.lateral == Program([Start(Force(1.0), kind(0.0)), *steps]).lateral
+
+
 def test_both_loads_oscillate_about_where_one_is():
     path = Program(
         [
@@ -208,14 +216,14 @@ def test_a_program_is_a_value():
         ([Start(Force(1.0)), 7], r"steps\[1\] is a int; give a list of Start"),
         (
             [Start(Force(1.0)), Ramp(Depth(1.0))],
-            r"step 2 \(Ramp\) is driven by Depth where the path began with Force",
+            r"step 2 \(Ramp\) is driven by Depth, step 1 by Force",
         ),
         (
-            [Start(Force(1.0)), Hold(), Oscillate(lateral=Angle(1.0))],
-            r"step 3 .* driven by Angle .* began with Shift",
+            [Start(Force(1.0)), Ramp(lateral=Shift(1.0)), Hold(), Oscillate(lateral=Angle(1.0))],
+            r"step 4 \(Oscillate\) is driven by Angle, step 2 by Shift",
         ),
-        ([Start(Force(1.0)), Follow(Path([0.0], Force(1.0), Torque(1.0)))], "driven by Torque"),
-        ([Start(Force(1.0), Angle(0.0)), Circle(Shift(1.0))], "driven by Shift where the path began with Angle"),
+        ([Start(Force(1.0), Angle(0.0)), Follow(Path([0.0], Force(1.0), Torque(1.0)))], "driven by Torque"),
+        ([Start(Force(1.0), Angle(0.0)), Circle(Shift(1.0))], "driven by Shift, step 1 by Angle"),
     ],
 )
 def test_wrong_programs(steps, sentence):

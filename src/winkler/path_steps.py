@@ -40,10 +40,6 @@ class Unchanged:
     """A load that stays as it is."""
 
 
-IN_PLANE = Condition(
-    _one_or_pair,
-    "give Shift, ShearForce, Angle or Torque with one number, or for a shift or a shear force in the plane two",
-)
 NextNormal: TypeAlias = Annotated[
     Normal | Unchanged,
     Condition(
@@ -51,7 +47,14 @@ NextNormal: TypeAlias = Annotated[
         "give Depth(d) or Force(F) with one number, or leave it out",
     ),
 ]
-NextLateral: TypeAlias = Annotated[Lateral | Unchanged, IN_PLANE._replace(demand=f"{IN_PLANE.demand}; or leave it out")]
+NextLateral: TypeAlias = Annotated[
+    Lateral | Unchanged,
+    Condition(
+        _one_or_pair,
+        "give Shift, ShearForce, Angle or Torque with one number, or for a shift or a shear force in the plane two; or "
+        "leave it out",
+    ),
+]
 
 
 @value
@@ -62,8 +65,9 @@ class Start:
     ----------
     normal : Depth or Force
         One number; it states what drives the normal motion in all steps.
-    lateral : Shift, ShearForce, Angle or Torque, optional
-        One number, in the plane two; it states what drives the lateral motion in all steps.
+    lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
+        One number, in the plane two; it states what drives the lateral motion in all steps.  Unless given, the path
+        begins at zero of what the first step with a lateral load is driven by.
 
     Raises
     ------
@@ -72,11 +76,12 @@ class Start:
     """
 
     normal: OneNormal
-    lateral: Annotated[Lateral, IN_PLANE] = Shift(0.0)
+    lateral: NextLateral = Unchanged()
 
     def rows(self, across: float, along: Array) -> PathRows:
         """Return the one point."""
-        return PathRows(np.zeros(1), np.array([_one(self.normal)]), _pair(self.lateral)[None])
+        far = along if isinstance(self.lateral, Unchanged) else _pair(self.lateral)
+        return PathRows(np.zeros(1), np.array([_one(self.normal)]), far[None])
 
 
 @value

@@ -30,7 +30,7 @@ class Program(Path):
     Raises
     ------
     InvalidInput
-        If there is no Start at the beginning, one later on, or a step is driven by other kinds of loads than the Start.
+        If there is no Start at the beginning, one later on, or two steps are driven by different kinds of loads.
 
     Examples
     --------
@@ -51,7 +51,7 @@ class Program(Path):
     steps: tuple[Step, ...]
 
     def __post_init__(self) -> None:
-        begun = self._begun()
+        begun, lateral = self._begun()
         time, across, along = 0.0, 0.0, np.zeros(2)
         parts: list[PathRows] = []
         for step in self.steps:
@@ -66,31 +66,34 @@ class Program(Path):
         content = {
             "time": np.concatenate([part.seconds for part in parts]),
             "normal": type(begun.normal)(np.concatenate([part.across for part in parts])),
-            "lateral": type(begun.lateral)(plane if any(map(_in_plane, self.steps)) else plane[:, 0]),
+            "lateral": lateral(plane if any(map(_in_plane, self.steps)) else plane[:, 0]),
         }
         for word, row in content.items():
             object.__setattr__(self, word, row)
         Path.__post_init__(self)
 
-    def _begun(self) -> Start:
-        """Return the start, after checking that all steps go on from it."""
+    def _begun(self) -> tuple[Start, type[Lateral]]:
+        """Return the start and what drives the lateral motion, after checking that all steps go on from the start."""
         steps = self.steps
         if not steps or not isinstance(steps[0], Start):
             raise InvalidInput("Program: the first step must be a Start, which states where the path begins.")
-        begun = steps[0]
-        for number, step in enumerate(steps[1:], start=2):
+        driven: dict[str, tuple[int, type]] = {}
+        for number, step in enumerate(steps, start=1):
             where = f"Program: step {number} ({type(step).__name__})"
-            if isinstance(step, Start):
+            if number > 1 and isinstance(step, Start):
                 raise InvalidInput(f"{where} begins anew; one path has one Start, use a Ramp to go somewhere.")
             source = step.path if isinstance(step, Follow) else step
             for word in ("normal", "lateral"):
-                load, first = getattr(source, word, Unchanged()), getattr(begun, word)
-                if not isinstance(load, Unchanged) and type(load) is not type(first):
+                load = getattr(source, word, Unchanged())
+                if isinstance(load, Unchanged):
+                    continue
+                stated, kind = driven.setdefault(word, (number, type(load)))
+                if type(load) is not kind:
                     raise InvalidInput(
-                        f"{where} is driven by {type(load).__name__} where the path began with "
-                        f"{type(first).__name__}; one path is driven by one kind of {word} load throughout."
+                        f"{where} is driven by {type(load).__name__}, step {stated} by {kind.__name__}; one path is "
+                        f"driven by one kind of {word} load throughout."
                     )
-        return begun
+        return steps[0], driven.get("lateral", (0, Shift))[1]
 
 
 def _in_plane(step: Step) -> bool:

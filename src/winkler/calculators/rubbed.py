@@ -146,7 +146,7 @@ HEATING = Calculator(
 kind = "heat_conductors"
 first = { kind = "thermal_conductor", conductivity = {conductivity}, diffusivity = {diffusivity} }
 # at rest: its diffusivity does not matter in the steady state
-second = { kind = "thermal_conductor", conductivity = {conductivity_2}, diffusivity = {diffusivity} }
+second = { kind = "thermal_conductor", conductivity = {conductivity_2} }
 """,
     kernels.heating,
 )  # fmt: skip

@@ -2,7 +2,9 @@ r"""Conductors: solids with an electric resistivity, or with a thermal conductiv
 
 from __future__ import annotations
 
-from winkler.checks.number_checks import POSITIVE, NonNegative, Positive, checked
+import math
+
+from winkler.checks.number_checks import POSITIVE, NonNegative, Positive, PositiveOrInfinite, checked
 from winkler.values import value
 
 __all__ = ["ElectricalConductor", "ThermalConductor"]
@@ -47,9 +49,10 @@ class ThermalConductor:
     ----------
     conductivity : float
         Thermal conductivity [W/(m K)], positive.
-    diffusivity : float
-        Thermal diffusivity [m^2/s], conductivity over heat capacity per volume, positive.  Steady conduction does not
-        depend on it; what moves or changes does.
+    diffusivity : float, optional
+        Thermal diffusivity [m^2/s], conductivity over heat capacity per volume, positive; infinite (the default), a
+        body without heat capacity, where it is not known.  Steady conduction at rest does not depend on it; the heat of
+        friction needs it of bodies that move, and of all bodies while they warm up.
 
     Raises
     ------
@@ -64,7 +67,7 @@ class ThermalConductor:
     """
 
     conductivity: Positive
-    diffusivity: Positive
+    diffusivity: PositiveOrInfinite = math.inf
 
     @classmethod
     def of(cls, conductivity: float, density: float, heat_capacity: float) -> ThermalConductor:

@@ -371,3 +371,15 @@ def test_bad_input():
         DepthGradedHalfSpace(EXPONENTIAL, tolerance=0.5)
     with pytest.raises(wk.InvalidInput, match="second is a str"):
         DepthGradedHalfSpace(EXPONENTIAL, second="steel")
+
+
+@pytest.mark.slow
+def test_a_table_of_4001_points_is_answered():
+    """Points on one straight line state the body of its two ends."""
+
+    def compliance(count):
+        z, young = np.linspace(0.0, 1.0, count), np.linspace(4.0, 1.0, count)
+        cells = mesh(TabulatedGrading(z, young, np.linspace(0.2, 0.35, count)), 1e-6, 0.1)
+        return surface_compliance(cells, np.array([0.1, 1.0, 10.0]))
+
+    assert compliance(4001) == pytest.approx(compliance(2), rel=2e-6)

@@ -215,6 +215,17 @@ def test_heat_flows_with_the_harmonic_mean_of_conductivities():
     assert held.heat_rate < joint.heat_rate
 
 
+def test_steady_heat_needs_no_diffusivity():
+    """Two glass beads, 1/(4 lambda_h a) = 6649.5 K/W."""
+    glass = wk.ThermalConductor(conductivity=1.0)
+    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(glass, glass), wk.Radius(75.1931e-6), 200.0).solve()
+    assert joint.resistance == pytest.approx(6649.5, rel=1e-5)
+    assert "after a time not known here" in joint.validity[-1].statement
+    plated = wk.Plated(wk.ThermalConductor(1.0, 1e-6), 1e-6, wk.ThermalConductor(1.0, 1e-7))
+    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, plated), wk.Radius(1e-4), 200.0).solve()
+    assert "within 9 % after 1 s" in joint.validity[-1].statement, "the slowest part of a body decides"
+
+
 # ---------------------------------------------------------------------------------------------------- Joule heat
 
 
@@ -370,7 +381,7 @@ def test_the_size_of_free_flight_is_noted():
     [
         (lambda: wk.ElectricalConductor(0.0), "resistivity"),
         (lambda: wk.ElectricalConductor(1.0, -1e-3), "temperature_coefficient"),
-        (lambda: wk.ThermalConductor(1.0, math.inf), "diffusivity"),
+        (lambda: wk.ThermalConductor(1.0, math.nan), "diffusivity"),
         (lambda: wk.Plated(SILVER, 1e-6, on=HEAT), "one sort"),
         (lambda: wk.Rod(SILVER, -1.0, 1.0), "radius"),
         (lambda: wk.SurfaceFilm(-1.0), "area_resistance"),

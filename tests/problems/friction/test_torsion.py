@@ -25,11 +25,13 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.media.twisting.kernels import twisted_medium
 from winkler.path import Path
+from winkler.path_steps import Ramp, Start
 from winkler.problems.friction.torsion import Torsion
 from winkler.profiles.conical import Cone, TruncatedCone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid
+from winkler.program import Program
 from winkler.reference.torsion import (
     ball_twist,
     ball_twist_limit,
@@ -461,3 +463,12 @@ def test_what_slides_inside_of_what_sticks_is_noted_with_its_excess():
     assert not any(
         "sticking ones outside" in note.statement for note in Torsion(bed, Coulomb(0.4), steady).solve().validity
     )
+
+
+def test_a_program_without_a_stated_start_begins_untwisted():
+    """Rubber fingertip, 3 pi/16 mu F a = 5.712 mN m."""
+    bed = Foundation(Paraboloid(10e-3), HalfSpace.between(Elastic(2e6, 0.49)))
+    path = Program([Start(Force(5.0)), Ramp(lateral=Angle(2.0), count=10)])
+    answer = Torsion(bed, Coulomb(0.8), path).solve()
+    assert answer.torque[0] == 0.0
+    assert answer.torque[-1] == pytest.approx(5.712e-3, rel=1e-4)

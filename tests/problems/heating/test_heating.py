@@ -189,6 +189,24 @@ def test_scaling():
     assert large.first_share == pytest.approx(small.first_share, rel=1e-9)
 
 
+def test_only_a_steady_body_at_rest_needs_no_diffusivity():
+    unknown = wk.ThermalConductor(conductivity=COPPER.conductivity)
+    bed, law, load, pair = BALL, wk.Coulomb(0.3), wk.Radius(RADIUS), wk.HeatConductors(IRON, unknown)
+    assert wk.FrictionHeating(bed, law, load, pair, first_speed=1.0).solve().flash_temperature == pytest.approx(
+        wk.FrictionHeating(bed, law, load, PAIR, first_speed=1.0).solve().flash_temperature, rel=1e-15
+    )
+    plated = wk.HeatConductors(IRON, wk.Plated(COPPER, 1e-6, unknown))
+    path = wk.Path.oscillation(force=100.0, amplitude=1e-6, cycles=2)
+    for make in (
+        lambda: wk.FrictionHeating(bed, law, load, pair, first_speed=0.0, second_speed=np.array([0.0, 1.0])),
+        lambda: wk.FrictionHeating(bed, law, load, plated, first_speed=0.0, second_speed=1.0),
+        lambda: wk.TransientHeating(bed, law, load, pair, speed=1.0, time=[1.0]),
+        lambda: wk.FrettingHeat(wk.Tangential(bed, law, path), 100.0, pair),
+    ):
+        with pytest.raises(wk.InvalidInput, match="diffusivity of the second body is infinite, or not given"):
+            make()
+
+
 @pytest.mark.parametrize(
     ("change", "statements"),
     [

@@ -254,3 +254,26 @@ def test_refusals():
     )
     with pytest.raises(wk.OutsideValidity, match="friction takes .* it all but carries the body"):
         wk.ProfilePairRolling(wall, wk.Coulomb(0.6), lateral_drift=0.4).solve()
+
+
+def test_friction_that_falls_with_the_velocity_of_slip():
+    """In full slip F_x = mu(V xi) F_N: what displacements add to the slip vanishes on average (Betti)."""
+    falling = wk.FallingFriction(0.4, 0.16, velocity=1.0)
+    pair = on_flat(rolled_radius=10.5e-3, pixels=32)
+    slid = wk.ProfilePairRolling(pair, falling, speed=20.0).solve()
+    xi = float(slid.longitudinal_creepage[0])
+    assert slid.stick_share[0] == 0.0
+    most = slid.force[0] * (0.16 + 0.24 * math.exp(-20.0 * abs(xi)))
+    assert abs(slid.longitudinal_force[0]) == pytest.approx(most, rel=2e-3)
+    assert any("friction that falls with the velocity" in note.statement for note in slid.validity)
+    partly = on_flat(rolled_radius=10.02e-3, pixels=32)
+    coulomb = wk.ProfilePairRolling(partly, wk.Coulomb(0.4)).solve()
+    level = wk.ProfilePairRolling(partly, wk.FallingFriction(0.4, 0.4, 1.0), speed=20.0).solve()
+    np.testing.assert_array_equal(level.longitudinal_force, coulomb.longitudinal_force)
+    weaker = wk.ProfilePairRolling(partly, falling, speed=20.0).solve()
+    assert 0.0 < weaker.stick_share[0] < coulomb.stick_share[0]
+    assert abs(weaker.longitudinal_force[0]) < abs(coulomb.longitudinal_force[0])
+    with pytest.raises(wk.InvalidInput, match="no speed is given; give the speed of rolling in m/s, or Coulomb"):
+        wk.ProfilePairRolling(partly, falling)
+    with pytest.raises(wk.OutsideValidity, match="what sticks is not determined; give a lower speed"):
+        wk.ProfilePairRolling(partly, falling, speed=1e6).solve()

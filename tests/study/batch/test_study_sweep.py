@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import os
@@ -22,7 +23,9 @@ from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import tasks
 from winkler.study.language.designs import Zipped
+from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Fields, Places, Study
+from winkler.study.language.writing import study_text
 from winkler.validity import Standing
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
@@ -76,6 +79,36 @@ def test_hertz_over_forces_and_moduli():
     modulus = young / (1.0 - 0.25**2)
     expected = np.cbrt(9.0 * force**2 / (16.0 * modulus**2 * 1e-3))
     np.testing.assert_allclose(outcome.answer("depth")[..., 0], expected, rtol=1e-12)
+
+
+def test_lists_are_swept_as_wholes():
+    """Turning points of a path, each time others; the pull-off of JKR's paraboloid takes the same energy each time."""
+    text = """
+title = "deeper and deeper"
+[problem]
+kind = "adhesive_cycle"
+law = { kind = "short_range", work = "50 mJ/m^2" }
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "10 mm" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 MPa", poisson = 0.5 } }
+[problem.path]
+kind = "depth"
+depth = ["-20 um", "-20 um"]
+[sweep]
+"problem.path.depth" = [["-20 um", "20 um", "-20 um"], ["-20 um", "20 um", "-20 um", "40 um"]]
+"""
+    study = parse_study(text)
+    assert study.axes[0].values == ((-2e-5, 2e-5, -2e-5), (-2e-5, 2e-5, -2e-5, 4e-5))
+    assert parse_study(study_text(study)) == study
+    outcome = run(study)
+    for point, depths in zip(outcome.solved, study.axes[0].values, strict=True):
+        alone = dataclasses.replace(study.problem, path=wk.Depth(depths)).solve()
+        assert dict(point.found)["force"] == pytest.approx(np.asarray(alone.force), rel=1e-14)
+    (column, *_) = outcome.table()
+    assert column.content[0] == "-2e-05, 2e-05, -2e-05 (SI)"
+    with pytest.raises(InvalidInput, match="is a list; give one quantity"):
+        parse_study(text.replace('path.depth" = [[', 'bed.profile.curvature_radius" = [['))
 
 
 def test_the_table_has_a_row_for_every_point_and_load():
@@ -202,7 +235,9 @@ def test_a_pool_keeps_failures_and_leaves_the_environment_alone():
 SCRIPT = """
 import winkler as wk
 from winkler.study.batch.run import run
+from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
+from winkler.study.language.writing import study_text
 bed = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 study = Study("x", wk.Indentation(bed, wk.Force(1.0)), sweep=(Axis("problem.load.force", (1.0, 2.0)),))
 run(study, workers=2)

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 import tomli_w
 
+import winkler as wk
 from winkler.study.batch.run import run
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.figures import shown_point
-from winkler.study.report.headline.advice import ADVICE
+from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.section import doubt_of, headline_section
 from winkler.validity import Assumption, Standing
@@ -102,6 +103,17 @@ def test_an_error_that_is_stated_asks_for_something_else_than_a_limit_that_is_pa
     doubt = doubt_of(ball(problem__bed__profile=profile, problem__load={"kind": "depth", "depth": "10 nm"}))
     assert "pyramid" in doubt.statement
     assert doubt.advice == "What to do: compare with another description of the shape, or allow for this error."
+
+
+def test_springs_that_are_calibrated_are_not_to_be_calibrated():
+    steel = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
+    ball = wk.Foundation(wk.Paraboloid(RADIUS), steel)
+    doubt = worst_doubt(wk.Kalker().notes(ball, 1e-4))
+    assert "is calibrated by Kalker's coefficients" in doubt.statement
+    assert doubt.advice == "What to do: allow for this error, or solve the contact as surface_rolling."
+    doubt = worst_doubt(wk.Uncalibrated().notes(ball, 1e-4))
+    assert "not calibrated" in doubt.statement
+    assert doubt.advice == "What to do: calibrate the springs by Kalker's coefficients."
 
 
 def test_the_advice_names_the_load_that_the_size_allows():

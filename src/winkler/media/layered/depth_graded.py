@@ -49,7 +49,7 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
     InvalidInput
         If something is not of these kinds.
     NotConverged
-        When a result is computed: if more than 3000 cells would be needed.
+        When a result is computed: if 3000 cells more than breaks would be needed.
 
     Examples
     --------
@@ -100,7 +100,7 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
         """What is assumed."""
         return (
             Note(
-                Assumption.RESOLUTION,
+                Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 f"The graded body is cut into cells so thin that every stiffness k(a) is known to "
                 f"{self.tolerance:.0e}; frictionless, isotropic, linear elastic.",

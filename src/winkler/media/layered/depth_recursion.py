@@ -46,6 +46,7 @@ COARSEST_CELL = 0.35
 """Thickness of a cell over its depth, and change of ln E across it, to begin with."""
 REFINEMENT_RATIO = 0.65
 MOST_CELLS = 3000
+"""Besides one between any two breaks: what a table of many points costs, its author asks for."""
 SAMPLED_WAVES = 48
 SURFACE_DECAY = 18.0
 """A wave that starts at the surface is followed down to this depth over xi: the returning wave has decayed twice."""
@@ -96,7 +97,7 @@ def mesh(grading: DepthGrading, tolerance: float, shortest: float, depths: tuple
     Raises
     ------
     NotConverged
-        If more than 3000 cells would be needed.
+        If 3000 cells more than breaks would be needed.
     """
     reach = grading.settled_at(0.1 * tolerance)
     part = COARSEST_CELL
@@ -126,10 +127,10 @@ def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, de
         middle = 0.5 * (low[~good] + high[~good])
         low, high = np.concatenate([low[~good], middle]), np.concatenate([middle, high[~good]])
         count += int(np.count_nonzero(good))
-        if count + low.size > MOST_CELLS:
+        if count + low.size > MOST_CELLS + fixed.size:
             raise NotConverged(
-                f"DepthGradedHalfSpace: more than {MOST_CELLS} cells would be needed for the tolerance; request less, "
-                "or smooth the grading."
+                f"DepthGradedHalfSpace: more than {MOST_CELLS + fixed.size} cells would be needed for the tolerance; "
+                "request less, or smooth the grading."
             )
     return np.append(np.sort(np.concatenate(done)), reach)
 

@@ -10,7 +10,7 @@ from winkler.numerics.fields.thick_body import ThickBody
 from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.heat_source import heat_source
-from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_body
+from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_body
 from winkler.values import value
 
 __all__ = ["HeatedBody"]
@@ -40,7 +40,7 @@ class HeatedBody:
     @property
     def peclet(self) -> float:
         """Pe = V a / (2 kappa) [-]; of a plated body with the least diffusivity."""
-        return 0.5 * abs(self.speed) * self.pressed.radius / fastest_conductor(self.conductor).diffusivity
+        return 0.5 * abs(self.speed) * self.pressed.radius / min(diffusivities(self.conductor))
 
     @property
     def _moved(self) -> ThickBody | StackedSource:

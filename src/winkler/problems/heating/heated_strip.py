@@ -8,7 +8,7 @@ from winkler.checks.place_checks import finite_places
 from winkler.numerics.fields.band_source import BandPeak
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.band_flux import band_sources
-from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_under_band
+from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band
 from winkler.problems.line.indentation import LineSolution
 from winkler.values import value
 
@@ -39,7 +39,7 @@ class HeatedStrip:
     @property
     def peclet(self) -> float:
         """Pe = V a / (2 kappa) [-]; of a plated body with the least diffusivity."""
-        return 0.5 * abs(self.speed) * float(self.contact.half_width) / fastest_conductor(self.conductor).diffusivity
+        return 0.5 * abs(self.speed) * float(self.contact.half_width) / min(diffusivities(self.conductor))
 
     def temperature(self, x: ArrayLike) -> Array:
         """Return the temperature of the surface above that far away [K].

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,7 +12,7 @@ from winkler.materials.conducting_body import Plated
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.heating.moved_body import HeatBody, fastest_conductor
+from winkler.problems.heating.moved_body import HeatBody, diffusivities
 
 __all__ = ["RubbingBodies", "RubbingPlatedBodies", "peclet_numbers"]
 
@@ -37,7 +38,7 @@ class RubbingBodies:
                 "heat of friction flows is known for two thick bodies: give ThermalConductor(conductivity, "
                 "diffusivity) for both."
             )
-        _refuse_interface(type(self).__name__, self.conductors)
+        _refuse_pair(self, (first, second))
         return first, second
 
 
@@ -59,7 +60,7 @@ class RubbingPlatedBodies:
                 "heat of friction flows is known for two thick bodies: give ThermalConductor(conductivity, "
                 "diffusivity), or Plated made of it, for both."
             )
-        _refuse_interface(type(self).__name__, self.conductors)
+        _refuse_pair(self, (first, second))
         return first, second
 
     @property
@@ -68,13 +69,21 @@ class RubbingPlatedBodies:
         return any(isinstance(body, Plated) for body in self._bodies)
 
 
-def _refuse_interface(owner: str, conductors: HeatConductors) -> None:
-    interface = conductors.interface
+def _refuse_pair(problem: RubbingBodies | RubbingPlatedBodies, bodies: tuple[HeatBody, HeatBody]) -> None:
+    """Refuse an interface, and bodies of unknown diffusivity, save those of a steady problem that rest."""
+    owner, interface = type(problem).__name__, problem.conductors.interface
     if interface.area_resistance > 0.0:
         raise InvalidInput(
             f"{owner}: the surfaces have an interface_conductance of {interface.interface_conductance:g} "
             "W/(m^2 K), but sliding surfaces are taken to have one temperature; leave the interface out."
         )
+    for word, body in zip(("first", "second"), bodies, strict=True):
+        rests = not np.any(np.asarray(getattr(problem, f"{word}_speed", math.nan)))
+        if not rests and max(diffusivities(body)) == math.inf:
+            raise InvalidInput(
+                f"{owner}: the diffusivity of the {word} body is infinite, or not given, but the heat it takes depends "
+                "on it; give a diffusivity in m^2/s."
+            )
 
 
 def peclet_numbers(
@@ -84,7 +93,7 @@ def peclet_numbers(
 
     That of a plated body has the least of its diffusivities.
     """
-    rates = [fastest_conductor(body).diffusivity for body in bodies]
+    rates = [min(diffusivities(body)) for body in bodies]
     peclets = [np.asarray(0.5 * np.abs(speed) * radius / rate) for speed, rate in zip(speeds, rates, strict=True)]
     fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
     if fastest > HIGHEST_PECLET:

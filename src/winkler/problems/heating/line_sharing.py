@@ -13,7 +13,7 @@ from winkler.numerics.fields.band_source import FAST, BandSource
 from winkler.numerics.types import Array
 from winkler.problems.heating.band_flux import band_sources
 from winkler.problems.heating.estimates import first_share, idle_share, shared
-from winkler.problems.heating.moved_body import HeatBody, fastest_conductor, moved_under_band, top
+from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band, top
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import rim_load
 
@@ -58,7 +58,7 @@ def _shares(
         return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
     peaks, means = [], []
     for speed, body in zip(speeds, bodies, strict=True):
-        wave = speed / fastest_conductor(body).diffusivity
+        wave = speed / min(diffusivities(body))
         if 0.0 < abs(wave) * source.half_width < SLOWEST:
             raise OutsideValidity(
                 f"LineFrictionHeating: a Peclet number V a / (2 kappa) is {0.5 * abs(wave) * source.half_width:.3g}; a "

@@ -13,7 +13,7 @@ from winkler.numerics.fields.stacked_band import StackedBand
 from winkler.numerics.fields.stacked_source import StackedSource
 from winkler.numerics.fields.thick_body import ThickBand, ThickBody
 
-__all__ = ["HeatBody", "fastest_conductor", "moved_body", "moved_under_band", "top"]
+__all__ = ["HeatBody", "diffusivities", "moved_body", "moved_under_band", "top"]
 
 HeatBody = ThermalConductor | Plated
 """A thick body of one conductor, or a plated one."""
@@ -35,9 +35,9 @@ def _parts(body: HeatBody) -> list[ThermalConductor]:
     return [part for part in parts_of(body) if isinstance(part, ThermalConductor)]
 
 
-def fastest_conductor(body: HeatBody) -> ThermalConductor:
-    """Return the conductor of the least diffusivity in a body, that of the highest Peclet number."""
-    return min(_parts(body), key=lambda part: part.diffusivity)
+def diffusivities(body: HeatBody) -> list[float]:
+    """Return the diffusivities in a body [m^2/s]; the least has the highest Peclet number."""
+    return [part.diffusivity for part in _parts(body)]
 
 
 def _stack(body: HeatBody) -> Stack | None:

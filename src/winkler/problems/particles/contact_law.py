@@ -120,7 +120,7 @@ class ContactLaw:
             stiffness,
             ratio * stiffness,
             np.asarray(pressed_.energy),
-            float(np.max(errors)),
+            float(np.max(errors)) / SAFETY_FACTOR,
             float(np.max(_triangles(depth, force, stiffness)) / force[-1]),
         )
 

@@ -14,9 +14,9 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, between
+from winkler.checks.number_checks import Finite, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.laws.friction import Sliding
+from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.loading import Force
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
@@ -25,6 +25,7 @@ from winkler.problems.profile_pair.pressed_pair import PlacedPair, pressed_pair
 from winkler.problems.profile_pair.profile_pair import ProfilePair
 from winkler.problems.profile_pair.rolled_patch import RolledPatch, rolled_patches
 from winkler.problems.profile_pair.rolling_notes import pair_rolling_notes
+from winkler.problems.surface_rolling.falling import refuse_rest
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -50,8 +51,8 @@ class ProfilePairRolling:
     pair : ProfilePair
         The bodies, how they stand, their load and the rolled radius; the force is the vertical one of pressures and
         friction together.
-    friction : Coulomb
-        Its coefficient positive and finite.
+    friction : Coulomb or FallingFriction
+        A coefficient that is positive and finite, or one that falls with the velocity of slip.
     lateral_drift : float, optional
         How far the upper body moves towards +y per distance rolled [-].
     yaw_rate, roll_rate : float, optional
@@ -59,11 +60,13 @@ class ProfilePairRolling:
         profile.
     tolerance : float, optional
         Greatest `misfit` of a patch that counts as solved.
+    speed : float, optional
+        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed.
 
     Raises
     ------
     InvalidInput
-        If a number is out of range.
+        If a number is out of range, or friction falls and no speed is given.
 
     References
     ----------
@@ -93,17 +96,22 @@ class ProfilePairRolling:
         lateral_drift=("", "", "how far the upper body moves across per distance rolled"),
         yaw_rate=("", "rad/m", "turn of the upper body about the vertical per distance rolled"),
         roll_rate=("", "rad/m", "turn of the upper body about the direction along per distance rolled"),
+        speed=("V", "m/s", "speed of rolling"),
     )
 
     pair: ProfilePair
-    friction: Sliding
+    friction: Rolled
     lateral_drift: Annotated[float, between(-FASTEST_DRIFT, FASTEST_DRIFT)] = 0.0
     yaw_rate: Finite = 0.0
     roll_rate: Finite = 0.0
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
+    speed: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1990", "polonsky_keer_1999", "shackleton_iwnicki_2008")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED, Assumption.SLIP, Assumption.STEADY}
+
+    def __post_init__(self) -> None:
+        refuse_rest("ProfilePairRolling", self.friction, self.speed)
 
     def solve(self) -> ProfilePairRollingSolution:
         """Return the patches with their creep forces, and the sums of these.
@@ -111,7 +119,8 @@ class ProfilePairRolling:
         Raises
         ------
         InvalidInput, OutsideValidity
-            As `ProfilePair.solve`; also if a contact reaches the end of a profile, or friction carries the upper body.
+            As `ProfilePair.solve`; also if a contact reaches the end of a profile, or friction carries the upper body
+            or falls too steeply with the velocity of slip.
         NotConverged
             If the pressures, stick and slip, or the balance of both are not found.
         """
@@ -143,13 +152,14 @@ class ProfilePairRolling:
             )
         drift = Drift(self.lateral_drift, self.yaw_rate, self.roll_rate)
         radius = pair.rolled_radius or pair.second_radius
-        return placed, *rolled_patches(placed, pair.medium, self.friction.coefficient, radius, drift, self.tolerance)
+        patches = rolled_patches(placed, pair.medium, self.friction, radius, drift, self.tolerance, self.speed)
+        return placed, *patches
 
     def _solution(
         self, pair: ProfilePair, placed: PlacedPair, rolled: list[RolledPatch], misfit: float
     ) -> ProfilePairRollingSolution:
         coarse = self._rolled(dataclasses.replace(pair, pixels=max(pair.pixels // 2, FEWEST_PIXELS)))[1]
-        most = self.friction.coefficient * sum(each.patch.force for each in rolled)
+        most = greatest_coefficient(self.friction) * sum(each.patch.force for each in rolled)
         forces, before = _sums(rolled), _sums(coarse)
         return ProfilePairRollingSolution(
             problem=self,
@@ -276,7 +286,7 @@ class ProfilePairRollingSolution:
 
     @property
     def saturation(self) -> Array:
-        """Creep forces over mu F_N [-], ``(patches,)``."""
+        """Creep forces over mu F_N [-], ``(patches,)``; mu is that of slow slip if friction falls."""
         return self._row("saturation")
 
     @property
@@ -289,5 +299,5 @@ class ProfilePairRollingSolution:
         """How far the result can be trusted: pixels, conformity, friction, creepages, yield."""
         stated = self.problem
         return pair_rolling_notes(
-            stated.pair.medium, stated.friction.coefficient, self.patches, self.windows, self.grid_error, self.misfit
+            stated.pair.medium, stated.friction, self.patches, self.windows, self.grid_error, self.misfit
         )

@@ -15,10 +15,11 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.laws.friction import Coulomb
+from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.pressed_box import box_around
-from winkler.numerics.surfaces.rolled_surface import roll
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.creepages import Drift, creepages_along
@@ -31,6 +32,7 @@ from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.creepages import AHEAD
+from winkler.problems.surface_rolling.falling import roll_under
 from winkler.values import value, words
 
 __all__ = ["RolledPatch", "rolled_patches"]
@@ -53,7 +55,7 @@ class RolledPatch(BelowSurface):
     x_force, y_force, z_force : float
         What pressures and friction together exert on the upper body, along, across and up [N].
     saturation : float
-        Resultant of longitudinal and lateral force over mu F_N [-].
+        Resultant of longitudinal and lateral force over mu F_N [-]; mu is that of slow slip if friction falls.
     stick_share : float
         Part of the patch that does not slip [-].
     loss_per_distance : float
@@ -113,7 +115,13 @@ class RolledPatch(BelowSurface):
 
 
 def rolled_patches(
-    placed: PlacedPair, medium: HomogeneousMedium, coefficient: float, rolled: float, drift: Drift, tolerance: float
+    placed: PlacedPair,
+    medium: HomogeneousMedium,
+    friction: Coulomb | FallingFriction,
+    rolled: float,
+    drift: Drift,
+    tolerance: float,
+    speed: float,
 ) -> tuple[list[RolledPatch], float]:
     """Return all patches with their tractions, and the greatest `RolledSurface.misfit`.
 
@@ -123,24 +131,28 @@ def rolled_patches(
         The bodies and their pressures.
     medium : HomogeneousMedium
         Both bodies.
-    coefficient : float
-        Of friction.
+    friction : Coulomb or FallingFriction
+        Law of friction.
     rolled : float
         Rolled radius [m].
     drift : Drift
         Of the upper body.
     tolerance : float
         As of `roll`.
+    speed : float
+        Of rolling [m/s], for friction that falls with the velocity of slip.
 
     Raises
     ------
+    OutsideValidity
+        If friction falls too steeply with the velocity of slip.
     NotConverged
         If stick and slip are not found to the tolerance.
     """
     compliance, found, misfit = compliance_of(medium)._replace(coupling=0.0), [], 0.0
     for region, patches in zip(placed.windows.regions, placed.patches, strict=True):
         box = box_around(region.pressure > 0.0)
-        bound = coefficient * region.pressure[box] / medium.modulus
+        pressure = region.pressure[box] / medium.modulus
         dx, ds = region.gaps.pixel
         creeps = [_creepages(placed.lower, placed.down, region.gaps, patch, rolled, drift) for patch in patches]
         rigid = np.zeros((2, *region.pressure.shape))
@@ -148,21 +160,22 @@ def rolled_patches(
             ahead = (patch.along + AHEAD * dx)[:, None]
             slip = np.stack(np.broadcast_arrays(xi, eta + spin * ahead))
             rigid = np.where(patch.pressure > 0.0, slip, rigid)
-        grid = TractionGrid.of(bound.shape, (1.0, ds / dx), compliance, periodic=False)
-        start, here = np.zeros((2, *bound.shape)), (slice(None), *box)
+        grid = TractionGrid.of(pressure.shape, (1.0, ds / dx), compliance, periodic=False)
+        start, here = np.zeros((2, *pressure.shape)), (slice(None), *box)
         try:
-            solved = roll(grid, bound, rigid[here] * (bound > 0.0), start, tolerance=tolerance)
-        except NotConverged as error:
-            raise NotConverged(
-                f"ProfilePairRolling: on the patch at y = {patches[0].y:.6g} m, {error}; allow a larger tolerance, or "
-                "take more pixels."
+            slip = rigid[here] * (pressure > 0.0)
+            solved = roll_under(friction, speed, grid, pressure, slip, start, tolerance=tolerance)
+        except (NotConverged, OutsideValidity) as error:
+            way_out = "; allow a larger tolerance, or take more pixels" if isinstance(error, NotConverged) else ""
+            raise type(error)(
+                f"ProfilePairRolling: on the patch at y = {patches[0].y:.6g} m, {error}{way_out}."
             ) from None
         misfit = max(misfit, solved.misfit)
         traction, creep = np.zeros(rigid.shape), np.zeros(rigid.shape)
         traction[here] = medium.modulus * solved.traction
         creep[here] = np.where(solved.slipping, solved.slip, 0.0)
         found += [
-            _rolled(patch, region.gaps, coefficient, rigid, traction, creep, creepages)
+            _rolled(patch, region.gaps, greatest_coefficient(friction), rigid, traction, creep, creepages)
             for patch, creepages in zip(patches, creeps, strict=True)
         ]
     return found, misfit

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import cast
 
+from winkler.laws.friction import Coulomb
+from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.profile_pair.notes import placed_notes, yield_of_patches
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
+from winkler.problems.surface_rolling.notes import named
 from winkler.problems.surface_rolling.small_creep import small_creep_note
 from winkler.validity import Assumption, Note, Standing, standing_left, standing_of
 
@@ -21,7 +24,7 @@ FINE, COARSE = 0.01, 0.1
 
 def pair_rolling_notes(
     medium: HomogeneousMedium,
-    coefficient: float,
+    friction: Coulomb | FallingFriction,
     patches: tuple[RolledPatch, ...],
     windows: int,
     grid_error: float,
@@ -33,8 +36,8 @@ def pair_rolling_notes(
     ----------
     medium
         Both bodies.
-    coefficient
-        Of friction.
+    friction
+        Law of friction.
     patches
         The one that bears most first.
     windows
@@ -54,8 +57,8 @@ def pair_rolling_notes(
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
-            f"Exact theory of rolling, Coulomb's law in each pixel, to {misfit:.1g} of what friction would lose if all "
-            "slipped; the rigid slip follows the radii of both bodies across the patch.",
+            f"Exact theory of rolling, {named(friction)} in each pixel, to {misfit:.1g} of what friction would lose "
+            "if all slipped; the rigid slip follows the radii of both bodies across the patch.",
             KALKER,
         ),
         Note(
@@ -65,7 +68,7 @@ def pair_rolling_notes(
             KALKER,
         ),
         small_creep_note(greatest),
-        sticking_note(cast(Medium, medium), coefficient),
+        sticking_note(cast(Medium, medium), greatest_coefficient(friction)),
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),

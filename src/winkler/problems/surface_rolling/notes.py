@@ -20,7 +20,7 @@ from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing, standing_left
 
-__all__ = ["surface_rolling_notes"]
+__all__ = ["named", "surface_rolling_notes"]
 
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 PRESSED_TOLERANCE = 1e-6
@@ -60,7 +60,7 @@ def surface_rolling_notes(
     law = Note(
         Assumption.SLIP,
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
-        f"{bodies} that roll, {_named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
+        f"{bodies} that roll, {named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
         f"would lose if all slipped{met} the rolling there are {across} pixels: forces err in proportion to their "
         "size, by about 0.5 % of mu F_N with 40.",
         KALKER,
@@ -78,5 +78,6 @@ def surface_rolling_notes(
     return (*pressed, law, steady, solved_together_note(cast(Medium, medium), greatest_coefficient(friction), turns))
 
 
-def _named(friction: Coulomb | FallingFriction) -> str:
+def named(friction: Coulomb | FallingFriction) -> str:
+    """Return the law of friction in words."""
     return "Coulomb's law" if isinstance(friction, Coulomb) else "friction that falls with the velocity of slip"

@@ -67,8 +67,8 @@ def _error_note(problem: Any, solution: Any) -> Note:
     return Note(
         Assumption.RESOLUTION,
         standing,
-        f"Half as many cells, and coarser steps, change force or depth by {change:.1g} of the greatest; about a third "
-        f"of that is left. The sum of exponentials of a wave is wrong by {error:.0e} at most.",
+        f"Half as many cells, and coarser steps, change force or depth by {change:.2g} of the greatest; at most about "
+        f"as much is left. The sum of exponentials of a wave is wrong by {error:.0e} at most.",
         HALVED,
     )
 

@@ -146,6 +146,7 @@ class _Target:
             self.hint = inner[0] if typing.get_origin(self.hint) is tuple else float
         scalar = self.hint is float or float in typing.get_args(self.hint)
         self.is_number = self.is_constant or (scalar and typing.get_origin(self.hint) is not tuple)
+        self.takes_rows = any(typing.get_origin(each) is np.ndarray for each in typing.get_args(self.hint))
         if (self.cls.__name__, self.field) in quantities.INDEXED and self.below:
             self.unit = quantities.INDEXED[self.cls.__name__, self.field](int(self.below[0]))
         else:
@@ -173,6 +174,8 @@ class _Target:
 
         from winkler.study.language import mistakes, quantities, schema
 
+        if self.is_number and self.takes_rows and isinstance(raw, list):
+            return tuple(float(number) for number in self.numbers(raw, where))
         if self.is_number:
             if quantities.endless(self.cls, self.field) and raw == quantities.INFINITE:
                 return float("inf")

@@ -122,6 +122,8 @@ def label(content: Any) -> str:
     """Return a short text for the value at a key: a number, a name, or a value with its numbers."""
     if isinstance(content, float):
         return f"{content:.6g}"
+    if isinstance(content, tuple) and all(isinstance(item, float) for item in content):
+        return f"{', '.join(map(label, content))} (SI)"
     if dataclasses.is_dataclass(content):
         contents = ((field.name, getattr(content, field.name)) for field in dataclasses.fields(content))
         numbers = [f"{name}={number:.6g}" for name, number in contents if isinstance(number, float)]

@@ -45,6 +45,7 @@ ADVICE = {
 }
 """Assumption -> what to do where it does not hold."""
 WITHIN_AN_ERROR = {
+    Assumption.CALIBRATION: "allow for this error, or solve the contact as surface_rolling",
     Assumption.ELASTIC: "press less, until the contact stays elastic in any case",
     Assumption.SHAPE: "compare with another description of the shape, or allow for this error",
 }
