@@ -24,8 +24,7 @@ T = TypeVar("T")
 LONGEST_QUANTITY = 100
 """Most characters of a quantity."""
 
-LARGEST_EXACT = 2**53
-"""Whole numbers up to this one are floats."""
+LARGEST_EXACT = 2**53  # whole numbers up to this one are floats
 
 QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.ASCII)
 
