@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import pickle
 import re
 
 import pytest
@@ -41,6 +42,18 @@ def test_the_worst_of_notes():
     assert worst([notes[wk.Standing.EXACT], notes[wk.Standing.ASYMPTOTIC]]) is wk.Standing.ASYMPTOTIC
     assert worst([notes[wk.Standing.APPROXIMATE], notes[wk.Standing.ASYMPTOTIC]]) is wk.Standing.APPROXIMATE
     assert str(notes[wk.Standing.EXACT]) == "exact: a [b]"
+
+
+@pytest.mark.parametrize("thing", [object(), lambda: 0, [object()]])
+def test_a_message_states_no_place_in_memory(thing):
+    """It differs from run to run: `<object object at 0x7fa58826e680>`."""
+    for refused in (wk.Sphere, wk.Force, wk.Coulomb, wk.Formula, lambda given: wk.Elastic(given, 0.3), wk.read_profile):
+        with pytest.raises(wk.InvalidInput) as error:
+            refused(thing)
+        assert " at 0x" not in str(error.value)
+        assert "\n" not in str(error.value)
+        again = pickle.loads(pickle.dumps(error.value))
+        assert (type(again), str(again)) == (wk.InvalidInput, str(error.value))
 
 
 RESIDUE = re.compile(r"mismatch|misfit|residual|uncertainty|\bleft\b")

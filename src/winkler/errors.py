@@ -16,6 +16,7 @@ Each message states what was given, what is allowed, and what to do.  `suggest` 
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 
 from winkler.synonyms import SYNONYMS
@@ -34,12 +35,18 @@ __all__ = [
 
 LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
+ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
+"""In the ``repr`` of an object that has none of its own."""
 
 
 class WinklerError(Exception):
     """Root of every error that winkler raises on purpose; `exit_code` is what the command line returns."""
 
     exit_code = 1
+
+    def __init__(self, *parts: object) -> None:
+        # where an object lies in memory says nothing, and differs from run to run
+        super().__init__(*(ADDRESS.sub("", part) if isinstance(part, str) else part for part in parts))
 
 
 class InvalidInput(WinklerError, ValueError):

@@ -140,11 +140,14 @@ def restore(
     Raises
     ------
     InvalidInput
-        If r is negative or not finite, the solution holds many loads, or z is given for a sheared or twisted contact.
+        If r is negative or not finite, if r and z do not fit each other, the solution holds many loads, or z is given
+        for a sheared or twisted contact.
     OutsideValidity
         If the field below the surface is not known for this medium, or the body there is rigid.
     """
     radii = finite_places("restore", "r", r)
+    if z is not None:
+        common_places("restore", r=r, z=z)
     if np.any(radii < 0.0):
         raise InvalidInput(f"restore: r = {np.min(radii):.6g} m is negative; distances from the axis are positive.")
     if is_self_restoring(solution) or is_dragged(solution) or isinstance(solution, TorsionState):
@@ -232,11 +235,16 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     Raises
     ------
     InvalidInput
-        If a place is not finite.
+        If a place is not finite, or the solution has no tangential load.
     OutsideValidity
         If the medium is not a homogeneous isotropic half-space.
     """
     places = common_places("restore_shift", x=x, y=y)
+    if not is_dragged(solution):
+        raise InvalidInput(
+            f"restore_shift: a {type(solution).__name__} drags no surfaces along; give the solution of a problem with "
+            "a tangential load, at one point of its path."
+        )
     refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD_ADVICE)
     return shift_of_surface(solution.sheared, *places)
 

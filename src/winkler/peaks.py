@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import overload
 
@@ -11,11 +12,13 @@ from winkler.checks.outline import refuse_unless_round
 from winkler.fields import below_surface, springs_of
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
+from winkler.media.families import LayeredBody
 from winkler.media.interior.peak import greatest, greatest_around
 from winkler.numerics.types import Array
 from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_self_restoring
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
+from winkler.problems.normal.greatest_stress import INTERFACE_OFFSET
 from winkler.values import value
 
 __all__ = ["PeakStress", "PlacedStress", "peak_stress"]
@@ -68,7 +71,7 @@ def peak_stress(solution: Dragged | SelfRestoring | TorsionState, *, below: bool
 def peak_stress(
     solution: Restorable | Dragged | SelfRestoring | TorsionState, *, below: bool = True
 ) -> PeakStress | PlacedStress:
-    """Return the greatest von Mises stress and its place.
+    """Return the greatest von Mises stress and its place; in a layered body layer by layer, on both sides of each face.
 
     Parameters
     ----------
@@ -86,7 +89,9 @@ def peak_stress(
     if isinstance(solution, TorsionState):
         return _twisted_peak(solution, 1.0 if below else -1.0)
     if is_self_restoring(solution):
-        return _placed_peak(solution.body_fields, solution.radius, solution.sharp_places(), 1.0 if below else -1.0)
+        sign = 1.0 if below else -1.0
+        spans = _spans(solution.medium, sign)
+        return _placed_peak(solution.body_fields, solution.radius, solution.sharp_places(), sign, spans)
     if is_dragged(solution):
         return _sheared_peak(solution.sheared, 1.0 if below else -1.0)
     pressed = springs_of(solution)
@@ -98,8 +103,20 @@ def peak_stress(
     if sharp:
         return PeakStress(float("inf"), sharp[0], 0.0)
     sign = 1.0 if below else -1.0
-    place = greatest(lambda r, z: below_surface(pressed, r, sign * z, below).von_mises, pressed.radius)
+
+    def field(r: Array, z: Array) -> Array:
+        return below_surface(pressed, r, sign * z, below).von_mises
+
+    spans = _spans(pressed.bed.medium, sign)
+    place = max(greatest(field, pressed.radius, top=top, bottom=bottom) for top, bottom in spans)
     return PeakStress(place.value, place.r, sign * place.z)
+
+
+def _spans(medium: object, sign: float) -> tuple[tuple[float, float], ...]:
+    """Return the depths between which stresses are continuous [m]: those of layers, or of all of the body."""
+    if sign < 0.0 or not isinstance(medium, LayeredBody):
+        return ((0.0, math.inf),)
+    return tuple((top * (1.0 + INTERFACE_OFFSET), bottom) for top, bottom in medium.spans)
 
 
 def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
@@ -107,23 +124,39 @@ def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
     refuse_unless_round(pressed, "peak_stress", "the stress below the surface")
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]
     sharp += [part.radius for parts in sheared.components for part in parts if part.edge != 0.0]
-    return _placed_peak(lambda x, y, z: body_of_sheared(sheared, x, y, z), pressed.radius, sharp, sign)
+    spans = _spans(pressed.bed.medium, sign)
+    return _placed_peak(lambda x, y, z: body_of_sheared(sheared, x, y, z), pressed.radius, sharp, sign, spans)
 
 
-def _placed_peak(body: Callable[..., BodyFields], radius: float, sharp: Sequence[float], sign: float) -> PlacedStress:
+def _placed_peak(
+    body: Callable[..., BodyFields],
+    radius: float,
+    sharp: Sequence[float],
+    sign: float,
+    spans: tuple[tuple[float, float], ...],
+) -> PlacedStress:
     """Return the greatest stress in one body; z = 0 belongs to the second one if that is requested."""
     if radius == 0.0:
         return PlacedStress(0.0, 0.0, 0.0, 0.0)
     if sharp:
         return PlacedStress(float("inf"), sharp[0], 0.0, 0.0)
     tiny = np.finfo(float).tiny
+    found = []
+    for top, bottom in spans:
+        thickness = bottom - top
+        scale = min(1.0, thickness / radius)  # in a thin layer the depths of the search are shares of it
 
-    def field(x: Array, y: Array, z: Array) -> Array:
-        deep = radius * z
-        return body(radius * x, radius * y, deep if sign > 0.0 else -np.maximum(deep, tiny)).von_mises
+        def depth(z: Array, top: float = top, thickness: float = thickness, scale: float = scale) -> Array:
+            return np.asarray(top + np.minimum(scale * radius * z, thickness))
 
-    place = greatest_around(field)
-    return PlacedStress(place.value, radius * place.x, radius * place.y, sign * radius * place.z)
+        def field(x: Array, y: Array, z: Array, depth: Callable[[Array], Array] = depth) -> Array:
+            deep = depth(z) if sign > 0.0 else -np.maximum(radius * z, tiny)
+            return body(radius * x, radius * y, deep).von_mises
+
+        place = greatest_around(field)
+        z = float(depth(np.array(place.z)))
+        found.append(PlacedStress(place.value, radius * place.x, radius * place.y, sign * z))
+    return max(found, key=lambda one: one.von_mises)
 
 
 def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:

@@ -36,7 +36,7 @@ from winkler.problems.line.layered_stress import LayerStress
 from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
 from winkler.problems.line.stress import LineFields
-from winkler.problems.line.yielding import LineYieldOnset, LineYieldOnsetSolution
+from winkler.problems.line.yielding import LinePartOnset, LineYieldOnset, LineYieldOnsetSolution
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.tangential import LineTangential, LineTangentialSolution
 from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
@@ -54,6 +54,7 @@ from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.elliptic_yielding import EllipticYieldOnset, EllipticYieldOnsetSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.near_round import NearlyRoundIndentation, NearlyRoundSolution
+from winkler.problems.normal.onset.part_onset import EllipticPartOnset, PartOnset
 from winkler.problems.normal.yielding import YieldOnset, YieldOnsetSolution
 from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
 from winkler.problems.particles.contacts import Contacts
@@ -125,7 +126,7 @@ __all__ = [
     "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest", "Creepage",
     "CurrentFields", "ElasticPlasticParticle",
     "ElastomerFriction", "ElastomerFrictionSolution", "EllipticFields", "EllipticFrictionHeating",
-    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticSolution", "EllipticWear",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear",
     "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "Equilibrium", "EquilibriumCurve",
     "FlowFactors", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "HarmonicIndentation", "HeatFields",
@@ -133,13 +134,13 @@ __all__ = [
     "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineSolution", "LimitingProfile",
     "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
     "LineFields", "LineForcePath", "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating",
-    "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePath",
-    "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
+    "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePartOnset",
+    "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
     "LineRollingResistanceSolution", "LineRollingSolution", "LineRollingStart", "LineRollingStartSolution",
     "LineShakedown", "LineShakedownSolution", "LineSlidingSolution", "LineSlidingWear", "LineSolution",
     "LineTangential", "LineTangentialSolution", "LineViscoelasticIndentation", "LineViscoelasticSolution",
     "LineYieldOnset", "LineYieldOnsetSolution", "MapStress", "MapStressSolution", "MasterCurve", "MasterCurveSolution",
-    "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling", "OscillatingRollingSolution",
+    "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling", "OscillatingRollingSolution", "PartOnset",
     "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase", "PoroelasticRelaxation",
     "PoroelasticSolution", "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution",
     "ProfilePatch", "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution",

@@ -21,8 +21,7 @@ from winkler.checks.float_range import guarded, guarded_result, guarded_stream
 from winkler.checks.outline import refuse_outline, refuse_relaxing
 from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
-from winkler.quantities import quantity
-from winkler.vocabulary import Word
+from winkler.vocabulary import Word, word
 from winkler.wrong_names import checked_arguments, unknown_attribute
 
 __all__ = ["frozen_array", "value", "words"]
@@ -110,6 +109,46 @@ def _setstate(self: Any, state: dict[str, Any]) -> None:
         object.__setattr__(self, name, _frozen(content))
 
 
+def quantity(self: Any, name: str) -> Any:
+    """Return a field or a result as a quantity of pint; it becomes the method ``quantity`` of each value.
+
+    Parameters
+    ----------
+    name : str
+        Of the field or the result, as ``"depth"``.
+
+    Returns
+    -------
+    pint.Quantity
+        In the SI unit of the glossary, of the application's registry (``pint.get_application_registry()``).
+
+    Raises
+    ------
+    InvalidInput
+        If it is no quantity, or one whose unit follows from another argument.
+
+    Examples
+    --------
+    >>> from winkler.loading import Force
+    >>> Force(1e3).quantity("force").to("kN").magnitude
+    1.0
+    """
+    from winkler.units import is_fixed  # exact fractions
+
+    content = getattr(self, name)
+    try:
+        unit = word(type(self), name).unit
+    except KeyError:
+        unit = None
+    if unit is None or not is_fixed(unit) or not isinstance(content, float | int | np.ndarray):
+        owner = type(self).__name__
+        raise InvalidInput(f"{owner}: {name} is no quantity with a unit of its own; read it as {owner}.{name}.")
+    import pint  # takes most of a second to load
+
+    registry: Any = pint.get_application_registry()  # type: ignore[no-untyped-call]
+    return registry.Quantity(np.array(content) if isinstance(content, np.ndarray) else content, unit)
+
+
 @dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(dataclasses.field,))
 def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
@@ -117,7 +156,7 @@ def value(cls: type[T]) -> type[T]:
     The fields are frozen and compared with their types (`winkler.checks`); then a class's own ``__post_init__`` runs,
     the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
     properties of a solution, state in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
-    takes a few lines (`winkler.display`); ``quantity("depth")`` gives a number with its unit (`winkler.quantities`);
+    takes a few lines (`winkler.display`); ``quantity("depth")`` gives a number with its unit (`quantity`);
     a wrong name raises an error with the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)

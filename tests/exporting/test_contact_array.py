@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
@@ -393,3 +394,14 @@ def closed_work(name, law, many, seed, parts):
     if name == "gel":
         heat += array.answer("stored_energy")
     return work, least, heat, scale
+
+
+@pytest.mark.parametrize("precision", ["half", None, ["double"]])
+def test_a_file_of_an_unknown_precision_is_refused(tmp_path, precision):
+    """It was read as double."""
+    path = beads(2).save(tmp_path / "run.contacts")
+    line, _, rest = path.read_bytes().partition(b"\n")
+    line = json.dumps(json.loads(line) | {"precision": precision}).encode()
+    path.write_bytes(line + b"\n" + rest)
+    with pytest.raises(wk.InvalidInput, match=r"its first line states the precision "):
+        ContactArray.restored(BEADS, path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import numpy as np
@@ -17,7 +18,9 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, Shift
 from winkler.materials.elastic import Elastic
 from winkler.materials.layered import Layer
+from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.spring_march import SpringMarch
@@ -264,3 +267,28 @@ def test_mistakes_are_refused_in_one_sentence():
     with pytest.raises(InvalidInput, match=r"a str is no exported law"):
         write_export("law", "folder")
     assert set(TARGETS) >= {"c", "python"}
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_a_step_that_is_no_number_spoils_nothing(name):
+    """Issue 38, item 7: a standard solid was not-a-number for ever after one infinite duration."""
+    law = law_of(PROBLEMS[name], tolerance=1e-3, count=4)
+    for k, part in enumerate(law.motion):
+        for number in (np.nan, np.inf, -np.inf):
+            motions = np.insert(law.trial[:12], 6, law.trial[6], axis=0)
+            motions[6, k] = number
+            with np.errstate(all="ignore"):
+                answers = law.trace(motions)
+            assert np.all(np.isfinite(answers[7:])), (part.name, number)
+
+
+@pytest.mark.parametrize("duration", [1e4, 1e30, 1e300, math.inf])
+def test_after_a_hold_without_end_a_standard_solid_is_relaxed(duration):
+    """F = 4/3 E* sqrt(R) d^(3/2) with the relaxed modulus, E* = 4 G of an incompressible solid, with 400 springs."""
+    solid = StandardSolid(relaxed_shear=1e6, shear=1e6, relaxation_time=0.1)
+    bed = Foundation(Paraboloid(1e-2), ViscoelasticHalfSpace(solid))
+    law = law_of(ViscoelasticIndentation(bed, Path([0.0, 1.0], Depth([0.0, 1e-4]))), tolerance=1e-6, count=400)
+    answers = law.trace(np.array([[1e-4, 0.0], [1e-4, duration], [0.5e-4, 1.0], [1e-4, duration]]))
+    relaxed = 4.0 / 3.0 * 4e6 * math.sqrt(1e-2) * 1e-4**1.5
+    np.testing.assert_allclose(answers[[0, 1, 3], 0], [2.0 * relaxed, relaxed, relaxed], rtol=1e-3)
+    assert np.all(np.isfinite(answers))

@@ -5,16 +5,19 @@ from __future__ import annotations
 import dataclasses
 import typing
 import warnings
+from decimal import Decimal
 
 import numpy as np
 import pytest
-from wrong_contents import WRONG, faults, public_values
+from wrong_contents import MEANT, WRONG, faults, public_values
 
 import winkler as wk
 from winkler.checks.field_checks import _hints, checks_of
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import example_study
+from winkler.study.language.fit_reading import read_fit_study
+from winkler.study.language.reading import read_study
 from winkler.values import _frozen
 
 UNCHECKED = {"IndenterCalibration.references", "JointStiffnessSolution.problem", "NanoindentationSolution.problem"}
@@ -112,3 +115,46 @@ def test_the_walk_finds_what_is_changed_in_silence():
     assert {"text", "complex", "set", "unit of no argument", "uncertain", "decimal"} <= changed
     raw = {fault.what[:10] for fault in faults("Sample", "length", lambda content: content.no_such_name)}
     assert raw == {"AttributeE"}
+
+
+@pytest.fixture(scope="module")
+def contact() -> wk.IndentationSolution:
+    bed = wk.Foundation(wk.Paraboloid(1e-2), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    return wk.Indentation(bed, wk.Force(100.0)).solve()
+
+
+def test_fields_at_wrong_places_are_refused(contact):
+    for restored in (
+        lambda place: wk.restore(contact, place),
+        lambda place: wk.restore(contact, 1e-5, place),
+        lambda place: wk.restore_body(contact, place, 0.0, 1e-5),
+    ):
+        refused = {fault.wrong for fault in faults("restore", "", restored) if fault.what.startswith("kept as ")}
+        assert refused <= {*MEANT, "empty", "array of one row", "none"}  # without a depth
+        assert not [fault for fault in faults("restore", "", restored) if not fault.what.startswith("kept as ")]
+    with pytest.raises(wk.InvalidInput, match=r"shapes that do not broadcast \(r \(2,\), z \(3,\)\)"):
+        wk.restore(contact, [0.0, 1e-4], [1e-4, 2e-4, 3e-4])
+
+
+def test_fields_of_what_is_no_answer_are_refused(contact):
+    for restored in (wk.restore, wk.restore_shift, wk.restore_body):
+        places = (1e-5,) * {"restore": 1, "restore_shift": 2, "restore_body": 3}[restored.__name__]
+        for wrong in (None, 3, wk.Indentation, wk.IndentationSolution, contact.problem):
+            with pytest.raises(wk.InvalidInput, match=r"^restore.*: a \w+ .*; give "):
+                restored(wrong, *places)
+    with pytest.raises(wk.InvalidInput, match="drags no surfaces along"):
+        wk.restore_shift(contact, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("wrong", [None, 3, b"study.toml", wk.Force])
+def test_a_study_is_read_from_a_path(wrong):
+    for read in (read_study, read_fit_study):
+        with pytest.raises(wk.InvalidInput, match="is no path of a file; give one such as"):
+            read(wrong)
+
+
+def test_a_load_that_was_a_decimal_keeps_its_study(contact):
+    solution = wk.Indentation(contact.problem.bed, wk.Force(Decimal("100"))).solve()
+    assert solution == contact
+    assert wk.to_xarray(solution).attrs == wk.to_xarray(contact).attrs
+    assert "study" in wk.to_xarray(contact).attrs

@@ -119,7 +119,7 @@ def meant(name: str, given: Any, stored: Any) -> bool:
         return True
     if name == "truth of NumPy":
         return stored is True
-    if name in ("array of one row", "truths"):
+    if name in ("array of one row", "truths", "texts"):
         return np.array_equal(np.asarray(stored), given)
     if name == "empty":
         return isinstance(stored, tuple | np.ndarray) and len(stored) == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import io
 import subprocess
 import sys
 
@@ -303,10 +304,22 @@ def test_a_notebook_shows_the_picture():
 
 
 @pytest.mark.slow
-def test_the_same_picture_twice_is_the_same_file(tmp_path):
-    for name in ("one.svg", "two.svg"):
-        draw(CONTACT).savefig(tmp_path / name, metadata={"Date": None})
-    assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "two.svg").read_bytes()
+@pytest.mark.parametrize("ending", ["svg", "pdf", "PDF", "png"])
+def test_the_same_picture_on_another_day_is_the_same_file(ending, tmp_path, monkeypatch):
+    for day in ("1", "86401"):
+        monkeypatch.setenv("SOURCE_DATE_EPOCH", day)  # which matplotlib states as the date, where it states one
+        draw(CONTACT).savefig(tmp_path / f"{day}.{ending}")
+        stream = io.BytesIO()
+        draw(CONTACT).savefig(stream, format=ending.lower())
+        assert stream.getvalue() == (tmp_path / f"{day}.{ending}").read_bytes()
+    assert (tmp_path / f"1.{ending}").read_bytes() == (tmp_path / f"86401.{ending}").read_bytes()
+
+
+def test_what_is_stated_with_a_picture_stays():
+    stream = io.BytesIO()
+    draw(Sphere(1e-2)).savefig(stream, format="svg", metadata={"Title": "A ball"})
+    assert b"<dc:title>A ball</dc:title>" in stream.getvalue()
+    assert b"<dc:date>" not in stream.getvalue()
 
 
 VISION = {

@@ -129,3 +129,15 @@ def test_bad_tables(depths, found, sentence):
 def test_a_rounded_pyramid_has_no_known_cross_section():
     with pytest.raises(wk.OutsideValidity, match="give the tip's CalibratedArea"):
         wk.contact_reading(1e3, 1e-5, 2e-8, wk.RoundedPyramid(4, 1.1, 1e-8))
+
+
+def test_an_area_function_of_ten_million_coefficients_is_refused_at_once():
+    """Issue 38, item 7: it took over 15 s."""
+    with pytest.raises(wk.InvalidInput, match=r"are 10000000 numbers; give at most 100\.$"):
+        wk.CalibratedTip((1.0,) * 10_000_000, 50e-9, 2e-6)
+
+
+def test_a_refusal_is_one_line_without_the_place_of_an_object_in_memory():
+    for given, shown in ((object(), "<object object>"), (np.zeros(50), r"an array of the shape \(50,\)")):
+        with pytest.raises(wk.InvalidInput, match=f"^CalibratedTip: coefficients are {shown}; give finite numbers"):
+            wk.CalibratedTip(given, 50e-9, 2e-6)

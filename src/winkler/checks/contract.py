@@ -34,7 +34,7 @@ def offered(text: str) -> Callable[[K], K]:
 
 def keeps(part: Any, protocol: type) -> bool:
     """Return whether a value has each member of a protocol, without evaluating any of them."""
-    return not _missing(part, protocol)
+    return not isinstance(part, type) and not _missing(part, protocol)
 
 
 def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:

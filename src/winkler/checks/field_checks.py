@@ -115,7 +115,7 @@ def _check_of(hint: Any, argument: Argument) -> Check | None:
         return _exact(plain_hint, argument)
     members = _union(plain_hint)
     if ANY_ARRAY in members and set(members) <= {float, bool, ANY_ARRAY}:
-        return _array(argument, bool in members)
+        return _array(argument, bool in members, alone=len(members) == 1)
     for kind, left_out in ABSENT.items():
         if kind in members:
             return _unless(left_out, _check_of(Union[tuple(one for one in members if one != kind)], argument))  # noqa: UP007
@@ -169,10 +169,12 @@ def _exact(kind: type, argument: Argument) -> Check:
     return checked
 
 
-def _array(argument: Argument, masks: bool) -> Check:
-    """Return the check of numbers in any shape; arrays of truth values are taken where nothing has a unit."""
+def _array(argument: Argument, masks: bool, *, alone: bool) -> Check:
+    """Return the check of numbers in any shape; of truth values where an array stands alone and has no unit."""
 
     def checked(content: Any) -> Any:
+        if type(content) is np.ndarray and content.dtype.kind == "f":
+            return content  # long histories are kept in single precision
         found = plain(content, argument)
         if type(found) is int:
             refuse_size(argument.where, found)
@@ -180,7 +182,7 @@ def _array(argument: Argument, masks: bool) -> Check:
             return found
         if type(found) is bool and masks:
             return found
-        if type(found) is np.ndarray and found.dtype.kind == "b" and (masks or argument.unit() is None):
+        if type(found) is np.ndarray and found.dtype.kind == "b" and (masks or (alone and not argument.unit())):
             return found
         raise argument.refused(f"is {as_text(content)}", "give a number or an array of numbers")
 
@@ -201,12 +203,16 @@ def _row(argument: Argument) -> Check:
     return checked
 
 
-def _entries(kinds: tuple[Any, ...], argument: Argument) -> Check:
-    """Return the check of a tuple: of entries of one kind, or of one entry of each kind."""
+def _entries(kinds: tuple[Any, ...], argument: Argument) -> Check | None:
+    """Return the check of a tuple of entries of one kind, or of one entry of each kind; None if all are admitted."""
     checks = [_check_of(kind, argument) for kind in kinds if kind is not Ellipsis]
     many = kinds[1:] == (Ellipsis,)
+    if not any(checks):
+        return None
 
     def checked(content: Any) -> Any:
+        if isinstance(content, np.ndarray) and content.ndim == 1:
+            content = tuple(content.tolist())
         if type(content) is not tuple or not (many or len(content) == len(checks)):
             count = "entries" if many else f"{len(checks)} entries"
             raise argument.refused(f"is {as_text(content)}", f"give a list of {count}")

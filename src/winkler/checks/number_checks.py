@@ -29,6 +29,7 @@ __all__ = [
     "POSITIVE_OR_INFINITE",
     "Advice",
     "Check",
+    "ComplexNumbers",
     "Count",
     "Finite",
     "FiniteQuantity",
@@ -149,6 +150,22 @@ POSITIVE_OR_INFINITE = Number("it must be a positive number{unit}, or infinite",
 POISSON = Number(
     "a Poisson ratio is above -1 and at most 0.5", -1.0, 0.5, (-1.0,), several="numbers above -1 and at most 0.5"
 )
+
+
+class ComplexNumbers(NamedTuple):
+    """Numbers in any shape, real or complex."""
+
+    def check(self, argument: Argument) -> Check:
+        """Return what refuses contents of a field that are no such numbers."""
+
+        def checked(content: Any) -> Any:
+            if isinstance(content, np.ndarray) and content.dtype.kind in "fc":
+                return content
+            raise argument.refused(f"is {as_text(content)}", "give an array of numbers")
+
+        return checked
+
+
 ORDER_TEXTS = {"": "", "rising": ", each above the one before", "never falling": " that never fall"}
 
 IN_ORDER = {"rising": operator.gt, "never falling": operator.ge}

@@ -7,7 +7,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from winkler.checks.physical_size import LARGEST_NUMBER
+from winkler.checks.physical_size import LARGEST_NUMBER, as_text, refuse_size
+from winkler.checks.plain_numbers import REAL, Argument, plain
 from winkler.errors import InvalidInput
 
 __all__ = ["common_places", "finite_places"]
@@ -16,7 +17,7 @@ Array: TypeAlias = NDArray[Any]
 
 
 def finite_places(requested: str, name: str, content: ArrayLike) -> Array:
-    """Return places [m] as an array; refuse what is not a number, or not finite.
+    """Return places [m] as an array, converted from quantities; refuse what is not a number, or not finite.
 
     Parameters
     ----------
@@ -27,10 +28,13 @@ def finite_places(requested: str, name: str, content: ArrayLike) -> Array:
     content : array_like
         As given.
     """
-    try:
-        numbers = np.asarray(content, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InvalidInput(f"{requested}: {name} is {content!r:.60}; give a number or an array in m.") from None
+    argument = Argument(f"{requested}: {name}", lambda: "m")
+    found = plain(content, argument)
+    if type(found) not in REAL and not (isinstance(found, np.ndarray) and found.dtype == float):
+        raise argument.refused(f"is {as_text(content)}", "give a number or an array{unit}")
+    if type(found) is int:
+        refuse_size(argument.where, found)
+    numbers = np.asarray(found, dtype=float)
     if not np.all(np.abs(numbers) < LARGEST_NUMBER):
         raise InvalidInput(
             f"{requested}: {name} holds values that are not finite, or beyond {LARGEST_NUMBER:g}; give places in m."

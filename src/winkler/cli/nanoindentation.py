@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -75,6 +76,7 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
     from winkler.study.nanoindentation.report import calibration_rows, first_yield_rows, mean_rows
+    from winkler.validity import Standing
 
     out = terminal.console()
     out.print(outcome.study.title)
@@ -87,6 +89,9 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         for line in mean_rows(outcome):
             table.add_row(*line)
     out.print(table)
+    for note in (note for item in outcome.calibration for note in item.validity):
+        if note.standing is Standing.APPROXIMATE:
+            out.print(note.statement, soft_wrap=True)
     for name, content in first_yield_rows(outcome):
         out.print(f"{name}: {content}", soft_wrap=True)
     if outcome.verdicts:
@@ -117,6 +122,7 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
         {
             "frame_compliance": one.frame_compliance,
             "frame_compliance_error": one.frame_compliance_error,
+            "correlation": one.correlation if math.isfinite(one.correlation) else None,
             "area": list(one.indenter.area.coefficients),
         }
         for one in outcome.calibration

@@ -11,6 +11,7 @@ import os
 import re
 from pathlib import Path
 
+from winkler.checks.physical_size import as_text
 from winkler.errors import InvalidInput, suggest
 from winkler.io.foreign import path_text, sentence_of
 from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
@@ -24,6 +25,7 @@ __all__ = [
     "headed",
     "lines_of",
     "lines_of_bytes",
+    "path_of",
     "refuse_large",
 ]
 
@@ -42,6 +44,18 @@ MOST_NAMES_COMPARED = 1000
 """Files of a folder among which a similar name is searched."""
 
 
+def path_of(given: str | os.PathLike[str]) -> Path:
+    """Return a path that was given; refuse what is none.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if not isinstance(given, str | os.PathLike) or not isinstance(os.fspath(given), str):
+        raise InvalidInput(f"{as_text(given)} is no path of a file; give one such as 'tip.csv'.")
+    return Path(given)
+
+
 def existing(given: str | os.PathLike[str], what: str) -> Path:
     """Return the path of an existing regular file.
 
@@ -57,9 +71,7 @@ def existing(given: str | os.PathLike[str], what: str) -> Path:
     InvalidInput
         If it is none.
     """
-    if not isinstance(given, str | os.PathLike) or not isinstance(os.fspath(given), str):
-        raise InvalidInput(f"{given!r} is no path of a file; give one such as 'tip.csv'.")
-    path = Path(given)
+    path = path_of(given)
     try:
         if path.is_dir():
             raise InvalidInput(f"{path_text(path)}: this is a folder; give a file in it.")

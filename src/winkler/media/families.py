@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from typing import TYPE_CHECKING
 
-from winkler.materials.elastic import Solid, TransverselyIsotropic
+from winkler.materials.elastic import Rigid, Solid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Curve
@@ -74,6 +76,15 @@ class LayeredBody(DepthVaryingMedium):
         """Of all layers together [m]."""
         layers: tuple[Layer | StackLayer, ...] = self.layers  # type: ignore[attr-defined]
         return sum(layer.thickness for layer in layers)
+
+    @property
+    def spans(self) -> tuple[tuple[float, float], ...]:
+        """Depths between which each layer lies, and what carries them if it deforms [m]: stresses jump between them."""
+        layers: tuple[Layer | StackLayer, ...] = self.layers  # type: ignore[attr-defined]
+        ends = [0.0, *itertools.accumulate(layer.thickness for layer in layers)]
+        if not isinstance(self.on, Rigid):  # type: ignore[attr-defined]
+            ends.append(math.inf)
+        return tuple(itertools.pairwise(ends))
 
 
 class TwistedLayers(TwistedMedium):

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from winkler.checks.number_checks import ComplexNumbers
 
 __all__ = ["Array", "ArrayLike", "ComplexArray", "Curve", "Quantity", "shaped"]
 
 Array = NDArray[Any]
 """Floating-point numbers (or truth values derived from them) of any shape."""
-ComplexArray = NDArray[Any]
+ComplexArray = Annotated[NDArray[Any], ComplexNumbers()]
 Quantity = float | Array
 """A number, or an array of numbers for many cases at once."""
 Curve = Callable[[Array], Array]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import contextlib
 import io
+import os
 from collections.abc import Iterator
 from typing import Any
 
@@ -72,6 +73,10 @@ def styled() -> Iterator[None]:
         yield
 
 
+DATES = {"svg": "Date", "pdf": "CreationDate"}
+"""Format -> what states the date in it."""
+
+
 class Picture(Figure):
     """A matplotlib figure; save it with ``savefig``, or let a notebook show it."""
 
@@ -86,7 +91,13 @@ class Picture(Figure):
         return f"<Picture of {self.get_figwidth():g} x {self.get_figheight():g} inches; save it with savefig(path)>"
 
     def savefig(self, fname: Any, **options: Any) -> None:
-        """Write the picture to a path or stream; the format follows from the path's ending."""
+        """Write the picture to a path or stream; the format follows from the path's ending.
+
+        The same picture gives the same bytes: SVG and PDF are written without the date.
+        """
+        ending = options.get("format") or os.path.splitext(str(fname))[1][1:]
+        if ending.lower() in DATES:
+            options["metadata"] = {DATES[ending.lower()]: None} | (options.get("metadata") or {})
         with styled():
             super().savefig(fname, **options)
 

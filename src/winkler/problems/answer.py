@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from winkler.foundation.bed import PressedSprings
     from winkler.foundation.sheared import ShearedSprings
     from winkler.foundation.sheared_fields import BodyFields, ShearedFields
+    from winkler.media.medium import Medium
     from winkler.numerics.types import Array
     from winkler.validity import Note
 
@@ -137,6 +138,11 @@ class SelfRestoring(Protocol):
     @property
     def radius(self) -> float:
         """Radius of the contact [m]."""
+        ...
+
+    @property
+    def medium(self) -> Medium:
+        """The bodies."""
         ...
 
     def sharp_places(self) -> tuple[float, ...]:

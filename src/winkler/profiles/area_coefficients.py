@@ -14,6 +14,9 @@ from winkler.checks.plain_numbers import REAL, Argument, plain
 
 __all__ = ["AreaCoefficients", "coefficient_unit"]
 
+MOST_COEFFICIENTS = 100
+"""Of an area function: from about fifty on the powers of the depth are zero."""
+
 
 def coefficient_unit(place: int) -> str:
     """Return the unit of the coefficient at a place.
@@ -41,6 +44,8 @@ class RowOfCoefficients(NamedTuple):
             if type(found) is not tuple:
                 row = plain(content, argument)
                 found = tuple(row.tolist()) if isinstance(row, np.ndarray) and row.dtype == float else ()
+            if len(found) > MOST_COEFFICIENTS:
+                raise argument.refused(f"are {len(found)} numbers", f"give at most {MOST_COEFFICIENTS}")
             found = tuple(number(place, coefficient) for place, coefficient in enumerate(found))
             if not all(type(one) in REAL and math.isfinite(one) for one in found) or not any(found):
                 demand = "give finite numbers C0, C1, ... of which at least one is not zero"

@@ -128,6 +128,21 @@ def test_workbooks_that_are_refused(tmp_path, sheets, why):
     assert "\n" not in str(error.value)
 
 
+@pytest.mark.parametrize("states", [True, False])
+def test_a_sheet_of_too_many_rows_is_refused_before_they_are_read(tmp_path, monkeypatch, states):
+    """Issue 38, item 7: a million rows of one cell took over 15 s."""
+    from openpyxl.worksheet._read_only import ReadOnlyWorksheet
+
+    path = new_workbook(tmp_path / "long.xlsx", {"S": [["h (nm)", "P (mN)"], *([[1.0, 2.0]] * 20)]})
+    monkeypatch.setattr("winkler.io.instruments.workbook_cells.MOST_ROWS", 20)
+    if states:
+        monkeypatch.setattr(ReadOnlyWorksheet, "iter_rows", None)
+    else:
+        monkeypatch.setattr(ReadOnlyWorksheet, "max_row", None)
+    with pytest.raises(wk.InvalidInput, match="the sheet 'S' has more than 20 rows; save it as text"):
+        read_curve(path)
+
+
 @pytest.mark.parametrize("start", [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", b"PK\x03\x04"])
 @pytest.mark.parametrize("ending", ["xls", "xlsx"])
 def test_a_damaged_workbook(tmp_path, start, ending):

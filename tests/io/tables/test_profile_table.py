@@ -328,3 +328,11 @@ def test_real_files_are_read_or_refused_with_the_reason(shared_data):
     with pytest.raises(InvalidInput, match="numbers begin in line 1 without a header above them"):
         read_profile(shared_data / "topographies" / "xy-1.txt")
     assert math.isclose(float(table.values[-1, 0]), 1500e-6, rel_tol=0.01)
+
+
+def test_the_line_of_a_number_that_is_too_large_is_a_whole_number(tmp_path):
+    """It was "line 2.0"."""
+    path = tmp_path / "tip.csv"
+    path.write_text("radius [um], height [nm]\n1e301, 0\n1, 1\n")
+    with pytest.raises(InvalidInput, match=r"tip\.csv, line 2: a number is too large"):
+        read_profile(path)

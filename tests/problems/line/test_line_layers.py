@@ -264,8 +264,6 @@ def test_what_is_refused():
     with pytest.raises(wk.InvalidInput, match="homogeneous bodies go into a LineFoundation"):
         wk.LayeredLineFoundation(CYLINDER, wk.HalfSpace(SOLID))
     contact = of_width(bed, 1.0)
-    with pytest.raises(wk.OutsideValidity, match="slides on layers are not known"):
-        contact.stresses(0.0, 0.1, friction=0.1)
     with pytest.raises(wk.OutsideValidity, match="lies in the rigid base"):
         contact.stresses(0.0, 1.1)
     with pytest.raises(wk.OutsideValidity, match="rigid"):
@@ -319,20 +317,75 @@ def test_equal_layers_yield_as_a_half_plane():
 
 
 @pytest.mark.slow
+def test_equal_layers_slide_as_a_half_plane_and_all_bodies_have_their_load():
+    solid, roller = wk.Elastic(0.91, 0.3, strength=0.1), wk.Elastic(2.0, 0.25, strength=0.12)
+    layered = wk.CoatedHalfSpace([wk.Layer(solid, 0.1)], solid, roller)
+    ours = wk.LineYieldOnset(wk.LayeredLineFoundation(CYLINDER, layered), wk.Coulomb(0.3)).solve()
+    theirs = wk.LineYieldOnset(wk.LineFoundation(CYLINDER, wk.HalfSpace(solid, roller)), wk.Coulomb(0.3)).solve()
+    layer, base, second = ours.onsets
+    assert [one.name for one in ours.onsets] == ["layer 1", "body under the layers", "second body"]
+    assert (ours.force_per_length, ours.z) == (layer.force_per_length, 0.0)
+    assert layer.force_per_length == pytest.approx(theirs.force_per_length, rel=1e-9)
+    assert second.force_per_length == pytest.approx(theirs.onsets[1].force_per_length, rel=1e-9)
+    assert base.force_per_length > layer.force_per_length
+    assert layer.x == pytest.approx(theirs.x, rel=1e-4)
+
+
+def test_stresses_under_a_sliding_strip_are_in_equilibrium_and_continuous():
+    """In layer and base; across the interface the tractions and the strain along it; the traction on the surface."""
+    solids, mu, step = (wk.Elastic(3.0, 0.25), wk.Elastic(0.91, 0.3)), 0.4, 1e-4
+    contact = of_width(coated(layer=solids[0]), 1.2)
+    for x, z in ((0.7, 0.6), (-0.5, 1.4)):
+        place = np.array([x + step, x - step, x, x]), np.array([z, z, z + step, z - step])
+        xx, _, zz, xz = parts(contact.stresses(*place, friction=mu))
+        assert xx[0] - xx[1] + xz[2] - xz[3] == pytest.approx(0.0, abs=1e-9)
+        assert xz[0] - xz[1] + zz[2] - zz[3] == pytest.approx(0.0, abs=1e-9)
+    along = np.array([-0.9, 0.4, 1.5])
+    upper, lower = (parts(contact.stresses(along, np.full(3, z), friction=mu)) for z in (1.0, np.nextafter(1.0, 2.0)))
+    np.testing.assert_allclose(upper[2:], lower[2:], rtol=1e-11)
+    strains = [((1.0 - s.poisson) * f[0] - s.poisson * f[2]) / s.shear
+               for s, f in zip(solids, (upper, lower), strict=True)]  # fmt: skip
+    np.testing.assert_allclose(strains[0], strains[1], rtol=1e-9)
+    on = parts(contact.stresses(along, np.zeros(3), friction=mu))
+    np.testing.assert_allclose(on[3], -mu * contact.pressure(along), atol=1e-11)
+    np.testing.assert_allclose(on[2], -contact.pressure(along), atol=1e-11)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("base", [wk.Elastic(0.91, 0.3), wk.Elastic(3.0, 0.2)])
+def test_thin_layers_under_a_sliding_strip_take_the_strain_of_the_base(base):
+    """What is left of the limit halves with the thickness; the strain is that of a half-plane under p and mu p."""
+    layer, mu, left = wk.Elastic(2.0, 0.25), 0.3, []
+    x = np.array([-0.5, 0.0, 0.4])
+    for thickness in (1e-2, 5e-3):
+        contact = of_width(coated(layer=layer, base=base, thickness=thickness), 1.0)
+        p0 = 0.5 * wk.HalfSpace(base).modulus
+        root = np.sqrt(1.0 - x**2)
+        across, along = -p0 * root, -p0 * (root + 2.0 * mu * x)  # of the half-plane on its surface
+        strain = ((1.0 - base.poisson) * along - base.poisson * across) / base.shear
+        limit = (strain * layer.shear + layer.poisson * across) / (1.0 - layer.poisson)
+        found = parts(contact.stresses(x, np.full(3, 0.5 * thickness), friction=mu))
+        left.append((found[0] - limit) / p0)
+    assert np.max(np.abs(left[0])) > 1e-4
+    np.testing.assert_allclose(2.0 * left[1], left[0], atol=0.05 * np.max(np.abs(left[0])))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mu", [0.0, 0.3])
 @pytest.mark.parametrize(("strengths", "part"), [((0.5, np.inf), 0), ((np.inf, 0.2), 1)])
-def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strengths, part):
+def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strengths, part, mu):
     """The fields at the load found, on a fine grid that knows nothing of the search: just at the strength."""
     coating, base = (
         wk.Elastic(*row, strength=each) for row, each in zip(((3.0, 0.25), (0.91, 0.3)), strengths, strict=True)
     )
-    onset = wk.LineYieldOnset(yielding_pair(coating, base, 0.3)).solve()
+    onset = wk.LineYieldOnset(yielding_pair(coating, base, 0.3), wk.Coulomb(mu)).solve()
     contact = wk.LineIndentation(onset.problem.bed, wk.LineForce(onset.force_per_length)).solve()
-    x = onset.half_width * np.linspace(0.0, 1.5, 121)
+    x = onset.half_width * np.linspace(-1.5 if mu else 0.0, 1.5, 121)
     z = np.linspace(0.0, 0.3, 121) if part == 0 else 0.3 + np.linspace(1e-12, 2.0 * onset.half_width, 121)
-    level = contact.stresses(x[:, None], z[None, :]).von_mises
+    level = contact.stresses(x[:, None], z[None, :], mu).von_mises
     assert np.max(level) <= strengths[part] * (1.0 + 1e-9)
     assert np.max(level) == pytest.approx(strengths[part], rel=2e-3)
-    assert float(contact.stresses(onset.x, onset.z).von_mises) == pytest.approx(strengths[part], rel=1e-8)
+    assert float(contact.stresses(onset.x, onset.z, mu).von_mises) == pytest.approx(strengths[part], rel=1e-8)
 
 
 def test_the_greatest_stress_of_a_deep_layer_lies_far_beside_a_narrow_strip():
@@ -362,10 +415,11 @@ def test_the_greatest_stress_on_a_flat_ridge():
     assert contact.layer_stresses()[0].von_mises >= np.max(level)
 
 
-def test_yield_onset_on_layers_refuses_friction_and_sharp_tips():
+def test_yield_onset_on_layers_refuses_sharp_tips_and_films_that_are_dragged_away():
     solid = wk.Elastic(0.91, 0.3, strength=0.3)
-    with pytest.raises(OutsideValidity, match="slides on layers"):
-        wk.LineYieldOnset(yielding_pair(solid, solid, 1.0), wk.Coulomb(0.1))
+    film = wk.SlidingFilm([wk.Layer(solid, 1.0)], on=solid)
+    with pytest.raises(OutsideValidity, match="slides on its base and bears no shear"):
+        wk.LineYieldOnset(wk.LayeredLineFoundation(CYLINDER, film), wk.Coulomb(0.1))
     with pytest.raises(InvalidInput, match="no layer or body has a strength"):
         wk.LineYieldOnset(yielding_pair(SOLID, SOLID, 1.0))
     with pytest.raises(OutsideValidity, match="sharp tip"):

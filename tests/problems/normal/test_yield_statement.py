@@ -216,7 +216,7 @@ def test_friction_on_a_bonded_stack_is_that_on_a_coating():
     assert said[1].standing is wk.Standing.EXACT
 
 
-def test_friction_on_layers_is_known_and_wide_contacts_are_not():
+def test_friction_on_layers_is_known_and_so_are_wide_contacts():
     medium = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-4)], on=wk.Elastic(E, NU))
     bed = wk.Foundation(wk.Paraboloid(R), medium)
     path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
@@ -224,9 +224,10 @@ def test_friction_on_layers_is_known_and_wide_contacts_are_not():
     assert rubbed.standing is wk.Standing.EXACT
     assert "if all of it slid with the coefficient 0.3" in rubbed.statement
     thin = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-6)], on=wk.Elastic(E, NU))
-    wide = statement(wk.Indentation(wk.Foundation(wk.Paraboloid(R), thin), wk.Radius(1.1e-5)).solve())
-    assert wide.standing is wk.Standing.APPROXIMATE
-    assert "use peak_stress" in wide.statement
+    bed = wk.Foundation(wk.Paraboloid(R), thin)
+    wide = statement(wk.Indentation(bed, wk.Radius(1.1e-5)).solve())
+    assert wide.standing is wk.Standing.EXACT
+    assert "of the strength of the layer 1" in wide.statement
 
 
 @pytest.mark.slow

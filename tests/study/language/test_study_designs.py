@@ -141,3 +141,13 @@ def test_wrong_designs(make, sentence):
     with pytest.raises(InvalidInput) as caught:
         make()
     assert sentence in str(caught.value)
+
+
+def test_a_text_may_begin_with_the_mark_of_utf_8():
+    text = "[problem]\nkind = 'indentation'\n"
+    with pytest.raises(InvalidInput) as plain:
+        parse_study(text)
+    with pytest.raises(InvalidInput) as marked:
+        parse_study(f"\ufeff{text}")
+    assert str(marked.value) == str(plain.value)
+    assert "problem has no 'bed'" in str(plain.value)

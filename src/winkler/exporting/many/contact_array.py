@@ -12,7 +12,7 @@ from winkler.checks.number_checks import POSITIVE, Whole, checked
 from winkler.errors import InvalidInput
 from winkler.exporting.many.array_inputs import checked_depth_of, checked_entry
 from winkler.exporting.many.contact_array_file import ArrayFile, write_array_file
-from winkler.exporting.many.contact_store import ContactStore
+from winkler.exporting.many.contact_store import PRECISIONS, ContactStore
 from winkler.exporting.many.stacked_laws import stacked_laws
 from winkler.io.foreign import reader
 from winkler.numerics.threads import run_in_threads
@@ -173,7 +173,9 @@ class ContactArray(ContactStore):
         size, kept = header.get("size"), header.get("answers")
         if not isinstance(size, int) or not 0 <= size < 2**40 or not isinstance(kept, list):
             raise file.refuse("its first line states no size or no answers")
-        precision = "single" if header.get("precision") == "single" else "double"
+        precision = header.get("precision")
+        if precision not in PRECISIONS:
+            raise file.refuse(f"its first line states the precision {precision!r}")
         made = cls(law, precision=precision, answers=tuple(map(str, kept)), tolerance=tolerance, count=count)
         shapes = [list(table.shape) for table in made._tables]
         other = InvalidInput(f"{file.path}: it holds contacts of another law; give the law that they were made with.")

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +15,16 @@ __all__ = ["COMMON_ZERO", "AreaFit", "ReferenceReadings", "covariance_of", "fitt
 COMMON_ZERO = 0.25
 """Part of the variance of the zero points that all curves share: their laws of the first contact fail alike."""
 DEPTH_STEP = 1e-5
+ROUNDS = 2
+"""Rounds of the covariance of the readings, which depends on the numbers."""
+GAUSS_STEPS = 3
+COARSE_FRAMES, FINE_FRAMES = 48, 32
+STIFFEST_SHARE = 0.95
+"""Greatest compliance of the frame in parts of the least measured one."""
+PENALTY = 0.5
+"""Loss of the logarithm of the likelihood for each coefficient: that of Schwarz would choose too few for the frame."""
+LEAST_WEIGHT = 1e-6
+"""Least weight of a frame that is looked at more closely."""
 
 
 class ReferenceReadings(NamedTuple):
@@ -31,13 +40,13 @@ class ReferenceReadings(NamedTuple):
 
 
 class AreaFit(NamedTuple):
-    """Frame compliance and coefficients, their covariance, residuals, criterion, and factor of the scatter."""
+    """Frame compliance and coefficients, their covariance, residuals, factor of the scatter, and weights of counts."""
 
     numbers: Array
     covariance: Array
     residuals: Array
-    criterion: float
     factor: float
+    weights: Array
 
 
 def _residuals(numbers: Array, readings: ReferenceReadings, shape_factor: float, shift: Array | float = 0.0,
@@ -50,49 +59,94 @@ def _residuals(numbers: Array, readings: ReferenceReadings, shape_factor: float,
     return np.asarray(np.log(own * 2.0 * shape_factor * readings.reference * np.sqrt(area / np.pi)))
 
 
-def fitted_area(readings: ReferenceReadings, count: int, shape_factor: float, known: float | None) -> AreaFit:
-    """Return the generalised least-squares fit with `count` coefficients, those at zero left out."""
-    from scipy.optimize import least_squares
+def fitted_area(
+    readings: ReferenceReadings, counts: Sequence[int], shape_factor: float, known: float | None
+) -> AreaFit:
+    """Return frame compliance and coefficients as means over all frames and numbers of coefficients.
 
+    For a given frame the measured areas are linear in the coefficients.  Each frame and number of coefficients counts
+    by its likelihood and the penalty of Schwarz, a flat prior from no compliance to nearly all of the least one.
+    """
+    frames = np.linspace(0.0, STIFFEST_SHARE, COARSE_FRAMES) * float(readings.compliance.min())
+    frames = frames if known is None else np.array([known])
     size = float(readings.depth.max())
-    scale = np.array([float(readings.compliance.min()), *(size ** (2.0 - 2.0 ** (1 - n)) for n in range(count))])
-    start = np.zeros(1 + count)
-    area = np.pi * (1.0 / (2.0 * shape_factor * readings.reference * readings.compliance)) ** 2
-    start[1] = float(np.median(area / (0.8 * readings.depth) ** 2))
-    start[0] = 0.05 if known is None else known / scale[0]
-    start[2:] = 0.02
-    free = np.arange(1 + count) if known is None else np.arange(1, 1 + count)
-    x = start.copy()
-    whiten: Array = np.eye(readings.force.size)
-    for _ in range(4):
+    scale = np.array([1.0, *(size ** (2.0 - 2.0 ** (1 - n)) for n in range(max(counts)))])
+    numbers = np.zeros(1 + max(counts))
+    numbers[0] = known or 0.0
+    area = np.pi * (1.0 / (2.0 * shape_factor * readings.reference * (readings.compliance - numbers[0]))) ** 2
+    numbers[1] = float(np.median(area / (0.8 * readings.depth) ** 2))
+    for number in range(ROUNDS):
+        whiten = np.linalg.inv(np.linalg.cholesky(covariance_of(numbers, readings, shape_factor)))
+        found = _conditional(frames, counts, readings, shape_factor, whiten)
+        if known is None and number == 0:
+            likely = np.flatnonzero(found.weights.sum(axis=1) > LEAST_WEIGHT)
+            ends = frames[[max(likely[0] - 1, 0), min(likely[-1] + 1, frames.size - 1)]]
+            frames = np.linspace(ends[0], ends[1], FINE_FRAMES)
+            found = _conditional(frames, counts, readings, shape_factor, whiten)
+        numbers = np.array([found.weights.sum(axis=1) @ frames, *np.einsum("fc,fck->k", found.weights, found.means)])
+    places = np.concatenate([np.broadcast_to(frames[:, None, None], (*found.weights.shape, 1)), found.means], axis=2)
+    apart = (places - numbers) * np.array([1.0, *scale[1:]])
+    covariance = np.einsum("fc,fci,fcj->ij", found.weights, apart, apart) / np.outer(scale, scale)
+    covariance[1:, 1:] += np.einsum("fc,fcij->ij", found.weights, found.covariances)
+    residuals = _residuals(numbers, readings, shape_factor)
+    return AreaFit(numbers, covariance, residuals, found.factor, found.weights.sum(axis=0))
 
-        def misfit(part: Array) -> Array:
-            full = x.copy()
-            full[free] = part
-            return np.asarray(whiten @ _residuals(full * scale, readings, shape_factor))  # noqa: B023
 
-        high = np.full(free.size, np.inf)
-        high[free == 0] = 0.95
-        result = least_squares(misfit, np.clip(x[free], 1e-9, 0.9 * high), bounds=(0.0, high), xtol=1e-12, ftol=1e-12)
-        x[free] = result.x
-        covariance = covariance_of(x * scale, readings, shape_factor)
-        whiten = np.linalg.inv(np.linalg.cholesky(covariance))
-    active = np.array([place for place in free.tolist() if place <= 1 or x[place] > 1e-6])
-    x[[place for place in free.tolist() if place not in active]] = 0.0
-    residuals = _residuals(x * scale, readings, shape_factor)
-    white = whiten @ residuals
-    freedom = max(residuals.size - active.size, 1)
-    factor = float(white @ white) / freedom
-    rows = np.stack(
-        [whiten @ slope_of(x * scale, place, scale[place], readings, shape_factor) for place in active], axis=1
-    )
-    inner = np.linalg.pinv(rows.T @ rows) * max(factor, 1.0) * freedom / max(freedom - 2, 1)
-    whole = np.zeros((1 + count, 1 + count))
-    whole[np.ix_(active, active)] = inner * np.outer(scale[active], scale[active])
-    size_of = residuals.size
-    criterion = size_of * math.log(max(factor, 1.0) * freedom / size_of + 1e-300) + math.log(size_of) * active.size
-    criterion += (freedom * factor / max(factor, 1.0)) if factor < 1.0 else 0.0
-    return AreaFit(x * scale, whole, residuals, criterion, factor)
+class _Conditional(NamedTuple):
+    """Of f frames and c numbers of coefficients: weights, coefficients and their covariances; factor of the scatter."""
+
+    weights: Array
+    means: Array
+    covariances: Array
+    factor: float
+
+
+def _conditional(
+    frames: Array, counts: Sequence[int], readings: ReferenceReadings, shape_factor: float, whiten: Array
+) -> _Conditional:
+    most, size = max(counts), readings.force.size
+    squares = np.full((frames.size, len(counts)), np.inf)
+    used = np.zeros(squares.shape)
+    means, covariances = np.zeros((*squares.shape, most)), np.zeros((*squares.shape, most, most))
+    for place, frame in enumerate(frames.tolist()):
+        own = readings.compliance - frame
+        contact = readings.depth - frame * readings.force - readings.intercept * readings.force * own
+        if not np.all(contact > 0.0):
+            continue
+        measured = np.pi * (1.0 / (2.0 * shape_factor * readings.reference * own)) ** 2
+        powers = np.stack([contact ** (2.0 ** (1 - n)) for n in range(most)], axis=1)
+        for number, count in enumerate(counts):
+            found = _coefficients(powers[:, :count], measured, whiten)
+            squares[place, number], means[place, number, :count], covariances[place, number, :count, :count] = found
+            used[place, number] = np.count_nonzero(found[1])
+    freedom = np.maximum(size - used - (frames.size > 1), 1.0)
+    factor = float(np.min(squares / freedom))
+    free = max(float(freedom.flat[int(np.argmin(squares / freedom))]), 1.0)
+    wide = max(factor, 1.0) * free / max(free - 2.0, 1.0)
+    logarithms = -0.5 * squares / max(factor, 1.0) - PENALTY * used
+    weights = np.exp(logarithms - logarithms.max())
+    return _Conditional(weights / weights.sum(), means, covariances * wide, factor)
+
+
+def _coefficients(powers: Array, measured: Array, whiten: Array) -> tuple[float, Array, Array]:
+    """Return the squared residuals, the coefficients, none below zero, and their covariance for a given frame."""
+    from scipy.optimize import nnls
+
+    area, shift = measured, np.zeros(measured.size)
+    for _ in range(GAUSS_STEPS):
+        rows = whiten @ (0.5 * powers / area[:, None])
+        size = np.linalg.norm(rows, axis=0)
+        numbers = nnls(rows / size, whiten @ (0.5 - shift))[0] / size
+        area = np.maximum(powers @ numbers, 1e-3 * measured)
+        shift = 0.5 * np.log(area / measured)
+    rows = whiten @ (0.5 * powers / area[:, None])
+    active = np.flatnonzero(numbers > 0.0)
+    size = np.linalg.norm(rows, axis=0)[active]
+    inner = np.linalg.pinv((rows[:, active] / size).T @ (rows[:, active] / size)) / np.outer(size, size)
+    covariance = np.zeros((powers.shape[1], powers.shape[1]))
+    covariance[np.ix_(active, active)] = inner
+    white = whiten @ shift
+    return float(white @ white), numbers, covariance
 
 
 def slope_of(numbers: Array, place: int, scale: float, readings: ReferenceReadings, shape_factor: float) -> Array:

@@ -8,8 +8,8 @@ Every unloading of a reference of known modulus :math:`E_r` gives the measured c
 Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings share:
 the power laws, and the touch of each curve by the area found so far, are fitted again until the compliance stays.
 Residuals in the logarithm of the contact's compliance have the covariance of noise, zero point and drift, those of one
-curve being correlated, times a factor by which the scatter exceeds it.  Coefficients are added as long as the criterion
-of Schwarz improves; those at zero are left out.
+curve being correlated, times a factor by which the scatter exceeds it.  Frame compliance and coefficients are means
+over all frames and numbers of coefficients, each by its likelihood, and their covariance contains how these differ.
 
 References
 ----------
@@ -66,7 +66,7 @@ def calibrate_indenter(
         Indentations, best with partial unloadings over the depths that are wanted, each with its reference.  The
         compliance of the frame is found in addition to that of the curves.
     terms : int, optional
-        Number of coefficients; as many as the readings justify, up to four, unless given.
+        Number of coefficients; the mean over one to four unless given.
     solid : Elastic, optional
         Of the tip; diamond unless given.
     shape_factor : float, optional
@@ -82,7 +82,7 @@ def calibrate_indenter(
         If frame compliance and power laws do not agree after eight rounds.
     """
     if not 0 <= terms <= 8:
-        raise InvalidInput(f"calibrate_indenter: terms is {terms!r}; give 1 to 8, or 0 for as many as are justified.")
+        raise InvalidInput(f"calibrate_indenter: terms is {terms!r}; give 1 to 8, or 0 for the mean over 1 to 4.")
     fixed = frame_compliance is not None
     compliance, before = frame_compliance or 0.0, math.inf
     area: tuple[float, ...] = ()
@@ -119,8 +119,8 @@ def _best_fit(
         raise InvalidInput(
             f"calibrate_indenter: {terms} coefficients and the frame from {readings.force.size} unloadings; take fewer."
         )
-    fits = [fitted_area(readings, count, shape_factor, known) for count in ([terms] if terms else range(1, most + 1))]
-    return _with_references(min(fits, key=lambda fit: fit.criterion), readings, references, solid, shape_factor)
+    fit = fitted_area(readings, [terms] if terms else range(1, most + 1), shape_factor, known)
+    return _with_references(fit, readings, references, solid, shape_factor)
 
 
 def _with_references(

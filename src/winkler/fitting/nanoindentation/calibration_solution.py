@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.notes import calibration_notes
 from winkler.fitting.nanoindentation.readings import area_of
 from winkler.numerics.types import Array
+from winkler.validity import Note
 from winkler.values import value, words
 
 __all__ = ["IndenterCalibration"]
@@ -67,10 +70,31 @@ class IndenterCalibration:
         """Standard uncertainty of the frame compliance [m/N]."""
         return float(np.sqrt(self.indenter.covariance[0, 0]))
 
+    @property
+    def correlation(self) -> float:
+        """Correlation of the errors of the frame compliance and of the area at the greatest contact depth [-].
+
+        It is nan where the frame compliance was given.
+        """
+        powers = self._powers(np.array([self.contact_depth.max()]))[0]
+        covariance = self.indenter.covariance
+        area, frame = float(powers @ covariance[1:, 1:] @ powers), float(covariance[0, 0])
+        if not (area > 0.0 and frame > 0.0):
+            return math.nan
+        return float(covariance[0, 1:] @ powers) / math.sqrt(area * frame)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """Whether the references determine frame and area, and whether the area function describes them."""
+        return calibration_notes(self)
+
     def area_error(self, contact_depth: Array) -> Array:
         """Return the standard uncertainty of A [m^2] at contact depths [m]."""
-        height = np.asarray(contact_depth, dtype=float)
-        count = len(self.indenter.area.coefficients)
-        rows = np.stack([area_of(np.eye(count)[place], height) for place in range(count)], axis=-1)
+        rows = self._powers(np.asarray(contact_depth, dtype=float))
         own = self.indenter.covariance[1:, 1:]
         return np.asarray(np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", rows, own, rows), 0.0)))
+
+    def _powers(self, height: Array) -> Array:
+        """Return the areas of coefficients of one, (..., coefficients)."""
+        count = len(self.indenter.area.coefficients)
+        return np.stack([area_of(np.eye(count)[place], height) for place in range(count)], axis=-1)

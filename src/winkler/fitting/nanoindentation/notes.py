@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -11,8 +12,12 @@ from winkler.numerics.types import Array
 from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["calibration_note", "nanoindentation_notes"]
+__all__ = ["calibration_note", "calibration_notes", "nanoindentation_notes"]
 
+DETERMINED_SHARE = 0.02
+"""Greatest uncertainty of the frame of a good calibration, relative to the least compliance of a contact."""
+MOST_SCATTER = 2.0
+"""Greatest scatter of the readings over that of noise, zero point and drift."""
 ISO = "ISO 14577-1:2015, Metallic materials - Instrumented indentation test - Part 1"
 
 
@@ -97,3 +102,43 @@ def calibration_note(indenter: CalibratedIndenter, contact_depth: Array) -> Note
         return Note(Assumption.SHAPE, Standing.OUTSIDE, statement, READING)
     statement = "Calibration: all contact depths are within those of the calibration."
     return Note(Assumption.SHAPE, Standing.ASYMPTOTIC, statement, READING)
+
+
+def calibration_notes(calibration: Any) -> tuple[Note, ...]:
+    """Return the notes of a calibration: whether frame and area are determined, and whether the area function fits.
+
+    Parameters
+    ----------
+    calibration : IndenterCalibration
+    """
+    return _determined(calibration), _described(calibration)
+
+
+def _determined(calibration: Any) -> Note:
+    correlation, error = calibration.correlation, calibration.frame_compliance_error
+    if math.isnan(correlation):
+        statement = "Frame: its compliance was given, and its uncertainty is no part of the calibration."
+        return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, statement, READING)
+    area = calibration.measured_area
+    modulus = max(reference.modulus(calibration.indenter.solid) for reference in calibration.references)
+    least = 0.5 * math.sqrt(math.pi / float(area.max())) / (calibration.indenter.shape_factor * modulus)
+    share = error / least
+    statement = (
+        f"Frame and area: the frame compliance is uncertain by {with_unit(error, 'm/N', 2)}, {share:.1%} of the least "
+        f"compliance of a contact; the errors of frame and area are correlated by {correlation:.2f}"
+    )
+    if share <= DETERMINED_SHARE:
+        return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, f"{statement}.", READING)
+    advice = "give frame_compliance, more depths, or a second reference of another modulus"
+    return Note(Assumption.RESPONSE, Standing.APPROXIMATE, f"{statement}, and hardly told apart: {advice}.", READING)
+
+
+def _described(calibration: Any) -> Note:
+    scatter = math.sqrt(calibration.factor)
+    statement = f"Area function: the readings scatter by {scatter:.2g} times what noise, zero point and drift explain"
+    if scatter <= MOST_SCATTER:
+        return Note(Assumption.SHAPE, Standing.ASYMPTOTIC, f"{statement}.", READING)
+    return Note(
+        Assumption.SHAPE, Standing.APPROXIMATE, f"{statement}: check tip, drift and references; errors are widened.",
+        READING,
+    )  # fmt: skip

@@ -29,6 +29,9 @@ from winkler.values import value, words
 
 __all__ = ["RepeatedMean", "repeated_mean"]
 
+LARGEST_RELATIVE = 600.0
+"""Half-width of an interval, relative to the mean, from which on its upper end is beyond all moduli."""
+
 
 @value
 class RepeatedMean:
@@ -72,11 +75,12 @@ class RepeatedMean:
         return float(np.sqrt(np.sum(np.square(self.shares))))
 
     def interval(self, confidence: float = 0.95) -> tuple[float, float]:
-        """Return the interval by Student's t."""
+        """Return the interval by Student's t, of the logarithm: its lower end is above zero."""
         from scipy.special import stdtrit
 
         width = float(stdtrit(min(self.freedom, 1e6), 0.5 + 0.5 * confidence)) * self.error
-        return self.mean - width, self.mean + width
+        relative = width / self.mean
+        return self.mean * math.exp(-relative), self.mean * math.exp(min(relative, LARGEST_RELATIVE))
 
 
 def repeated_mean(solutions: Sequence[NanoindentationSolution], name: str = "young") -> RepeatedMean:

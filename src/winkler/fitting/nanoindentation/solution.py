@@ -88,7 +88,7 @@ class NanoindentationSolution:
         return np.asarray(np.sqrt(np.sum(np.square(self.hardness_shares), axis=0)))
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[Array, Array]:
-        """Return the lower and upper ends of the intervals of all unloadings.
+        """Return the lower and upper ends of the intervals of all unloadings, of the logarithm: none is below zero.
 
         Parameters
         ----------
@@ -106,7 +106,7 @@ class NanoindentationSolution:
             )
         width = float(ndtri(0.5 + 0.5 * confidence))
         middle, error = (self.young, self.young_errors) if name == "young" else (self.hardness, self.hardness_errors)
-        return middle - width * error, middle + width * error
+        return middle * np.exp(-width * error / middle), middle * np.exp(width * error / middle)
 
     @property
     def deepest(self) -> int:

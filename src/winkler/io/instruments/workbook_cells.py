@@ -21,6 +21,8 @@ Cell = str | float
 OLD, NEW = b"\xd0\xcf\x11\xe0", b"PK\x03\x04"
 ENDINGS = (".xls", ".xlsx", ".xlsm")
 MOST_COLUMNS = 500
+MOST_ROWS = 200_000
+"""Of a sheet: more take longer than 5 s."""
 
 
 class WorkbookSheet(NamedTuple):
@@ -94,9 +96,11 @@ def _new(path: Path) -> Iterator[WorkbookSheet]:
     with contextlib.closing(book):
         for sheet in book.worksheets:
             with limited_memory(path):
+                _refuse_long(path, sheet.title, sheet.max_row or 0)  # as the file states it
                 sheet.reset_dimensions()
-                rows = []
+                rows: list[list[Cell]] = []
                 for row in sheet.iter_rows(values_only=True):
+                    _refuse_long(path, sheet.title, len(rows) + 1)
                     _refuse_wide(path, sheet.title, len(row))
                     rows.append([_cell(cell) for cell in row])
             yield WorkbookSheet(sheet.title, rows)
@@ -106,6 +110,13 @@ def _cell(content: Any) -> Cell:
     if isinstance(content, bool) or content is None:
         return "" if content is None else str(content)
     return float(content) if isinstance(content, int | float) else str(content).strip()
+
+
+def _refuse_long(path: Path, name: str, count: int) -> None:
+    if count > MOST_ROWS:
+        raise InvalidInput(
+            f"{path}: the sheet '{name}' has more than {MOST_ROWS} rows; save it as text (CSV), of which more are read."
+        )
 
 
 def _refuse_wide(path: Path, name: str, count: int) -> None:

@@ -89,7 +89,7 @@ def read_table(
     header = header_of(head, columns, file, units)
     separator = separator_of(lines, header)
     commas = DecimalCommas(file) if decimal_comma and separator != "," else None
-    numbers, places, gaps = array("d"), array("d"), list[int]()
+    numbers, places, gaps = array("d"), array("q"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():

@@ -22,39 +22,21 @@ from winkler.media.layered import layers as stack
 from winkler.media.layered.blocks import Four, add, scaled, stacked, times
 from winkler.media.layered.climb import AnyLayer, Support, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.hankel_waves import PAIRS_PER_CHUNK, HankelWaves, RadialWaves, reach_of, waves_of
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.media.punch_field import BodyField
-from winkler.numerics.caching import cached_by_value
-from winkler.numerics.panels.sqrt_panels import doubled, nodes
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 
 __all__ = [
-    "HankelWaves",
     "WaveState",
     "field",
     "half_space_decay",
-    "reach_of",
+    "reaching",
     "refuse_unknown_places",
     "superposed",
     "wave_states",
-    "waves_of",
 ]
-
-LARGEST_PHASE = 10.0
-"""Largest phase of a wave over one panel of the quadrature."""
-PAIRS_PER_CHUNK = 1_000_000
-LEAST_REACH = 1.25
-"""Distance from the axis up to which waves are resolved at least, in contact radii."""
-MOST_PAIRS = 1e9
-"""More pairs of wave numbers and springs than this are refused: the contact is too wide for the uppermost layer."""
-
-
-class HankelWaves(NamedTuple):
-    """Wave numbers, and quadrature weights times xi times the transform of the pressure."""
-
-    xi: Array
-    weights: Array
 
 
 class WaveState(NamedTuple):
@@ -82,8 +64,8 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
     Raises
     ------
     OutsideValidity
-        If a point lies in a rigid base, or in an uppermost layer that is transversely isotropic, or the contact is
-        hundreds of times wider than the uppermost layer is thick.
+        If a point lies in a rigid base, in an uppermost layer that is transversely isotropic, or hundreds of contact
+        radii away from the axis and near the surface.
     """
     shape, r, z = np.shape(r), np.ravel(r), np.ravel(z)
     bottoms = np.cumsum([layer.thickness for layer in layers])
@@ -95,9 +77,12 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
         if isinstance(top, Elastic) and upper.any():
             own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
             result[:, upper] = own
-        for depth, state, end in wave_states(layers, on, bottoms, np.unique(z), waves.xi):
+        depths = np.unique(z)
+        waves = waves.up_to(max(reaching(layers, on, bottoms, depths, waves.xi)))
+        radial = RadialWaves(waves.xi)
+        for depth, state, end in wave_states(layers, on, bottoms, depths, waves.xi):
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, HankelWaves(*(part[:end] for part in waves)), r[members])
+            result[:, members] += superposed(state, waves, radial, r[members], end)
     return BodyField(*(part.reshape(shape) for part in result))
 
 
@@ -113,32 +98,6 @@ def refuse_unknown_places(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array
             f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not known "
             f"to winkler; request the surface (without z), or points below {bottoms[0]:.6g} m."
         )
-
-
-def reach_of(load: CarriedLoad, r: Array) -> float:
-    """Return a distance from the axis [m] within which all places lie; the same for most calls on one contact."""
-    least = LEAST_REACH * load.radius
-    return least * 2.0 ** max(0, math.ceil(math.log2(max(float(np.max(r)) / least, 1.0))))
-
-
-@cached_by_value(8)
-def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> HankelWaves:
-    """Return the pressure as a superposition of waves with wave numbers up to `end`, for radii up to `farthest`."""
-    response, a = load.response, load.radius
-    xi, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, LARGEST_PHASE / (a + farthest), end)
-    kinks = np.array([b for b, strength in load.kinks if b < a])
-    steps = np.arange(1.0, np.ceil(a * end / LARGEST_PHASE)) * (LARGEST_PHASE / end)
-    edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), steps[steps < a]]))
-    x, shares = (part[0] for part in nodes(edges[None], kinks, 24))
-    if xi.size * x.size > MOST_PAIRS:
-        raise OutsideValidity(
-            f"The contact of {a:.3g} m is too wide for the uppermost layer of {response.length:.3g} m to compute the "
-            "stresses inside; the surface fields are known, and for the stresses thicker layers can be taken together."
-        )
-    q = shares * load.value(x)
-    step = max(1, PAIRS_PER_CHUNK // x.size)
-    transform = np.concatenate([np.cos(np.outer(xi[i : i + step], x)) @ q for i in range(0, xi.size, step)])
-    return HankelWaves(xi, weights * xi * transform * (modulus / np.pi))
 
 
 def wave_states(
@@ -195,8 +154,13 @@ def wave_states(
                 loaded, moved = add(loaded, own), add(moved, times(constants.half_space, own))
             displacement, traction = (_applied(four, arrived[index], part.size) for four in (moved, loaded))
             for depth, moves, loads in zip(part, displacement, traction, strict=True):
-                end = int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, bottoms, depth)))
+                (end,) = reaching(layers, on, bottoms, np.array([depth]), xi)
                 yield float(depth), WaveState(moves / constants.shear, loads, solid), end
+
+
+def reaching(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array) -> list[int]:
+    """Return how many of the wave numbers matter at each depth."""
+    return [int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, on, bottoms, depth))) for depth in depths]
 
 
 def _applied(four: Four, arrived: Array, count: int) -> Array:
@@ -206,15 +170,18 @@ def _applied(four: Four, arrived: Array, count: int) -> Array:
     return np.stack([a * shear + b * axial, c * shear + d * axial], axis=-1)
 
 
-def _passed(layers: tuple[AnyLayer, ...], bottoms: Array, depth: float) -> float:
+def _passed(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depth: float) -> float:
     """Return the distance over which waves at a depth have died out: there and back, in the uppermost layer."""
     if depth <= bottoms[0]:
         return float(2.0 * bottoms[0] - depth)
-    above = zip(layers, bottoms, strict=True)
+    above = [
+        (float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0))), layer.solid)
+        for layer, bottom in zip(layers, bottoms, strict=True)
+    ]
+    if depth > bottoms[-1] and not isinstance(on, Rigid):
+        above.append((float(depth - bottoms[-1]), on))
     return sum(
-        float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0)))
-        * min(constants_of(layer.solid).slowest, math.sqrt(constants_of(layer.solid).twist))
-        for layer, bottom in above
+        passed * min(constants_of(solid).slowest, math.sqrt(constants_of(solid).twist)) for passed, solid in above
     )
 
 
@@ -229,30 +196,25 @@ def half_space_decay(x: Array, poisson: float) -> Array:
     return np.asarray(np.exp(-x)[:, None, None] * (down @ np.linalg.inv(top)))
 
 
-def superposed(state: WaveState, waves: HankelWaves, r: Array) -> Array:
-    """Return the six parts of a `BodyField` at one depth."""
-    from scipy.special import j0, j1
-
-    end = waves.xi.size
+def superposed(state: WaveState, waves: HankelWaves, radial: RadialWaves, r: Array, end: int) -> Array:
+    """Return the six parts of a `BodyField` at one depth, to which the first `end` of the waves reach."""
     constants = constants_of(state.solid)
     plane, twice = constants.shear * constants.plane, 2.0 * constants.shear * constants.twist
-    strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
-    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
+    xi, weights = waves.xi[:end], waves.weights[:end]
+    strain, lift = state.moved[:end, 0] * weights, state.moved[:end, 1] * weights
+    shear, axial = state.loaded[:end, 0] * weights, state.loaded[:end, 1] * weights
     common = constants.lateral * axial + (plane - twice) * strain
+    even = np.stack([common + twice * strain, common, axial, lift / xi], axis=1)
+    odd = np.stack([shear, strain / xi], axis=1)
     result = np.empty((6, r.size))
-    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
+    step = max(1, PAIRS_PER_CHUNK // waves.xi.size)
     for start in range(0, r.size, step):
         part = slice(start, start + step)
-        phase = np.outer(r[part], waves.xi)
-        zeroth, first = j0(phase), j1(phase)
-        ratio = np.where(phase > 1e-8, first / np.where(phase > 1e-8, phase, 1.0), 0.5)
-        bend = ratio @ (twice * strain)
-        result[:, part] = (
-            zeroth @ (common + twice * strain) - bend,
-            zeroth @ common + bend,
-            zeroth @ axial,
-            first @ shear,
-            first @ (strain / waves.xi),
-            zeroth @ (lift / waves.xi),
-        )
+        zeroth, first = (values[:, :end] for values in radial.at(r[part]))
+        along, crosswise, normal, lifted = (zeroth @ even).T
+        sheared, outward = (first @ odd).T
+        # J_1(xi r)/(xi r), whose limit on the axis is a half
+        near = r[part] * xi[-1] <= 1e-8
+        bend = np.where(near, 0.5 * np.sum(twice * strain), twice * outward / np.where(near, 1.0, r[part]))
+        result[:, part] = along - bend, crosswise + bend, normal, sheared, outward, lifted
     return result

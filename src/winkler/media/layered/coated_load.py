@@ -37,6 +37,8 @@ SETTLED_TOLERANCE = 1e-12
 LAST_TOLERANCE = 1e-8
 SLOPE_NOISE = 10.0
 """How much less well, than the integral, its slope is known where the kernel has a logarithm."""
+NEAR_AXIS = 1e-4
+"""Distance from the axis up to which an odd function is a straight line, over the length on which it changes."""
 TABLE_TOLERANCE = 1e-13
 """How closely, relative to the greatest, the springs' displacement is tabulated for integrals over it."""
 FIRST_DISTANCE = 2.0
@@ -90,8 +92,11 @@ class CarriedLoad:
         """Its derivative [-]."""
         x = np.asarray(x, dtype=float)
         own = fredholm.edge(self.response, x) * self.displacement.slope(x)
-        edge_part = fredholm.edge_slope(self.response, x) * self.displacement.value(x)
-        return np.asarray(own + edge_part - _panels(self)(x)[1])
+        # what the layers add is even in x, so its slope is odd: next to the axis only rounding would be left of it
+        near = NEAR_AXIS * min(self.radius, self.response.length, self.response.smooth)
+        beside = np.maximum(x, near)
+        edge_part = fredholm.edge_slope(self.response, beside) * self.displacement.value(beside)
+        return np.asarray(own + (edge_part - _panels(self)(beside)[1]) * (x / beside))
 
 
 def surface(displacement: Displacement, response: WaveResponse, r: Array) -> Array:

@@ -21,18 +21,11 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.interior import subsurface
-from winkler.media.layered.coated_interior import (
-    LARGEST_PHASE,
-    MOST_PAIRS,
-    HankelWaves,
-    WaveState,
-    half_space_decay,
-    superposed,
-    waves_of,
-)
+from winkler.media.layered.coated_interior import WaveState, half_space_decay, superposed
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_recursion import Mesh, mesh, states_with_depth
 from winkler.media.layered.depth_response import solid_at
+from winkler.media.layered.hankel_waves import LARGEST_PHASE, MOST_PAIRS, RadialWaves, waves_of
 from winkler.media.layered.layers import half_space
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
@@ -94,6 +87,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
             f"{a:.6g} m would need too many waves; request points deeper or nearer to the axis, or for the surface."
         )
     waves = waves_of(load, modulus, farthest, end)
+    radial = RadialWaves(waves.xi)
     for start in range(0, depths.size, WAVES_AT_ONCE):
         part = depths[start : start + WAVES_AT_ONCE]
         for depth, state, last in _states(grading, tolerance, part, waves.xi, load.response.span):
@@ -104,7 +98,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
                 own_moved = half_space(top.poisson) @ own_load / (2.0 * top.shear)
                 state = WaveState(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, HankelWaves(waves.xi[:last], waves.weights[:last]), r[members])
+            result[:, members] += superposed(state, waves, radial, r[members], last)
     return BodyField(*(part.reshape(shape) for part in result))
 
 

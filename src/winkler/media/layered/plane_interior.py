@@ -9,7 +9,8 @@ For each wave number the plane wave :math:`\hat p\cos kx` decays through the lay
           \sigma_x = \frac1\pi\int\frac{2G\,kU + \nu S}{1-\nu}\,\hat p\cos kx\,\mathrm dk ,
           \quad \sigma_y = \nu(\sigma_x+\sigma_z) .
 
-In the uppermost layer they are what the interfaces add to the field of a half-plane.
+A traction along x is the same wave a quarter of its length ahead: :math:`-\sin kx, \cos kx` stand for
+:math:`\cos kx, \sin kx`.  In the uppermost layer they are what the interfaces add to the field of a half-plane.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Solid
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.coated_interior import WaveState, wave_states
+from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, wave_numbers
 from winkler.numerics.types import Array
 
@@ -81,17 +83,18 @@ def plane_waves(
         If too many waves are needed.
     """
     response = medium.response
-    end, widest = 2.0 * DECAY_SPAN / response.length, LARGEST_PHASE / (half_width + farthest)
+    end = min(2.0 * DECAY_SPAN / response.length, SHORTEST_WAVES / half_width)
+    widest = LARGEST_PHASE / (half_width + farthest)
     if 24.0 * end / widest > MOST_WAVES:
         raise OutsideValidity(
             f"Stresses at x = {farthest:.6g} m below a strip of the half-width {half_width:.6g} m would need too many "
             f"waves on an uppermost layer of {response.length:.6g} m; request places nearer to it."
         )
     k, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, widest, end)
-    return PlaneWaves(k, weights * transform(k) / np.pi)
+    return PlaneWaves(k, weights * fading(k, response.length, half_width) * transform(k) / np.pi)
 
 
-def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array) -> Array:
+def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array, *, dragged: bool = False) -> Array:
     """Return sigma_x, sigma_y, sigma_z and tau_xz [Pa] ``(4, m)``, in the uppermost layer without the half-plane's.
 
     Parameters
@@ -100,6 +103,8 @@ def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array)
     waves : PlaneWaves
     x, z : ndarray, (m,)
         Places [m]; a point on an interface belongs to the upper layer.
+    dragged : bool
+        Whether the waves are not a pressure but a traction along +x.
 
     Raises
     ------
@@ -112,13 +117,13 @@ def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array)
             f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request places in them."
         )
     result = np.zeros((4, x.size))
-    for depth, state, end in wave_states(medium.stack, medium.on, bottoms, np.unique(z), waves.k):
+    for depth, state, end in wave_states(medium.stack, medium.on, bottoms, np.unique(z), waves.k, dragged=dragged):
         (members,) = np.nonzero(z == depth)
-        result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members])
+        result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members], dragged)
     return result
 
 
-def _superposed(state: WaveState, waves: PlaneWaves, x: Array) -> Array:
+def _superposed(state: WaveState, waves: PlaneWaves, x: Array, dragged: bool) -> Array:
     assert isinstance(state.solid, Elastic)
     end, poisson = waves.k.size, state.solid.poisson
     strain = 2.0 * state.solid.shear * state.moved[:end, 0] * waves.weights
@@ -130,6 +135,9 @@ def _superposed(state: WaveState, waves: PlaneWaves, x: Array) -> Array:
     for start in range(0, x.size, step):
         part = slice(start, start + step)
         phase = np.outer(waves.k, x[part])
-        result[:3, part] = even @ np.cos(phase)
-        result[3, part] = shear @ np.sin(phase)
+        cosine, sine = np.cos(phase), np.sin(phase)
+        if dragged:
+            cosine, sine = -sine, cosine
+        result[:3, part] = even @ cosine
+        result[3, part] = shear @ sine
     return result

@@ -32,16 +32,9 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import shear_field
 from winkler.media.interior.shear_field_punch import ShearField
 from winkler.media.layered.climb import AnyLayer
-from winkler.media.layered.coated_interior import (
-    PAIRS_PER_CHUNK,
-    HankelWaves,
-    WaveState,
-    reach_of,
-    refuse_unknown_places,
-    wave_states,
-    waves_of,
-)
+from winkler.media.layered.coated_interior import WaveState, reaching, refuse_unknown_places, wave_states
 from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.hankel_waves import PAIRS_PER_CHUNK, HankelWaves, RadialWaves, reach_of, waves_of
 from winkler.media.layered.shear_responses import across_layer
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
@@ -96,12 +89,13 @@ def field(
             )
             result[:, upper] = own
         depths = np.unique(z)
+        waves = waves.up_to(max(reaching(layers, on, bottoms, depths, waves.xi)))
+        radial = RadialWaves(waves.xi)
         along = wave_states(layers, on, bottoms, depths, waves.xi, dragged=True)
         across = _across_states(layers, on, bottoms, depths, waves.xi)
         for (depth, state, end), beside in zip(along, across, strict=True):
             (members,) = np.nonzero(z == depth)
-            part = HankelWaves(waves.xi[:end], waves.weights[:end])
-            result[:, members] += _superposed(state, beside, part, x[members], y[members])
+            result[:, members] += _superposed(state, beside, waves.up_to(end), radial, x[members], y[members])
     return ShearField(*(part.reshape(shape) for part in result))
 
 
@@ -150,10 +144,10 @@ def _share(echo: Array, x: Array) -> Array:
     return np.asarray((1.0 - echo) - echo * np.expm1(-2.0 * x))
 
 
-def _superposed(state: WaveState, beside: _AcrossState, waves: HankelWaves, x: Array, y: Array) -> Array:
+def _superposed(
+    state: WaveState, beside: _AcrossState, waves: HankelWaves, radial: RadialWaves, x: Array, y: Array
+) -> Array:
     """Return the nine parts of a `ShearField` at one depth."""
-    from scipy.special import j0, j1
-
     end, r = waves.xi.size, np.hypot(x, y)
     constants = constants_of(state.solid)
     plane, twice = constants.shear * constants.plane, 2.0 * constants.shear * constants.twist
@@ -163,11 +157,11 @@ def _superposed(state: WaveState, beside: _AcrossState, waves: HankelWaves, x: A
     lengthwise = constants.lateral * axial + plane * strain
     crosswise, bend = lengthwise - twice * strain, twice * (strain - aside)
     polar = np.empty((9, r.size))
-    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
+    step = max(1, PAIRS_PER_CHUNK // radial.xi.size)
     for start in range(0, r.size, step):
         part = slice(start, start + step)
         phase = np.outer(r[part], waves.xi)
-        zeroth, first = j0(phase), j1(phase)
+        zeroth, first = (values[:, :end] for values in radial.at(r[part]))
         short = phase < SHORT_ARGUMENT
         divisor = np.where(short, 1.0, phase)
         second = np.where(short, phase**2 / 8.0 * (1.0 - phase**2 / 12.0), 2.0 * first / divisor - zeroth)

@@ -29,7 +29,7 @@ class Panels:
     """
 
     edges: Array
-    coefficients: Array | ComplexArray
+    coefficients: ComplexArray
 
     def __call__(self, x: Array) -> Array:
         """Evaluate by Clenshaw's recurrence; outside the interval the outer panels go on."""

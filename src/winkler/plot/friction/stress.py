@@ -13,10 +13,10 @@ from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
 from winkler.peaks import peak_stress
 from winkler.plot import style
-from winkler.plot.normal.stresses import stress_map
+from winkler.plot.normal.stresses import depths_through, faces_above, interface_rules, stress_map
 from winkler.plot.panel import Line, Panel, note
 from winkler.plot.series import series, with_unit
-from winkler.problems.answer import Dragged, SelfRestoring
+from winkler.problems.answer import Dragged, SelfRestoring, is_dragged, is_self_restoring
 
 __all__ = ["body_stress_panel", "dragged_stress_panel", "in_first"]
 
@@ -53,10 +53,17 @@ def dragged_stress_panel(
     across, down = (COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN) if scale else (POINTS_ACROSS, POINTS_DOWN)
     x = np.linspace(-extent, extent, across)
     z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
-    fields = restore_body(solution, x[:, None], 0.0, sign * z[None, :])
+    if is_self_restoring(solution):
+        medium = solution.medium
+    else:
+        assert is_dragged(solution)
+        medium = solution.sheared.pressed.bed.medium
+    faces = faces_above(medium, z[-1]) if first else ()
+    fields = restore_body(solution, x[:, None], 0.0, sign * depths_through(z, faces)[None, :])
+    rules = interface_rules(fields, medium) if first else ()
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.INK, width=3.0, clipped=False, blunt=True, order=8.0)
     if scale:
-        return body_stress_panel(fields).plus(edge)
+        return body_stress_panel(fields, faces).plus(*rules, edge)
     peak = peak_stress(solution, below=sign > 0.0)
     corner = "lower centre" if sign > 0.0 else "upper centre"
     marks: list[Any] = [note("infinite at a sharp edge, kink or tip", corner)]
@@ -68,7 +75,7 @@ def dragged_stress_panel(
             Line(np.array([peak.x]), np.array([peak.z]), style.RED, width=0.0, **look),
             note(f"greatest: {with_unit(peak.von_mises, 'Pa')} at {position}", corner),
         ]
-    return body_stress_panel(fields).plus(*marks, edge)
+    return body_stress_panel(fields, faces).plus(*rules, *marks, edge)
 
 
 def in_first(bed: Bed) -> bool:
@@ -76,13 +83,15 @@ def in_first(bed: Bed) -> bool:
     return not isinstance(getattr(bed.medium, "first", None), Rigid)
 
 
-def body_stress_panel(fields: BodyFields) -> Panel:
+def body_stress_panel(fields: BodyFields, faces: tuple[float, ...] = ()) -> Panel:
     """Return the von Mises stress of fields that were restored on a grid of x and z.
 
     Parameters
     ----------
     fields : BodyFields
         x and z of shape (n, m), one varying along either axis.
+    faces : tuple of float
+        Depths of interfaces [m], between which is drawn by itself.
 
     Raises
     ------
@@ -97,4 +106,4 @@ def body_stress_panel(fields: BodyFields) -> Panel:
     if not np.isfinite(fields.von_mises).any():
         raise InvalidInput("draw: none of the restored stresses is finite; restore them below the surface.")
     x, z, stress = (series(name, getattr(fields, name)) for name in ("x", "z", "von_mises"))
-    return stress_map(x, z, stress, label="along the motion $x$")
+    return stress_map(x, z, stress, "along the motion $x$", faces)

@@ -6,13 +6,15 @@ import dataclasses
 
 import numpy as np
 
-from winkler.fields import restore
+from winkler.fields import SubsurfaceFields, restore
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Panel, PanelAxis, Sheet, among, points
 from winkler.plot.series import common_scale, series, with_unit
+from winkler.problems.line.stress import LineFields
 from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.subsurface.contact_stress import ContactStressSolution
 
@@ -37,7 +39,8 @@ def contact_stress_sheet(item: ContactStressSolution) -> Sheet:
     depth = series("z", np.abs(_depths(item)))
     marks = [among(place, one.content, depth.content, NAMES[one.name]) for place, one in enumerate(drawn)]
     greatest = [(getattr(item, name), abs(getattr(item, f"{name}_depth"))) for name in NAMES]
-    marks.append(points(*np.transpose(greatest), style.INK, size=5.0))
+    values, places = np.transpose(greatest)
+    marks.append(points(values, places, style.INK, size=5.0))
     across = dataclasses.replace(
         PanelAxis.of(stress, common_scale(*drawn), low=0.0), label="greatest stress at a depth"
     )
@@ -62,15 +65,17 @@ def _at_depths(item: ContactStressSolution) -> dict[str, Array]:
     """Return the greatest of each stress at each depth [Pa]."""
     x, z = FARTHEST * _width(item) * np.linspace(0.0, 1.0, ACROSS)[:, None], _depths(item)
     contact = item.contact
+    below: SubsurfaceFields | EllipticFields | LineFields
     if isinstance(contact, IndentationSolution):
         below = restore(contact, x, z)
         along = np.abs(below.shear_stress)
     elif isinstance(contact, EllipticSolution):
         shorter_is_y = contact.lateral_semi_axis <= contact.longitudinal_semi_axis
-        below = contact.stresses(0.0 if shorter_is_y else x, x if shorter_is_y else 0.0, z)
+        along_x, along_y = (np.zeros(1), x) if shorter_is_y else (x, np.zeros(1))
+        below = contact.stresses(along_x, along_y, z)
         along = below.orthogonal_shear
     else:
         below = contact.stresses(x, z)
         along = np.abs(below.xz_stress)
-    found = {"von_mises": below.von_mises, "max_shear": below.max_shear, "orthogonal_shear": along}
-    return {name: np.max(content, axis=0) for name, content in found.items()}
+    found = zip(NAMES, (below.von_mises, below.max_shear, along), strict=True)
+    return {name: np.max(content, axis=0) for name, content in found}

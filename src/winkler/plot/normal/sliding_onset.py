@@ -11,8 +11,7 @@ from winkler.materials.elastic import TransverselyIsotropic
 from winkler.media.families import LayeredBody
 from winkler.media.medium import Medium
 from winkler.plot import style
-from winkler.plot.medium import interfaces
-from winkler.plot.normal.stresses import stress_map
+from winkler.plot.normal.stresses import depths_through, faces_above, stress_map
 from winkler.plot.panel import Line, Panel, Rule
 from winkler.plot.series import series
 from winkler.problems.normal.greatest_stress import stress_in_plane
@@ -25,8 +24,6 @@ DEPTH_IN_RADII = 1.6
 """Depth of the map in contact radii."""
 BEYOND = 1.25
 """Depth and half of the width of the map, at least, over how far the place lies where yielding begins."""
-INTERFACE_OFFSET = 1e-6
-"""Distance of a row of points from an interface, of its depth."""
 
 
 def sliding_stress_panel(item: YieldOnsetSolution, pressed: PressedSprings, extent: float) -> Panel:
@@ -46,18 +43,17 @@ def sliding_stress_panel(item: YieldOnsetSolution, pressed: PressedSprings, exte
     sign = 1.0 if part.first else -1.0
     x = max(extent, BEYOND * math.hypot(item.x, item.z)) * np.linspace(-1.0, 1.0, POINTS_ACROSS)
     z = max(DEPTH_IN_RADII * radius, BEYOND * abs(item.z)) * (np.linspace(0.0, 1.0, POINTS_DOWN) ** 1.6 + 1e-3)
-    borders = np.array([h for h in interfaces(medium) if part.first and h < z[-1]])
-    if borders.size:  # stresses jump there: one row of points on either side
-        z = np.unique(np.concatenate([z, borders * (1.0 - INTERFACE_OFFSET), borders * (1.0 + INTERFACE_OFFSET)]))
+    faces = faces_above(medium, z[-1]) if part.first else ()
+    z = depths_through(z, faces)
     if part.first:
         z = z[z > _unknown_above(medium)]
     across, down = np.broadcast_arrays(x[:, None], z)
     stress = stress_in_plane(pressed, part, friction, across.ravel(), down.ravel())
     shown = series("von_mises", stress.reshape(across.shape))
     label = "along the sliding $x$" if friction > 0.0 else ""
-    panel = stress_map(series("x", across), series("z", sign * down), shown, label=label)
+    panel = stress_map(series("x", across), series("z", sign * down), shown, label, faces)
     look = {"dash": (4.0, 2.0), "order": 7.0}
-    rules = [Rule(float(depth), colour=style.INK, width=0.9, **look) for depth in borders]  # type: ignore[arg-type]
+    rules = [Rule(depth, colour=style.INK, width=0.9, **look) for depth in faces]  # type: ignore[arg-type]
     place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0, clipped=False)
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.RED, width=3.0, clipped=False, blunt=True, order=8.0)
     return panel.plus(*rules, place, edge)

@@ -1,17 +1,20 @@
-"""The stress below a contact: a map of one half of the meridian plane, mirrored at the axis."""
+"""The stress below a contact: a map of one half of the meridian plane, mirrored at the axis, and layer by layer."""
 
 from __future__ import annotations
 
+import dataclasses
+import itertools
 from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, restore
+from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
-from winkler.peaks import PeakStress, peak_stress
+from winkler.peaks import peak_stress
 from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
@@ -21,6 +24,8 @@ from winkler.problems.answer import Restorable
 
 __all__ = [
     "along_panel",
+    "depths_through",
+    "faces_above",
     "field_panel",
     "first_body_deforms",
     "interface_rules",
@@ -36,6 +41,8 @@ DEPTH_IN_RADII = 2.0
 LEVELS = 20
 INTERFACE_OFFSET = 1e-9
 """Relative distance of the rows of points on either side of an interface."""
+DEPTHS_IN_LAYER = 5
+"""Fewest rows of points in a layer, on both of its faces and between them."""
 
 
 def first_body_deforms(solution: Restorable) -> bool:
@@ -73,30 +80,41 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, scale: f
     # denser towards the surface; the last bit above zero is enough to stay off the poles of sharp edges
     down = COARSE_POINTS_DOWN if scale else POINTS_DOWN
     z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
-    borders = np.array([h for h in interfaces(solution.pressed.bed.medium) if below and h < z[-1]])
-    if borders.size:  # stresses jump there: one row of points on either side
-        z = np.unique(np.concatenate([z, borders * (1.0 - INTERFACE_OFFSET), borders * (1.0 + INTERFACE_OFFSET)]))
-    fields = restore(solution, r[:, None], sign * z[None, :])
+    faces = faces_above(solution.pressed.bed.medium, z[-1]) if below else ()
+    fields = restore(solution, r[:, None], sign * depths_through(z, faces)[None, :])
     marks: list[Any] = list(interface_rules(fields, solution.pressed.bed.medium))
     if is_singular(solution.pressed):
         marks.append(note("infinite at a sharp edge, kink or tip", corner))
     elif not scale:
-        peak = _peak(solution, fields, below=below)
+        peak = peak_stress(solution, below=below)
         marks.append(Line(np.array([peak.r]), np.array([peak.z]), "white", width=0.0, marker="+", size=9.0))
         off_axis = f", $r$ = {with_unit(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""
         marks.append(
             note(f"greatest: {with_unit(peak.von_mises, 'Pa')} at $z$ = {with_unit(peak.z, 'm', 3)}{off_axis}", corner)
         )
     edge = Line(np.array([-radius, radius]), np.zeros(2), style.RED, width=3.0, clipped=False, blunt=True, order=8.0)
-    return field_panel(fields).plus(*marks, edge)
+    return field_panel(fields, faces).plus(*marks, edge)
 
 
-def interface_rules(fields: SubsurfaceFields, medium: Medium) -> tuple[Rule, ...]:
+def faces_above(medium: Medium, depth: float) -> tuple[float, ...]:
+    """Return the depths of the interfaces above a depth [m]: stresses jump there."""
+    return tuple(face for face in interfaces(medium) if face < depth)
+
+
+def depths_through(z: Array, faces: tuple[float, ...]) -> Array:
+    """Return depths of a map [m], with rows on both faces of each layer and between them."""
+    ends = itertools.pairwise((0.0, *faces))
+    rows = [np.linspace(top * (1.0 + INTERFACE_OFFSET), end * (1.0 - INTERFACE_OFFSET), DEPTHS_IN_LAYER)[top == 0.0 :]
+            for top, end in ends]  # fmt: skip
+    return np.unique(np.concatenate([z, *rows, np.array(faces[-1:]) * (1.0 + INTERFACE_OFFSET)]))
+
+
+def interface_rules(fields: SubsurfaceFields | BodyFields, medium: Medium) -> tuple[Rule, ...]:
     """Return the interfaces of a coating in the map of a stress.
 
     Parameters
     ----------
-    fields : SubsurfaceFields
+    fields : SubsurfaceFields or BodyFields
         What the map shows.
     medium : Medium
     """
@@ -104,21 +122,15 @@ def interface_rules(fields: SubsurfaceFields, medium: Medium) -> tuple[Rule, ...
     return tuple(Rule(depth, colour=style.INK, width=0.9, dash=(4.0, 2.0), order=7.0) for depth in depths)
 
 
-def _peak(solution: Restorable, fields: SubsurfaceFields, *, below: bool) -> PeakStress:
-    """Return the greatest stress: by a search where it is smooth, from the map where layers make it discontinuous."""
-    if not interfaces(solution.pressed.bed.medium):
-        return peak_stress(solution, below=below)
-    place = np.unravel_index(np.nanargmax(fields.von_mises), fields.r.shape)
-    return PeakStress(*(float(part[place]) for part in (fields.von_mises, fields.r, fields.z)))
-
-
-def field_panel(fields: SubsurfaceFields) -> Panel:
+def field_panel(fields: SubsurfaceFields, faces: tuple[float, ...] = ()) -> Panel:
     """Return the von Mises stress of fields that were restored on a grid, mirrored at the axis.
 
     Parameters
     ----------
     fields : SubsurfaceFields
         r and z of shape (n, m), one varying along either axis.
+    faces : tuple of float
+        As of `stress_map`.
     """
     r, z, stress = (np.asarray(part, dtype=float) for part in (fields.r, fields.z, fields.von_mises))
     if np.ptp(r, axis=0).max() == 0.0:
@@ -132,10 +144,10 @@ def field_panel(fields: SubsurfaceFields) -> Panel:
     x, y, both = (
         np.concatenate([sign * part[first:][::-1], part]) for part, sign in ((r, -1.0), (z, 1.0), (stress, 1.0))
     )
-    return stress_map(series("r", x), series("z", y), series("von_mises", both))
+    return stress_map(series("r", x), series("z", y), series("von_mises", both), faces=faces)
 
 
-def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> Panel:
+def stress_map(along: Series, down: Series, stress: Series, label: str = "", faces: tuple[float, ...] = ()) -> Panel:
     """Return the map of a stress over two series of coordinates ``(n, m)``, depth downwards, between round levels.
 
     Parameters
@@ -144,6 +156,8 @@ def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> 
         The stress may be infinite or NaN at some points.
     label : str, optional
         Of the axis across, without a unit.
+    faces : tuple of float, optional
+        Depths of interfaces [m], at which stresses jump: what lies between them is drawn by itself.
     """
     finite = stress.content[np.isfinite(stress.content)]
     top, greatest = float(np.percentile(finite, 99.5)), float(np.max(finite))
@@ -161,10 +175,17 @@ def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> 
         extend="max" if float(np.max(clipped_stress)) > levels[-1] else "neither",
         place="inset",
     )
+    layer_of = np.searchsorted(np.array(faces), np.abs(down.content[0]))
+    parts: list[Map] = []
+    for layer in np.unique(layer_of):
+        (columns,) = np.nonzero(layer_of == layer)
+        part = [each[:, columns] for each in (along.content, down.content, clipped_stress)]
+        place = "" if parts else "inset"
+        parts.append(dataclasses.replace(drawn, x=part[0], y=part[1], z=part[2], place=place))
     scale, z = common_scale(along, down), down.content
     upright = PanelAxis.of(down, scale, low=max(float(np.max(z)), 0.0), high=min(float(np.min(z)), 0.0))
     across = PanelAxis(label, scale) if label else PanelAxis.of(along, scale)
-    return Panel((drawn,), across, upright, equal=True, grid="")
+    return Panel(tuple(parts), across, upright, equal=True, grid="")
 
 
 def _ordered(r: Array, z: Array, stress: Array) -> tuple[Array, Array, Array]:

@@ -6,6 +6,7 @@ import numpy as np
 
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields, body_of_pressed, body_under
+from winkler.media.medium import Medium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.coated_friction.push import PushedSprings
 from winkler.values import value, words
@@ -70,6 +71,11 @@ class CoatedTangentialState:
     def _still(self) -> bool:
         """Whether nothing acts along the surface."""
         return self.radius == 0.0 or (self.shear_force == 0.0 and self.shift == 0.0)
+
+    @property
+    def medium(self) -> Medium:
+        """The bodies."""
+        return self.springs.bed.medium
 
     @property
     def _pressed(self) -> PressedSprings:

@@ -16,10 +16,10 @@ from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Measure, Placed, greatest
 from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.stress import LineContact
-from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["first_at_strength", "refuse_sharp", "refuse_without_strength"]
+__all__ = ["at_strength", "first_at_strength", "refuse_sharp", "refuse_without_strength"]
 
 MOST_STEPS = 60
 FACTOR = 4.0
@@ -66,14 +66,19 @@ def first_at_strength(bed: LineFoundation, friction: float, measure: Measure, na
         Of the problem, for its refusals.
     """
     refuse_sharp(bed, name)
-    found = []
-    for part in strong_parts(bed.medium):
-        contact = LineContact(bed, 0.0, 0.0, part.solid.poisson, friction)
-        a, place = _half_width(contact, measure, part.solid.strength, name)
-        found.append((a, place if part.first else place._replace(z=-place.z)))
+    found = [at_strength(bed, part, friction, measure, name) for part in strong_parts(bed.medium)]
     first = min(found, key=lambda onset: onset[0])
     refuse_unless_strips(bed, np.array([first[0]]))
     return first
+
+
+def at_strength(
+    bed: LineFoundation, part: StrongPart, friction: float, measure: Measure, name: str
+) -> tuple[float, Placed]:
+    """Return the half-width [m] at which one body reaches its strength, as `first_at_strength`."""
+    contact = LineContact(bed, 0.0, 0.0, part.solid.poisson, friction)
+    a, place = _half_width(contact, measure, part.solid.strength, name)
+    return a, place if part.first else place._replace(z=-place.z)
 
 
 def _half_width(contact: LineContact, measure: Measure, strength: float, name: str) -> tuple[float, Placed]:

@@ -17,10 +17,9 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
-from winkler.media.interior.tensor import measure_named
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.greatest_stress import Placed, greatest, in_strip
+from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
@@ -137,30 +136,27 @@ class LineSolution(OfStrip):
         force, a = single(self.force_per_length, requested), float(self.half_width)
         return Strip(a, rim_load(self.problem.bed, force, a))
 
-    def greatest_stress(self, friction: float = 0.0, *, measure: str = "von_mises", below: bool = True) -> Placed:
-        """Return the greatest stress of a kind [Pa] under one load, and its place x, z [m] in the axes of the body.
+    def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
+        """Return the greatest von Mises stress [Pa] under one load, and its place x, z [m] in the axes of the body.
 
         Parameters
         ----------
         friction : float
             As of `stresses`.
-        measure : {'von_mises', 'max_shear', 'orthogonal_shear'}
-            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface.
         below : bool
             In the first body; otherwise in the second.
 
         Raises
         ------
         InvalidInput, OutsideValidity
-            As of `stresses`; also for another measure, and below a sharp tip, kink or rim, where stresses are infinite.
+            As of `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
         """
-        compared = measure_named(measure, type(self).__name__)
         contact = self._contact(below, friction)
         if not np.isfinite(self.peak_pressure):
             raise OutsideValidity(
                 "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
             )
-        return greatest(contact, in_strip(compared))
+        return greatest(contact, von_mises)
 
     def at(self, index: int | tuple[int, ...]) -> LineSolution:
         """Return the solution of one load of an array.

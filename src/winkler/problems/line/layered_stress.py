@@ -9,6 +9,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Elastic
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.plane_interior import PlaneWaves, added_stresses, plane_waves
 from winkler.media.medium import rigid_body
 from winkler.numerics.types import Array
@@ -21,7 +22,7 @@ __all__ = [
     "greatest_within",
     "layer_stresses",
     "layered_fields",
-    "refuse_friction",
+    "refuse_dragged_film",
     "waves_below",
     "waves_for_search",
 ]
@@ -44,7 +45,8 @@ class LayerStress:
     layer : int
         Number of the layer from the surface, 1 the uppermost; the body under the layers comes last.
     von_mises, x, z : float
-        Greatest von Mises stress [Pa] and its place [m], beside the middle on the right, and below the surface.
+        Greatest von Mises stress [Pa] and its place [m], without friction on the right of the middle, and below the
+        surface.
     interface_shear, interface_x : float
         Greatest shear stress on its lower face [Pa], positive, and its place [m]; nan below the last interface.
     """
@@ -64,12 +66,12 @@ class LayerStress:
     interface_x: float
 
 
-def refuse_friction(friction: float) -> None:
-    """Refuse friction."""
-    if np.ndim(friction) > 0 or friction != 0.0:
+def refuse_dragged_film(medium: object, friction: float) -> None:
+    """Refuse friction on a film that slides on its base."""
+    if friction != 0.0 and not isinstance(medium, CoatedHalfSpace):
         raise OutsideValidity(
-            "The stresses below a line contact that slides on layers are not known here: leave friction at zero, or "
-            "give a LineFoundation of homogeneous bodies."
+            f"The layer of a {type(medium).__name__} slides on its base and bears no shear there, so that friction "
+            "would drag it away: leave friction at zero, or give a CoatedHalfSpace."
         )
 
 
@@ -94,7 +96,13 @@ def _spread(strip: Strip, depth: float) -> float:
 
 
 def layered_fields(
-    bed: LayeredLineFoundation, strip: Strip, x: Array, z: Array, below: bool, waves: PlaneWaves | None = None
+    bed: LayeredLineFoundation,
+    strip: Strip,
+    x: Array,
+    z: Array,
+    below: bool,
+    waves: PlaneWaves | None = None,
+    friction: float = 0.0,
 ) -> LineFields:
     """Return the stresses at places of one shape, z as requested.
 
@@ -108,8 +116,11 @@ def layered_fields(
         In the layered body.
     waves : PlaneWaves, optional
         Of this strip, for places as far away as these.
+    friction : float
+        Traction on the body along x over the pressure [-].
     """
     medium = bed.medium
+    refuse_dragged_film(medium, friction)
     body = medium.layers[0].solid if below else medium.second
     if not isinstance(body, Elastic):
         raise rigid_body(below)
@@ -118,43 +129,42 @@ def layered_fields(
     top = medium.layers[0].thickness if below else math.inf
     parts = np.zeros((4, across.size))
     upper = deep <= top
-    own = stresses(LineContact(bed, *strip, body.poisson, 0.0), across[upper], deep[upper])
+    own = stresses(LineContact(bed, *strip, body.poisson, friction), across[upper], deep[upper])
     parts[:, upper] = own.xx_stress, own.yy_stress, own.zz_stress, own.xz_stress
     if below and across.size:
         if waves is None:
             waves = waves_below(bed, strip, float(np.max(np.abs(across))))
         parts += added_stresses(medium, waves, across, deep)
+        if friction != 0.0:
+            parts += friction * added_stresses(medium, waves, across, deep, dragged=True)
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
 
 
-def layer_stresses(bed: LayeredLineFoundation, strip: Strip) -> tuple[LayerStress, ...]:
+def layer_stresses(bed: LayeredLineFoundation, strip: Strip, friction: float) -> tuple[LayerStress, ...]:
     """Return the greatest stresses of each layer, and of an elastic body under them.
 
     Parameters
     ----------
     bed : LayeredLineFoundation
     strip : Strip
+    friction : float
+        Traction on the body along x over the pressure [-].
     """
-    medium = bed.medium
-    bottoms = np.cumsum([layer.thickness for layer in medium.layers]).tolist()
-    waves = waves_for_search(bed, strip, bottoms[-1])
-    found, top = [], 0.0
-    for number, bottom in enumerate(bottoms, 1):
-        shear, place = _interface(bed, strip, bottom)
-        found.append(LayerStress(number, *greatest_within(bed, strip, top, bottom, waves), shear, place))
-        top = bottom
-    if isinstance(medium.on, Elastic):
-        greatest = greatest_within(bed, strip, top, math.inf, waves)
-        found.append(LayerStress(len(bottoms) + 1, *greatest, math.nan, math.nan))
+    waves = waves_for_search(bed, strip, bed.medium.thickness)
+    found = []
+    for number, (top, bottom) in enumerate(bed.medium.spans, 1):
+        shear, place = _interface(bed, strip, bottom, friction) if math.isfinite(bottom) else (math.nan, math.nan)
+        greatest = greatest_within(bed, strip, (top, bottom), waves, friction)
+        found.append(LayerStress(number, *greatest, shear, place))
     return tuple(found)
 
 
 def greatest_within(
     bed: LayeredLineFoundation,
     strip: Strip,
-    top: float,
-    bottom: float,
+    span: tuple[float, float],
     waves: PlaneWaves,
+    friction: float,
     refinements: int = REFINEMENTS,
 ) -> tuple[float, float, float]:
     """Return the greatest von Mises stress between two depths and its place, on grids that close in on it.
@@ -163,18 +173,22 @@ def greatest_within(
     ----------
     bed : LayeredLineFoundation
     strip : Strip
-    top, bottom : float
+    span : tuple of float
         Depths of one layer [m], or of the body under the layers, which ends at infinity.
     waves : PlaneWaves
         Of the strip, from `waves_for_search`.
+    friction : float
+        Traction on the body along x over the pressure [-].
     refinements : int
         How often the grid is refined.
     """
+    top, bottom = span
     wide = _spread(strip, top)
     if math.isinf(bottom):
         top, bottom = np.nextafter(top, math.inf), top + DEEPEST_SEARCHED * wide
     near = strip.half_width * np.array([1.0 - CLOSEST, 1.0])
     x = np.unique(np.concatenate([wide * np.linspace(0.0, WIDTHS_SEARCHED, PLACES), near]))
+    x = x if friction == 0.0 else np.concatenate([-x[:0:-1], x])
     lower = min(bottom, top + DEEPEST_SEARCHED * wide)
     below = np.geomspace(CLOSEST, 1.0, DEPTHS)
     z = np.unique(np.concatenate([[top], top + (lower - top) * below, np.linspace(top, lower, DEPTHS), [bottom]]))
@@ -183,7 +197,7 @@ def greatest_within(
     best, whole = (0.0, 0.0, 0.0), ((x[0], x[-1]), (z[0], z[-1]))
     for _ in range(refinements + 1):
         depth = np.maximum(z, first)
-        level = layered_fields(bed, strip, x[:, None], depth[None, :], True, waves).von_mises
+        level = layered_fields(bed, strip, x[:, None], depth[None, :], True, waves, friction).von_mises
         i, j = (int(index) for index in np.unravel_index(np.argmax(level), level.shape))
         if level[i, j] > best[0]:
             best = (float(level[i, j]), float(x[i]), float(depth[j]))
@@ -199,13 +213,14 @@ def _nearer(places: Array, at: int, ends: tuple[float, float]) -> Array:
     return np.linspace(max(places[at] - half, ends[0]), min(places[at] + half, ends[1]), FINE)
 
 
-def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float) -> tuple[float, float]:
+def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float, friction: float) -> tuple[float, float]:
     """Return the greatest shear stress at one depth, and its place."""
     x = np.linspace(0.0, WIDTHS_SEARCHED * (strip.half_width + depth), INTERFACE_PLACES)
+    x = x if friction == 0.0 else np.concatenate([-x[:0:-1], x])
     waves = waves_below(bed, strip, float(x[-1]))
     best = (0.0, 0.0)
     for _ in range(REFINEMENTS + 1):
-        level = np.abs(layered_fields(bed, strip, x, np.full(x.shape, depth), True, waves).xz_stress)
+        level = np.abs(layered_fields(bed, strip, x, np.full(x.shape, depth), True, waves, friction).xz_stress)
         at = int(np.argmax(level))
         if level[at] > best[0]:
             best = (float(level[at]), float(x[at]))

@@ -10,10 +10,10 @@ from winkler.numerics.types import ArrayLike, Quantity, shaped
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
 from winkler.problems.line.layered_notes import layered_notes
-from winkler.problems.line.layered_stress import LayerStress, layer_stresses, layered_fields, refuse_friction
+from winkler.problems.line.layered_stress import LayerStress, layer_stresses, layered_fields
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.references import Reference
-from winkler.problems.line.stress import LineFields
+from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.which_body import in_first_body
 from winkler.validity import Note
@@ -71,23 +71,29 @@ class OnLayers(OfStrip):
             Depths [m]: not negative in the layered body, negative in the other, of which -0.0 is the surface.
             All in one of them.  A place on an interface belongs to the upper layer.
         friction : float
-            Zero: what a strip that slides on layers does to them is not known here.
+            Traction with which the body is dragged along x, in its own axes, over the pressure [-].
 
         Raises
         ------
         InvalidInput
             If the solution has more than one load, or the depths lie in both bodies.
         OutsideValidity
-            If there is no contact, a place lies in a rigid body, or friction is not zero.
+            If there is no contact, or a place lies in a rigid body.
         """
-        refuse_friction(friction)
+        coefficient = one_coefficient(type(self).__name__, friction)
         contact = self._touching("stresses")
         depth = np.asarray(z, dtype=float)
         below = in_first_body(depth, type(self).__name__)
-        return layered_fields(self.problem.bed, contact, np.asarray(x, dtype=float), depth, below)
+        across = np.asarray(x, dtype=float)
+        return layered_fields(self.problem.bed, contact, across, depth, below, friction=coefficient)
 
-    def layer_stresses(self) -> tuple[LayerStress, ...]:
+    def layer_stresses(self, friction: float = 0.0) -> tuple[LayerStress, ...]:
         """Return the greatest stresses of each layer under one load, and of the body under them if it is elastic.
+
+        Parameters
+        ----------
+        friction : float
+            As of `stresses`.
 
         Raises
         ------
@@ -101,7 +107,7 @@ class OnLayers(OfStrip):
             raise OutsideValidity(
                 "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
             )
-        return layer_stresses(self.problem.bed, contact)
+        return layer_stresses(self.problem.bed, contact, one_coefficient(type(self).__name__, friction))
 
     def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
         """Return the greatest von Mises stress [Pa] of the layered body under one load, and its place x, z [m].
@@ -109,7 +115,7 @@ class OnLayers(OfStrip):
         Parameters
         ----------
         friction : float
-            Zero, as of `stresses`.
+            As of `stresses`.
         below : bool
             In the layered body; that of the other one is not sought.
 
@@ -118,10 +124,9 @@ class OnLayers(OfStrip):
         InvalidInput, OutsideValidity
             As of `layer_stresses`.
         """
-        refuse_friction(friction)
         if not below:
             raise InvalidInput("The greatest stress is sought in the layered body only: leave below at True.")
-        worst = max(self.layer_stresses(), key=lambda one: one.von_mises)
+        worst = max(self.layer_stresses(friction), key=lambda one: one.von_mises)
         return Placed(worst.von_mises, worst.x, worst.z)
 
     def _touching(self, requested: str) -> Strip:

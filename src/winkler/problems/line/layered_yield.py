@@ -12,13 +12,12 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed, sought, von_mises
-from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.layered_stress import REFINEMENTS, greatest_within, waves_for_search
 from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 
-__all__ = ["first_on_layers"]
+__all__ = ["at_strength_on_layers"]
 
 MOST_STEPS = 60
 NEAREST_END = 1e-3
@@ -29,26 +28,29 @@ OVERSHOT, LEAST_STEP, LONGEST_STEP = 1.2, 0.02, 2.0
 """Steps of the logarithm of the half-width, over that of the stress, while the strength is bracketed."""
 COARSE, COARSE_TOLERANCE = 4, 1e-4
 """Refinements while the half-width is sought, and to which part; two full secant steps follow."""
-FAR = 0.8
-"""Parts of which the first grid shows less than this share of the greatest are not refined."""
 
 
-def first_on_layers(bed: LayeredLineFoundation, name: str) -> tuple[float, Placed]:
-    """Return the half-width [m] at which a part first reaches its strength, and where; z < 0 in the second body.
+def at_strength_on_layers(
+    bed: LayeredLineFoundation, part: StrongPart, friction: float, name: str
+) -> tuple[float, Placed]:
+    """Return the half-width [m] at which a part reaches its strength, and where; z < 0 in the second body.
 
     Parameters
     ----------
     bed : LayeredLineFoundation
-        Without a sharp tip, kink or rim; at least one of its parts has a strength.
+        Without a sharp tip, kink or rim.
+    part : StrongPart
+    friction : float
+        Traction over pressure [-].
     name : str
         Of the problem, for its refusals.
     """
-    parts = strong_parts(bed.medium)
 
     def excess(logarithm: float, refinements: int = COARSE) -> float:
-        return math.log(_nearest(bed, bed.flat + math.exp(logarithm), parts, refinements)[0])
+        a = bed.flat + math.exp(logarithm)
+        return math.log(_greatest(bed, a, part, friction, refinements).value / part.solid.strength)
 
-    low, high, slope = _bracket(bed, excess, _start(bed, parts), name)
+    low, high, slope = _bracket(bed, excess, _start(bed), name)
     coarse = between(excess, low, high, absolute=COARSE_TOLERANCE)
     first = excess(coarse, REFINEMENTS)
     near = coarse - first / slope
@@ -56,12 +58,11 @@ def first_on_layers(bed: LayeredLineFoundation, name: str) -> tuple[float, Place
     if second != first:
         near -= second * (near - coarse) / (second - first)
     a = bed.flat + math.exp(near)
-    refuse_unless_strips(bed, np.array([a]))
-    return a, _nearest(bed, a, parts, REFINEMENTS)[1]
+    return a, _greatest(bed, a, part, friction, REFINEMENTS)
 
 
-def _start(bed: LayeredLineFoundation, parts: tuple[StrongPart, ...]) -> float:
-    """Return where the search begins, beside what is flat [m]."""
+def _start(bed: LayeredLineFoundation) -> float:
+    """Return where the search begins, beside what is flat [m]; the same for all parts."""
     flat, end = bed.flat, min(bed.reach, bed.rim)
     if math.isfinite(end):
         return 0.01 * (end - flat)
@@ -69,7 +70,7 @@ def _start(bed: LayeredLineFoundation, parts: tuple[StrongPart, ...]) -> float:
     def mean(beside: Array) -> Array:
         return np.asarray(0.5 * bed.half_plane.load_profile(flat + beside) / (flat + beside))
 
-    weakest = min(part.solid.strength for part in parts)
+    weakest = min(part.solid.strength for part in strong_parts(bed.medium))
     return min(rough_root(mean, weakest / bed.medium.modulus), WIDEST_START * bed.trial)
 
 
@@ -96,22 +97,13 @@ def _bracket(
     )
 
 
-def _nearest(
-    bed: LayeredLineFoundation, half_width: float, parts: tuple[StrongPart, ...], refinements: int
-) -> tuple[float, Placed]:
-    """Return the greatest von Mises stress over the strength of its part, and the place."""
+def _greatest(
+    bed: LayeredLineFoundation, half_width: float, part: StrongPart, friction: float, refinements: int
+) -> Placed:
+    """Return the greatest von Mises stress of a part, and its place."""
     strip = Strip(half_width, 0.0)
-    waves = waves_for_search(bed, strip, max(part.top for part in parts))
-
-    def found(part: StrongPart, times: int) -> tuple[float, Placed]:
-        if part.first:
-            place = Placed(*greatest_within(bed, strip, part.top, part.bottom, waves, times))
-        else:
-            place = sought(LineContact(bed, half_width, 0.0, part.solid.poisson, 0.0), von_mises)
-            place = place._replace(z=-place.z)
-        return place.value / part.solid.strength, place
-
-    rough = [found(part, 0) for part in parts]
-    most = max(share for share, _ in rough)
-    near = [part for (share, _), part in zip(rough, parts, strict=True) if share >= FAR * most]
-    return max((found(part, refinements) for part in near), key=lambda one: one[0])
+    if part.first:
+        waves = waves_for_search(bed, strip, part.top)
+        return Placed(*greatest_within(bed, strip, (part.top, part.bottom), waves, friction, refinements))
+    place = sought(LineContact(bed, half_width, 0.0, part.solid.poisson, friction), von_mises)
+    return place._replace(z=-place.z)

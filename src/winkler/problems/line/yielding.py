@@ -6,46 +6,86 @@ stress of `winkler.problems.line.stress` is the strength of a body.
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar
 
 import numpy as np
 
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb, Overcome
+from winkler.media.layered.hankel_waves import blurred
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.at_strength import first_at_strength, refuse_sharp, refuse_without_strength
+from winkler.problems.line.at_strength import at_strength, refuse_sharp, refuse_without_strength
 from winkler.problems.line.greatest_stress import von_mises
+from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.layered_notes import strip_notes
-from winkler.problems.line.layered_stress import refuse_friction
-from winkler.problems.line.layered_yield import first_on_layers
+from winkler.problems.line.layered_stress import refuse_dragged_film
+from winkler.problems.line.layered_yield import at_strength_on_layers
 from winkler.problems.line.validity import line_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.problems.normal.onset.part_onset import NAME, PART, onset_note
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["FRICTIONLESS", "LineYieldOnset", "LineYieldOnsetSolution"]
+__all__ = ["FRICTIONLESS", "LinePartOnset", "LineYieldOnset", "LineYieldOnsetSolution"]
 
 FRICTIONLESS = Coulomb(0.0)
 
 
 @value
+class LinePartOnset:
+    """The onset of yield of one body, layer or base below a line contact, as if the others stayed elastic.
+
+    Parameters
+    ----------
+    part : int
+        Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+    force_per_length, half_width : float
+        [N/m], [m] when it begins to yield; infinite where it does not within what was examined.
+    x, z : float
+        Where [m], as of `LineYieldOnsetSolution`; nan where it does not yield.
+    name : str
+        What it is called.
+    why : str
+        Why no onset was found; empty where it was.
+    """
+
+    __words__ = words(
+        part=PART,
+        x=("x", "m", "place along the surface"),
+        name=NAME,
+        why=("", None, "why no onset was found"),
+    )
+
+    part: int
+    force_per_length: float
+    half_width: float
+    x: float
+    z: float
+    name: str
+    why: str = ""
+
+
+@value
 class LineYieldOnset:
-    """Under which force per length does a line contact begin to yield, at rest or while it slides?
+    """Under which force per length does each body below a line contact begin to yield, at rest or while it slides?
 
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
         Profile and bodies, on a `HalfSpace` or on bonded layers, of which at least one part was given a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given, and none on layers.
+        The contact slides everywhere, and drags each body by mu p; none unless given.
 
     Raises
     ------
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on layers.
+        If there is friction on a film that slides on its base.
 
     References
     ----------
@@ -63,7 +103,7 @@ class LineYieldOnset:
     def __post_init__(self) -> None:
         refuse_without_strength(self.bed, "LineYieldOnset")
         if isinstance(self.bed, LayeredLineFoundation):
-            refuse_friction(self.friction.coefficient)
+            refuse_dragged_film(self.bed.medium, self.friction.coefficient)
 
     def solve(self) -> LineYieldOnsetSolution:
         """Return the load, and where yielding begins.
@@ -73,14 +113,28 @@ class LineYieldOnset:
         OutsideValidity
             If the body yields at the first touch (a sharp tip, kink or rim), or not within the reach of the profile.
         """
-        bed = self.bed
-        if isinstance(bed, LayeredLineFoundation):
-            refuse_sharp(bed, "LineYieldOnset")
-            a, place = first_on_layers(bed, "LineYieldOnset")
-        else:
-            a, place = first_at_strength(bed, self.friction.coefficient, von_mises, "LineYieldOnset")
+        refuse_sharp(self.bed, "LineYieldOnset")
+        failures: list[OutsideValidity | NotConverged] = []
+        rows = [self._onset(number, part, failures) for number, part in enumerate(strong_parts(self.bed.medium), 1)]
+        first = min(rows, key=lambda row: row.half_width)
+        if math.isinf(first.half_width):
+            raise failures[0]
+        return LineYieldOnsetSolution(self, first.force_per_length, first.half_width, first.x, first.z, tuple(rows))
+
+    def _onset(self, number: int, part: StrongPart, failures: list[OutsideValidity | NotConverged]) -> LinePartOnset:
+        """Return the onset of one part; why there is none is added to the failures."""
+        bed, mu = self.bed, self.friction.coefficient
+        try:
+            if isinstance(bed, LayeredLineFoundation):
+                a, place = at_strength_on_layers(bed, part, mu, "LineYieldOnset")
+            else:
+                a, place = at_strength(bed, part, mu, von_mises, "LineYieldOnset")
+            refuse_unless_strips(bed, np.array([a]))
+        except (OutsideValidity, NotConverged) as error:
+            failures.append(error)
+            return LinePartOnset(number, math.inf, math.inf, math.nan, math.nan, part.name, str(error))
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
-        return LineYieldOnsetSolution(self, force, a, place.x, place.z)
+        return LinePartOnset(number, force, a, place.x, place.z, part.name)
 
 
 @value
@@ -96,15 +150,21 @@ class LineYieldOnsetSolution:
     x, z : float
         Where it begins [m], in the axes of the body, which is dragged along x; below zero (also -0.0) in the second
         one.
+    onsets : tuple of LinePartOnset
+        The same of each part that has a strength, from the uppermost layer of the first body down.
     """
 
-    __words__ = words(x=("x", "m", "place along the surface"))
+    __words__ = words(
+        x=("x", "m", "place along the surface"),
+        onsets=("", None, "onset of yield of each body, layer and base"),
+    )
 
     problem: LineYieldOnset
     force_per_length: float
     half_width: float
     x: float
     z: float
+    onsets: tuple[LinePartOnset, ...]
 
     @property
     def mean_pressure(self) -> float:
@@ -114,14 +174,10 @@ class LineYieldOnsetSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
-        criterion = Note(
-            Assumption.ELASTIC,
-            Standing.EXACT,
-            "Yielding begins where the von Mises stress of the elastic field in plane strain reaches the strength.",
-            "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
-        )
+        rows = [(one.name, one.force_per_length) for one in self.onsets]
         bed = self.problem.bed
-        if isinstance(bed, LayeredLineFoundation):
-            return (*strip_notes(bed, self.half_width, 0.0), criterion)
         slid = sliding_note(bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
-        return (*line_notes(bed, self.half_width), slid, criterion)
+        if isinstance(bed, LayeredLineFoundation):
+            fades = blurred(bed.medium.response.length, self.half_width)
+            return (*strip_notes(bed, self.half_width, 0.0), slid, onset_note(rows, "N/m", fades=fades))
+        return (*line_notes(bed, self.half_width), slid, onset_note(rows, "N/m"))

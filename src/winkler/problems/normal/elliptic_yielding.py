@@ -19,10 +19,11 @@ from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.onset.part_onset import EllipticPartOnset, onset_note
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["EllipticYieldOnset", "EllipticYieldOnsetSolution"]
@@ -96,15 +97,15 @@ class EllipticYieldOnset:
             If the curvatures are so different that the contact is a line.
         """
         unit = self._pressed(1.0)
-        found = []
-        for part in strong_parts(self.medium):
+        rows = []
+        for number, part in enumerate(strong_parts(self.medium), 1):
             place = unit.greatest_stress(self.friction.coefficient, self.angle, below=part.first)
-            found.append(((part.solid.strength / place.value) ** 3, place, part.first))
-        force, place, first = min(found, key=lambda onset: onset[0])
-        pressed, grown = self._pressed(force), force ** (1.0 / 3.0)
-        return EllipticYieldOnsetSolution(
-            self, force, pressed, grown * place.x, grown * place.y, grown * (place.z if first else -place.z)
-        )
+            grown = part.solid.strength / place.value
+            x, y, z = (grown * along for along in (place.x, place.y, place.z))
+            rows.append(EllipticPartOnset(number, grown**3, x, y, z if part.first else -z, part.name))
+        first = min(rows, key=lambda row: row.force)
+        pressed = self._pressed(first.force)
+        return EllipticYieldOnsetSolution(self, first.force, pressed, first.x, first.y, first.z, tuple(rows))
 
     def _pressed(self, force: float) -> EllipticSolution:
         return EllipticIndentation(self.bodies, self.medium, Force(force)).solve()
@@ -124,9 +125,12 @@ class EllipticYieldOnsetSolution:
         The contact under this force.
     x, y, z : float
         Where it begins [m], in the axes of the body; below zero (also -0.0) in the second one.
+    onsets : tuple of EllipticPartOnset
+        The same of each body that has a strength.
     """
 
     __words__ = words(
+        onsets=("", None, "onset of yield of each body, layer and base"),
         contact=("", None, "the contact when yielding begins"),
         x=("x", "m", "place along the surface"),
     )
@@ -137,6 +141,7 @@ class EllipticYieldOnsetSolution:
     x: float
     y: float
     z: float
+    onsets: tuple[EllipticPartOnset, ...]
 
     @property
     def depth(self) -> float:
@@ -161,12 +166,7 @@ class EllipticYieldOnsetSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
-        criterion = Note(
-            Assumption.ELASTIC,
-            Standing.EXACT,
-            "Yielding begins where the von Mises stress of the elastic field first reaches the strength.",
-            "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
-        )
+        criterion = onset_note([(one.name, one.force) for one in self.onsets], "N")
         others = (note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC)
         rubbed = sliding_note(self.problem.medium, self.problem.friction.coefficient)
         if self.problem.friction.coefficient == 0.0 and self.problem.angle != 0.0:

@@ -37,7 +37,7 @@ from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["GreatestStress", "greatest_stress", "sharp_places", "stress_in_plane"]
+__all__ = ["INTERFACE_OFFSET", "GreatestStress", "greatest_stress", "sharp_places", "stress_in_plane"]
 
 EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""

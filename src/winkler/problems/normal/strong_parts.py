@@ -61,13 +61,11 @@ def _parts(medium: object) -> Iterator[StrongPart]:
         medium = medium.bodies
     first, second = getattr(medium, "first", None), getattr(medium, "second", None)
     if isinstance(medium, CoatedBody | StackedBody):
-        top = 0.0
-        for number, layer in enumerate(medium.layers, 1):
-            if isinstance(layer.solid, Elastic):  # no single strength belongs to a transversely isotropic one
-                yield StrongPart(f"layer {number}", layer.solid, True, top, top + layer.thickness)
-            top += layer.thickness
-        if isinstance(medium.on, Elastic):
-            yield StrongPart("body under the layers", medium.on, True, top)
+        solids = [layer.solid for layer in medium.layers] + [medium.on]
+        for number, (solid, span) in enumerate(zip(solids, medium.spans, strict=False), 1):
+            if isinstance(solid, Elastic):  # no single strength belongs to a transversely isotropic one
+                name = f"layer {number}" if number <= len(medium.layers) else "body under the layers"
+                yield StrongPart(name, solid, True, *span)
     elif isinstance(first, Elastic):
         yield StrongPart("first body", first, True)
     if isinstance(second, Elastic):

@@ -38,8 +38,6 @@ RADIUS_SHARES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the contact radius that are examined where the profile may fall."""
 SLIDING_ROUNDING = 1e-9
 """By which part the shear force may fall short of what friction bears where all slides: rounding."""
-WIDEST_ON_LAYER = 10.0
-"""Contact radius over the thickness of the uppermost layer beyond which stresses in layers are not computed here."""
 
 
 class SurfaceFriction(NamedTuple):
@@ -123,7 +121,7 @@ class _Verdict(NamedTuple):
 def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: SurfaceFriction) -> _Verdict:
     """Return what is known of one part; the share is that of its strength."""
     try:
-        _refuse_costly(contacts[0])
+        _refuse_relaxing(contacts[0])
         plain = max((greatest_stress(contact, part) for contact in contacts), key=lambda stress: stress.value)
     except (OutsideValidity, NotConverged) as error:
         why = str(error).rstrip(".")
@@ -140,15 +138,9 @@ def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: SurfaceF
     return _rubbed(contacts[0], part, rubbing, share, lower)
 
 
-def _refuse_costly(pressed: PressedSprings) -> None:
-    medium = pressed.bed.medium
-    if isinstance(medium, RelaxingMedium):
+def _refuse_relaxing(pressed: PressedSprings) -> None:
+    if isinstance(pressed.bed.medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
-    if isinstance(medium, CoatedBody | StackedBody) and pressed.radius > WIDEST_ON_LAYER * medium.layers[0].thickness:
-        raise OutsideValidity(
-            f"the contact is more than {WIDEST_ON_LAYER:g} times as wide as the uppermost layer is thick; use "
-            "peak_stress for the stresses inside."
-        )
 
 
 def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
@@ -167,6 +159,16 @@ def _is_bonded(medium: StackedBody) -> bool:
     return all(is_bonded(layer) for layer in medium.stack)
 
 
+def _resolved(pressed: PressedSprings) -> Standing:
+    """Return whether the stresses are known everywhere, or in layers rounded off next to the edge."""
+    medium = pressed.bed.medium
+    if not isinstance(medium, CoatedBody | StackedBody):
+        return Standing.EXACT
+    from winkler.media.layered.hankel_waves import blurred  # loaded with layers
+
+    return Standing.ASYMPTOTIC if blurred(medium.layers[0].thickness, pressed.radius) else Standing.EXACT
+
+
 def _frictionless(
     pressed: PressedSprings, part: StrongPart, largest: GreatestStress, share: float, added: str
 ) -> _Verdict:
@@ -177,7 +179,7 @@ def _frictionless(
     if share < 1.0:
         onset = f"yielding begins at {load:.4g} N; " if load else ""
         return _Verdict(
-            Standing.EXACT,
+            _resolved(pressed),
             share,
             f"By von Mises' criterion {onset}the contact stays elastic: its greatest stress is {where}.",
             MISES,
@@ -205,7 +207,7 @@ def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: SurfaceFriction,
             "By von Mises' criterion the contact stays elastic, and would if all of it slid with the coefficient "
             f"{mu:.3g}: the greatest stress would then be {share_of(bound, part)}, {where}."
         )
-        return _Verdict(Standing.EXACT, bound, statement, source)
+        return _Verdict(_resolved(pressed), bound, statement, source)
     slid = most
     if 0.0 < rubbing.slid < pressed.depth:
         radius = float(at_depth(pressed.bed, np.array([rubbing.slid]))[1][0])

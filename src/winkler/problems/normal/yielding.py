@@ -7,29 +7,30 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, LayeredMedium
+from winkler.media.layered.hankel_waves import blurred
 from winkler.media.stacked.stacked import SlidingStack
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.normal.greatest_stress import GreatestStress
-from winkler.problems.normal.onset.search import greatest_in, onset_in, weakest_first
+from winkler.problems.normal.onset.part_onset import PartOnset, onset_note
+from winkler.problems.normal.onset.search import greatest_in, onset_in
 from winkler.problems.normal.single_contact import refuse_unless_disc
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["YieldOnset", "YieldOnsetSolution", "part_that_yields"]
+__all__ = ["YieldOnset", "YieldOnsetSolution", "onset_of_part", "part_that_yields"]
 
 FRICTIONLESS = Coulomb(0.0)
 
 
 @value
 class YieldOnset:
-    r"""At which load does the first of the bodies begin to yield, pressed or while it slides?
+    r"""At which load does each of the bodies begin to yield, pressed or while it slides, and which is the first?
 
     A contact that slides carries the traction :math:`\mu p` of Coulomb's law; the pressure is taken to be that without
     friction, as usual: what the traction adds to it is left out (`validity` says of which order that is).
@@ -80,33 +81,50 @@ class YieldOnset:
         OutsideValidity
             If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach,
             or where the contact is no disc; under the edge of an incompressible truncated body; on layers, if the
-            contact would be ten times as wide as the uppermost layer is thick.
+            contact would be thousands of times as wide as the uppermost layer is thick.
         NotConverged
             If the contact radius at the onset is not found.
         """
-        mu = self.friction.coefficient
-        onsets: list[tuple[float, GreatestStress, StrongPart]] = []
-        missed = []
-        for part in weakest_first(self.bed, mu):
-            if onsets:
-                narrowest = min(onsets, key=_radius)[0]
-                if greatest_in(self.bed, part, narrowest, True, mu).value < part.solid.strength:
-                    continue  # still elastic where another part yields
-            onset = onset_in(self.bed, part, mu)
-            if isinstance(onset, str):
-                missed.append(onset)
-            else:
-                onsets.append((*onset, part))
-        if not onsets:
-            raise OutsideValidity(missed[0])
-        radius, place, part = min(onsets, key=_radius)
-        at = np.array([radius])
-        depth = float(self.bed.gap(at)[0])
-        force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
-        if not self.bed.certain:
-            refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
-        z = place.z if part.first else -place.z
-        return YieldOnsetSolution(self, depth, force, radius, r=abs(place.x), z=z, x=place.x)
+        parts, rows = strong_parts(self.bed.medium), []
+        failures: dict[StrongPart, OutsideValidity | NotConverged] = {}
+        for number, part in enumerate(parts, 1):
+            try:
+                rows.append(onset_of_part(self, number, part))
+            except (OutsideValidity, NotConverged) as error:
+                failures[part] = error
+                never, nowhere = math.inf, math.nan
+                rows.append(PartOnset(number, never, never, never, nowhere, nowhere, part.name, str(error)))
+        first = min(rows, key=lambda row: row.radius)
+        if math.isinf(first.radius):
+            raise failures[parts[0]]
+        for part, failure in failures.items():  # is it elastic where another part yields?
+            greatest = greatest_in(self.bed, part, first.radius, True, self.friction.coefficient)
+            if greatest.sharp or greatest.value >= part.solid.strength:
+                raise failure
+        return YieldOnsetSolution(
+            self, first.depth, first.force, first.radius, abs(first.x), first.z, first.x, tuple(rows)
+        )
+
+
+def onset_of_part(problem: YieldOnset, number: int, part: StrongPart) -> PartOnset:
+    """Return the onset of one part of the bodies of a problem, the first of which has the number 1.
+
+    Raises
+    ------
+    OutsideValidity, NotConverged
+        As of `YieldOnset.solve`.
+    """
+    bed = problem.bed
+    found = onset_in(bed, part, problem.friction.coefficient)
+    if isinstance(found, str):
+        raise OutsideValidity(found)
+    radius, place = found
+    at = np.array([radius])
+    depth = float(bed.gap(at)[0])
+    if not bed.certain:
+        refuse_unless_disc(bed, depth, radius, min(bed.reach, bed.rim))
+    force = float((bed.stiffness(at) * depth - bed.gap_load(at))[0])
+    return PartOnset(number, force, radius, depth, place.x, place.z if part.first else -place.z, part.name)
 
 
 @value
@@ -125,9 +143,14 @@ class YieldOnsetSolution:
     x : float
         The same distance in the direction in which the surface of that body is dragged [m]: negative behind the middle.
         Without friction it is `r`.
+    onsets : tuple of PartOnset
+        The same of each part that has a strength, from the uppermost layer of the first body down.
     """
 
-    __words__ = words(x=("x", "m", "place in the direction in which the surface is dragged"))
+    __words__ = words(
+        x=("x", "m", "place in the direction in which the surface is dragged"),
+        onsets=("", None, "onset of yield of each body, layer and base"),
+    )
 
     problem: YieldOnset
     depth: float
@@ -136,30 +159,21 @@ class YieldOnsetSolution:
     r: float
     z: float
     x: float
+    onsets: tuple[PartOnset, ...]
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
+        medium = self.problem.bed.medium
+        fades = isinstance(medium, LayeredMedium) and blurred(medium.response.length, self.radius)
         return (
             *self.problem.bed.notes,
-            sliding_note(self.problem.bed.medium, self.problem.friction.coefficient),
-            Note(
-                Assumption.ELASTIC,
-                Standing.EXACT,
-                f"Yielding begins in the {part_that_yields(self).name}, where the von Mises stress of the elastic "
-                "field first reaches its strength.",
-                "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
-            ),
+            sliding_note(medium, self.problem.friction.coefficient),
+            onset_note([(one.name, one.force) for one in self.onsets], "N", fades=fades),
         )
-
-
-def _radius(onset: tuple[float, GreatestStress, StrongPart]) -> float:
-    return onset[0]
 
 
 def part_that_yields(solution: YieldOnsetSolution) -> StrongPart:
     """Return the body, layer or base that yields first."""
-    first = math.copysign(1.0, solution.z) > 0.0  # on the surface of the second body z is -0.0
-    parts = [part for part in strong_parts(solution.problem.bed.medium) if part.first == first]
-    depth = abs(solution.z)
-    return min(parts, key=lambda part: max(part.top - depth, depth - part.bottom, 0.0))
+    first = min(solution.onsets, key=lambda onset: onset.radius)
+    return strong_parts(solution.problem.bed.medium)[first.part - 1]

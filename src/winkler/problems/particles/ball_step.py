@@ -14,6 +14,7 @@ from winkler.problems.particles.ball_forces import (
     tilting_of_ball,
     twisting_of_ball,
 )
+from winkler.problems.particles.table_step import all_finite
 
 __all__ = ["BALL_NUMBERS", "step_ball"]
 
@@ -41,7 +42,7 @@ def step_ball(
     answer : ndarray, (9,)
         Those of `BALL_NUMBERS`.
     """
-    if motion[0] > law[5]:
+    if motion[0] > law[5] or not all_finite(motion):
         for k in range(answer.size):
             answer[k] = math.nan
         return

@@ -37,7 +37,7 @@ def step_damped(
         Force [N], elastic energy [J], heat so far [J].
     """
     f, k, e = follow_table(depth, force, stiffness, energy, motion[0])
-    if math.isnan(f) or not motion[1] >= 0.0:
+    if math.isnan(f) or not motion[1] >= 0.0 or not math.isfinite(motion[0]):
         for i in range(answer.size):
             answer[i] = math.nan
         return

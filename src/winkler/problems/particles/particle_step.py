@@ -26,7 +26,7 @@ def step_particle(law: Array, memory: Array, motion: Array, answer: Array) -> No
         Force [N], contact radius [m], residual depth [m], energy [J], what has been lost so far [J].
     """
     depth = motion[0]
-    if depth > law[10]:
+    if not depth <= law[10]:  # nor not-a-number
         for k in range(answer.size):
             answer[k] = math.nan
         return

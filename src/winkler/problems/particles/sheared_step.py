@@ -9,7 +9,7 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.types import Array
-from winkler.problems.particles.table_step import follow_table
+from winkler.problems.particles.table_step import all_finite, follow_table
 
 __all__ = ["own_depth", "step_sheared"]
 
@@ -58,7 +58,7 @@ def step_sheared(
         Normal force, stiffness, shear force (2), elastic energy of pressing, that of shear, heat so far.
     """
     f, k, e = follow_table(depth, force, stiffness, energy, motion[0])
-    if math.isnan(f):
+    if math.isnan(f) or not all_finite(motion):
         for i in range(answer.size):
             answer[i] = math.nan
         return

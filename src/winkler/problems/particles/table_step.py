@@ -17,7 +17,7 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["cubic_energy", "follow_table", "monotone_intervals", "step_attracted", "step_table"]
+__all__ = ["all_finite", "cubic_energy", "follow_table", "monotone_intervals", "step_attracted", "step_table"]
 
 
 @compiled
@@ -29,12 +29,21 @@ def cubic_energy(force: float, first: float, mean: float, last: float, width: fl
 
 
 @compiled
+def all_finite(motion: Array) -> bool:
+    """Return whether a motion can be followed: what is not finite would spoil what the contact remembers, for ever."""
+    finite = True
+    for k in range(motion.size):
+        finite = finite and math.isfinite(motion[k])
+    return finite
+
+
+@compiled
 def follow_table(depth: Array, force: Array, stiffness: Array, energy: Array, d: float) -> tuple[float, float, float]:
     """Return force, stiffness and energy at a depth; not-a-number beyond the last row."""
     if d <= 0.0:
         return 0.0, 0.0, 0.0
     last = depth.size - 1
-    if d > depth[last]:
+    if not d <= depth[last]:  # nor not-a-number
         return math.nan, math.nan, math.nan
     j = max(int(np.searchsorted(depth, d)) - 1, 0)
     width = depth[j + 1] - depth[j]

@@ -16,14 +16,19 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.line import LineFoundation
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.line.greatest_stress import greatest, in_strip
 from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.stress import LineContact
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.strong_parts import solid_parts
+from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -159,12 +164,28 @@ def _greatest(contact: IndentationSolution | EllipticSolution | LineSolution, me
             if place.sharp:
                 raise OutsideValidity(f"ContactStress: {place.sharp}; round it off, or restore the fields beside it.")
             found.append(_Greatest(place.value, place.z if part.first else -place.z))
-    else:
-        medium = contact.problem.medium if isinstance(contact, EllipticSolution) else contact.problem.bed.medium
-        for part in solid_parts(medium):
+    elif isinstance(contact, EllipticSolution):
+        for part in solid_parts(contact.problem.medium):
             spot = contact.greatest_stress(measure=measure.__name__, below=part.first)
             found.append(_Greatest(spot.value, spot.z if part.first else -spot.z))
+    else:
+        strip = _strip(contact)
+        for part in solid_parts(contact.problem.bed.medium):
+            deep = greatest(strip._replace(poisson=part.solid.poisson), in_strip(measure))
+            found.append(_Greatest(deep.value, deep.z if part.first else -deep.z))
     return max(found, key=lambda one: one.value)
+
+
+def _strip(contact: LineSolution) -> LineContact:
+    """Return the strip of a line contact under one load, that touches and is nowhere sharp."""
+    force, bed = single(contact.force_per_length, "stresses"), contact.problem.bed
+    assert isinstance(bed, LineFoundation)  # on a HalfSpace
+    if force == 0.0:
+        raise OutsideValidity("ContactStress: the bodies do not touch, so there are no stresses; press harder.")
+    if not np.isfinite(contact.peak_pressure):
+        raise OutsideValidity("ContactStress: the stress below a sharp tip, kink or rim is infinite; round it off.")
+    half_width = float(contact.half_width)
+    return LineContact(bed, half_width, rim_load(bed, force, half_width), 0.0, 0.0)
 
 
 def _along_longer(contact: IndentationSolution | EllipticSolution | LineSolution, shorter: _Greatest) -> _Greatest:

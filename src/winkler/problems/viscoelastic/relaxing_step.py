@@ -12,6 +12,8 @@ __all__ = ["step_relaxing"]
 
 SUDDEN = 1e-20
 """Part of the shortest relaxation time in which nothing relaxes, to the last digit: rates over it would overflow."""
+ENDLESS = 1e12
+"""Of the longest relaxation time, after which all has relaxed; sums over longer ones would overflow."""
 
 
 @compiled
@@ -43,15 +45,17 @@ def step_relaxing(
     answer : ndarray, (6,)
         Force [N], radius [m], work, stored energy, loss [J], 1 where the contact is no disc.
     """
-    if motion[0] > solid[2] or not motion[1] >= 0.0:
+    if motion[0] > solid[2] or not math.isfinite(motion[0]) or not motion[1] >= 0.0:
         for k in range(answer.size):
             answer[k] = math.nan
         return
     change[0] = motion[0] - course[0]
     quick = motion[1]
+    slow = 0.0
     for i in range(times.size):
         quick = min(quick, SUDDEN * times[i])
-    span[0] = motion[1] if motion[1] > quick else 0.0
+        slow = max(slow, ENDLESS * times[i])
+    span[0] = min(motion[1], slow) if motion[1] > quick else 0.0
     law = (solid[0], solid[1], moduli, times, rates, displaced, back, forth, modes)
     advance_springs(law, (gap, weight, position), (place, memory, pressed, counts), course, change, span, numbers)
     past[0] += numbers[0, 2]

@@ -1,5 +1,5 @@
 """Events of a solution: the jumps of a cycle, the branches of a curve, the limit of a sheared contact, the stages of an
-impact.
+impact, the onsets of yield of several bodies.
 
 Each event becomes a row of numbers with names and glossary entries, for tables and archives.
 """
@@ -18,6 +18,7 @@ EVENTS = {
     "branches": "Stable branches",
     "jumps": "Jumps",
     "stages": "Sticking and sliding",
+    "onsets": "Where each body begins to yield",
 }
 """Attribute of a solution -> title of its table."""
 

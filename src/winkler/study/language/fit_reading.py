@@ -15,6 +15,7 @@ import numpy as np
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.parameters import number_at
 from winkler.io.foreign import path_text, reason_of
+from winkler.io.text_file import path_of
 from winkler.limits import MOST_CURVES
 from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath
@@ -50,7 +51,7 @@ def read_fit_study(path: str | Path, *, segments: tuple[str, ...] = ()) -> FitSt
     InvalidInput
         With one sentence for every mistake: file, key, what it was, what is allowed.
     """
-    path = Path(path)
+    path = path_of(path)
     text = read_text(path)
     return parse_fit_study(_with_segments(text, path, segments), file=path.name, folder=path.parent)
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from winkler.errors import InvalidInput, WinklerError
 from winkler.io.foreign import path_text
-from winkler.io.text_file import content_of
+from winkler.io.text_file import content_of, path_of
 from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study.language import axes
 from winkler.study.language.build import assembled
@@ -47,7 +47,7 @@ def read_study(path: str | Path) -> Study:
     InvalidInput
         With one sentence for every mistake: file, key, its value, what is allowed.
     """
-    path = Path(path)
+    path = path_of(path)
     return parse_study(read_text(path), file=path.name, folder=path.parent)
 
 
@@ -121,6 +121,7 @@ def parsed(text: str, file: str) -> dict[str, Any]:
     InvalidInput
         If it is not TOML, or empty.
     """
+    text = text.removeprefix("\ufeff")  # with which some editors begin a file of UTF-8
     marks = sum(map(text.count, SEPARATORS)) + text.count(" ") // SPACES_PER_ENTRY
     if marks > STUDY_MARKS:
         raise InvalidInput(

@@ -23,7 +23,7 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
     },
     "calibration": {
         "reference": (None, "reference samples, one [[calibration.reference]] each"),
-        "terms": (None, "number of area coefficients, 1 to 8; as many as are justified if left out"),
+        "terms": (None, "number of area coefficients, 1 to 8; the mean over 1 to 4 if left out"),
         "frame_stiffness": ("N/m", "of the frame, where it is known and not fitted"),
         "young": ("Pa", "Young's modulus of the tip; 1141 GPa if left out"),
         "poisson": ("", "Poisson's ratio of the tip; 0.07 if left out"),

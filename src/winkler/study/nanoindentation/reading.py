@@ -129,7 +129,9 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         sources, references = _references(section.pop("reference", []), folder)
         terms = section.pop("terms", 0)
         if isinstance(terms, bool) or not isinstance(terms, int) or not 0 <= terms <= 8:
-            raise InvalidInput(f"calibration.terms is {terms!r}; give a whole number from 0 (as justified) to 8.")
+            raise InvalidInput(
+                f"calibration.terms is {terms!r}; give a whole number from 0 (the mean over 1 to 4) to 8."
+            )
         solid = Elastic(section.pop("young", DIAMOND.young), section.pop("poisson", DIAMOND.poisson))
         indenter = CalibratedIndenter(
             CalibratedArea((24.5,)), solid=solid, shape_factor=section.pop("shape_factor", 1.0)

@@ -123,6 +123,8 @@ def calibration_rows(outcome: NanoindentationOutcome) -> list[tuple[str, str, st
         low, high = item.contact_depth.min(), item.contact_depth.max()
         rows.append(("contact depths", f"{with_unit(float(low), 'm', 3)} to {with_unit(float(high), 'm', 3)}", ""))
         rows.append(("scatter over that of the noise", f"{math.sqrt(item.factor):.2f}", ""))
+        if math.isfinite(item.correlation):
+            rows.append(("correlation of frame and area", f"{item.correlation:.3f}", ""))
     return rows
 
 
@@ -256,4 +258,5 @@ def _failures(outcome: NanoindentationOutcome) -> str:
 def _notes(outcome: NanoindentationOutcome) -> tuple[Note, ...]:
     from winkler.validity import worst_of_each
 
-    return worst_of_each(note for one in outcome.evaluated for note in one.solution.validity)
+    calibrated = [note for item in outcome.calibration for note in item.validity]
+    return worst_of_each([*calibrated, *(note for one in outcome.evaluated for note in one.solution.validity)])

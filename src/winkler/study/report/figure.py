@@ -52,7 +52,7 @@ def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> ReportFigure:
     picture = render(sheet)
     _lay_out(picture)
     store = io.BytesIO()
-    picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
+    picture.savefig(store, format="svg", dpi=200, metadata={"Creator": None})
     return ReportFigure(name, title, sentence, picture, store.getvalue().decode("utf-8"))
 
 

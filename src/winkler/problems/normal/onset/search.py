@@ -15,38 +15,24 @@ from winkler.problems.normal.greatest_stress import GreatestStress, greatest_str
 from winkler.problems.normal.single_contact import refuse_unless_disc
 from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.problems.normal.yield_statement import RADIUS_SHARES, WIDEST_ON_LAYER
+from winkler.problems.normal.yield_statement import RADIUS_SHARES
 
-__all__ = ["greatest_in", "onset_in", "weakest_first"]
+__all__ = ["greatest_in", "onset_in"]
 
 MOST_STEPS, OCTAVES = 40, 500
 ROUGH_MISS = 0.02
 """Logarithm of stress over strength below which stresses in layers are sought finely."""
+LAST_MISS, LAST_MISS_IN_LAYERS = 0.0, 1e-5
+"""Logarithm of stress over strength whose square is the error of one more secant."""
 SEEN_DISTANCE = 0.15
 """Part of the contact radius at the onset within which the stress at a smaller radius need not be sought again."""
 BEYOND_ONSET, NEARER_STEPS = 6.0, 4
 """Slope of the equivalent profile of a ball that yields, times modulus over strength, or a little more (it is 5.1 for
 Poisson's ratios of 0.3); steps towards the radius at which a profile has it."""
+WIDEST_ON_LAYER = 4096.0
+"""Contact radius over the thickness of the uppermost layer up to which the onset is sought."""
 REACH_SHARE = 0.999
 """Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
-
-
-def weakest_first(bed: Bed, mu: float) -> tuple[StrongPart, ...]:
-    """Return the parts, in layers in the order of stress over strength near the onset: of most one look is enough."""
-    parts = strong_parts(bed.medium)
-    if isinstance(bed.medium, HalfSpace) or len(parts) == 1:
-        return parts
-    flat = flat_radius(bed)
-    end = min(bed.reach, bed.rim, WIDEST_ON_LAYER * bed.medium.layers[0].thickness)  # type: ignore[attr-defined]
-    if flat >= end:
-        return parts
-    a = _start(bed, flat, end, min(part.solid.strength for part in parts))
-    while True:
-        shares = [greatest_in(bed, part, a, False, mu).value / part.solid.strength for part in parts]
-        if max(shares) >= 1.0 or a >= end:
-            break
-        a = min(flat + 2.0 * (a - flat), end)
-    return tuple(part for _, part in sorted(zip(shares, parts, strict=True), key=lambda pair: -pair[0]))
 
 
 def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStress] | str:
@@ -59,7 +45,7 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
         if flat > widest:
             return _too_wide(part, widest)
     end = min([bed.reach, bed.rim, widest, *(b for b in sharp if b > flat)])
-    a = _start(bed, flat, end, strength)
+    a = _start(bed, flat, end, min(one.solid.strength for one in strong_parts(bed.medium)))  # parts share their radii
     if not buried:
         _refuse_first_touch(bed, part, a, flat, sharp, mu)
     elif bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
@@ -75,7 +61,7 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
         vertical = not math.isfinite(float(bed.gap_slope(np.array([end]))[0]))  # as the equator of a ball
     below: tuple[float, float] | None = None
     if end == widest < math.inf:
-        while (share := stress(a, fine=False).value / strength) < 1.0:  # wide contacts on layers take long
+        while (share := stress(a, fine=False).value / strength) < 1.0:
             if a == end:
                 return _too_wide(part, widest)
             below = (math.log(a - flat), math.log(share)) if share > 0.0 else None
@@ -103,15 +89,17 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
                 f"{place.value:.6g} Pa, below the strength, {strength:.6g} Pa: the body does not yield before; check "
                 "the units of strength and modulus."
             )
-    found = _crossing(stress, strength, flat, end, a, below)
-    if isinstance(found, str) or isinstance(bed.medium, HalfSpace):
+    homogeneous = isinstance(bed.medium, HalfSpace)
+    near = LAST_MISS if homogeneous else LAST_MISS_IN_LAYERS
+    found = _crossing(stress, strength, flat, end, a, near, below)
+    if isinstance(found, str) or homogeneous:
         return found
     for share in RADIUS_SHARES[:-1]:  # in layers the stress need not grow with the load
         earlier = flat + share * (found[0] - flat)
         if any(abs(radius - earlier) < SEEN_DISTANCE * (found[0] - flat) for radius in seen):
             continue
         if stress(earlier, fine=False).value >= strength:
-            return _crossing(stress, strength, flat, earlier, 0.5 * (flat + earlier))
+            return _crossing(stress, strength, flat, earlier, 0.5 * (flat + earlier), near)
     return found
 
 
@@ -121,11 +109,13 @@ def _crossing(
     flat: float,
     end: float,
     a: float,
+    near: float,
     last: tuple[float, float] | None = None,
 ) -> tuple[float, GreatestStress] | str:
     """Return where the stress reaches the strength between two radii [m], from one of them on; or why it does not.
 
-    `last` is the logarithm of a smaller radius over `flat`, and that of the stress there over the strength.
+    `near` is the logarithm of stress over strength from which one more secant, without a look, suffices; `last` is the
+    logarithm of a smaller radius over `flat`, and that of the stress there over the strength.
     """
     low, high, fine = flat, end, False
     for _ in range(MOST_STEPS):
@@ -136,6 +126,9 @@ def _crossing(
             miss = math.log(place.value / strength)
         if abs(miss) < 1e-10:
             return a, place
+        if fine and abs(miss) < near and last is not None:
+            power = (miss - last[1]) / (math.log(a - flat) - last[0])
+            return flat + (a - flat) * math.exp(-miss / power), place
         if last is not None and abs(miss - last[1]) < 1e-8 * abs(math.log(a - flat) - last[0]):
             return _the_same(place.value, strength)
         low, high = (a, high) if miss < 0.0 else (low, a)
@@ -178,8 +171,8 @@ def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float
 def _too_wide(part: StrongPart, widest: float) -> str:
     return (
         f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the "
-        f"uppermost layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; stresses of "
-        "wider contacts on layers are not computed."
+        f"uppermost layer, the {part.name} does not reach its strength, {part.solid.strength:.6g} Pa; leave so thin a "
+        "layer out."
     )
 
 

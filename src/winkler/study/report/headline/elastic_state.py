@@ -23,7 +23,7 @@ from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts
-from winkler.problems.normal.yielding import YieldOnset
+from winkler.problems.normal.yielding import YieldOnset, onset_of_part
 from winkler.profiles.power import Paraboloid
 from winkler.study.batch.outcome import SolvedPoint
 from winkler.study.report.figures import shown_contact
@@ -52,7 +52,7 @@ class ElasticState(NamedTuple):
     strength
         Of that body [Pa]; infinite where none was given.
     yield_load
-        Load at which the first body yields; not a number where it is not known.
+        Load at which that body yields; not a number where it is not known.
     unit
         Of the load: N, or N/m of a strip.
     """
@@ -96,7 +96,7 @@ def _round(contact: IndentationSolution) -> ElasticState | None:
         return None
     part, place = _nearest([(part, greatest_stress(pressed, _alike(parts, part, pressed))) for part in parts])
     peak = float(np.max(contact.peak_pressure))
-    onset = _onset(pressed.bed, place.sharp) if part.solid.strength < math.inf else math.nan
+    onset = _onset(pressed.bed, part, place.sharp) if part.solid.strength < math.inf else math.nan
     return ElasticState(peak, place.value, place.z, part.name, place.sharp, part.solid.strength, onset, "N")
 
 
@@ -108,10 +108,10 @@ def _alike(parts: tuple[StrongPart, ...], part: StrongPart, pressed: PressedSpri
 
 
 @functools.lru_cache(maxsize=64)
-def _onset(bed: Any, sharp: str) -> float:
-    """Return the force at which a round contact begins to yield [N]; not a number where that is not known."""
+def _onset(bed: Any, part: StrongPart, sharp: str) -> float:
+    """Return the force at which the part nearest to its strength yields [N]; not a number where that is not known."""
     try:
-        return 0.0 if sharp else YieldOnset(bed).solve().force
+        return 0.0 if sharp else onset_of_part(YieldOnset(bed), 1, part).force
     except WinklerError:
         return math.nan
 

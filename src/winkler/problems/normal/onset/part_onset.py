@@ -1,0 +1,101 @@
+"""The loads at which each body, layer and base begins to yield, and what is stated of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from winkler.readable import with_unit
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["NAME", "PART", "EllipticPartOnset", "PartOnset", "onset_note"]
+
+MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582"
+PART = ("", "", "number of the part that has a strength, from the surface of the first body down")
+NAME = ("", None, "what the part is called")
+
+
+@value
+class PartOnset:
+    """The onset of yield of one body, layer or base, as if the others stayed elastic.
+
+    Parameters
+    ----------
+    part : int
+        Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+    force, radius, depth : float
+        [N], [m], [m] when it begins to yield; infinite where it does not within what was examined.
+    x, z : float
+        Where [m], as of `YieldOnsetSolution`; nan where it does not yield.
+    name : str
+        What it is called.
+    why : str
+        Why no onset was found; empty where it was.
+    """
+
+    __words__ = words(
+        part=PART,
+        x=("x", "m", "place in the direction in which the surface is dragged"),
+        name=NAME,
+        why=("", None, "why no onset was found"),
+    )
+
+    part: int
+    force: float
+    radius: float
+    depth: float
+    x: float
+    z: float
+    name: str
+    why: str = ""
+
+
+@value
+class EllipticPartOnset:
+    """The onset of yield of one of two bodies below an ellipse, as if the other stayed elastic.
+
+    Parameters
+    ----------
+    part : int
+        Which of the bodies that have a strength it is, 1 the first.
+    force : float
+        [N] when it begins to yield.
+    x, y, z : float
+        Where [m], as of `EllipticYieldOnsetSolution`.
+    name : str
+        What it is called.
+    """
+
+    __words__ = words(part=PART, name=NAME, x=("x", "m", "place along the surface"))
+
+    part: int
+    force: float
+    x: float
+    y: float
+    z: float
+    name: str
+
+
+def onset_note(rows: Sequence[tuple[str, float]], unit: str, *, fades: bool = False) -> Note:
+    """Return which part yields first, and under which load each does.
+
+    Parameters
+    ----------
+    rows : sequence of tuple
+        The name of each part, and its load in the unit.
+    unit : str
+    fades : bool
+        Whether the contact is so wide that the shortest waves in the layers are left out.
+    """
+    first = min(rows, key=lambda row: row[1])[0]
+    text = f"Yielding begins in the {first}, where the von Mises stress of the elastic field first reaches its strength"
+    if len(rows) > 1:
+        loads = [
+            f"the {name} {f'at {with_unit(load, unit)}' if math.isfinite(load) else 'not within what was examined'}"
+            for name, load in rows
+        ]
+        text += f"; each as if the others stayed elastic: {', '.join(loads)}"
+    if fades:
+        text += "; in layers as thin as these, stresses within a hundredth of the contact from its edge are rounded off"
+    return Note(Assumption.ELASTIC, Standing.ASYMPTOTIC if fades else Standing.EXACT, f"{text}.", MISES)
