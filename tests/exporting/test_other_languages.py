@@ -87,7 +87,7 @@ def test_each_word_that_the_files_in_fortran_use_is_refused(name):
     used = set()
     for file in ("placeholder.f90", "placeholder_test.f90"):
         for line in files[file].splitlines():
-            code = re.sub(r"%\s*\w+|\"[^\"]*\"|[0-9.]+e[-+]?\d+", " ", line).partition("!")[0]
+            code = re.sub(r"%\s*\w+|\"[^\"]*\"|\b[0-9.]+e[-+]?\d+", " ", line).partition("!")[0]
             member = "::" in code and ("c_double" in code or "c_int" in code or "c_bool" in code) and "!" in line
             used |= {word.lower() for word in re.findall(r"[A-Za-z]\w*", code.partition("::")[0] if member else code)}
     used = {word for word in used if "placeholder" not in word and not word.endswith("_")}  # numbers of the state
