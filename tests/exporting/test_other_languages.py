@@ -101,6 +101,8 @@ def test_files_of_two_targets_share_a_name_only_if_they_are_the_same():
     found = {}
     for to in (target for target in TARGETS if target != "wasm"):
         for file, content in export(PROBLEMS["ball"], to, count=3, tolerance=1e-3).files:
+            if isinstance(content, str):  # all but the mark of the set of files to which it belongs
+                content = "\n".join(line for line in content.splitlines() if "EXPORT" not in line)
             assert found.setdefault(file, content) == content, (to, file)
     assert {"contact.fmu", "contact_fmi3.fmu"} <= set(found)
 
