@@ -87,7 +87,7 @@ def test_each_word_that_the_files_in_fortran_use_is_refused(name):
     used = set()
     for file in ("placeholder.f90", "placeholder_test.f90"):
         for line in files[file].splitlines():
-            code = re.sub(r"%\s*\w+|\"[^\"]*\"|[0-9.]+e[-+]?\d+", " ", line).partition("!")[0]
+            code = re.sub(r"%\s*\w+|\"[^\"]*\"|\b[0-9.]+e[-+]?\d+", " ", line).partition("!")[0]
             member = "::" in code and ("c_double" in code or "c_int" in code or "c_bool" in code) and "!" in line
             used |= {word.lower() for word in re.findall(r"[A-Za-z]\w*", code.partition("::")[0] if member else code)}
     used = {word for word in used if "placeholder" not in word and not word.endswith("_")}  # numbers of the state
@@ -101,6 +101,8 @@ def test_files_of_two_targets_share_a_name_only_if_they_are_the_same():
     found = {}
     for to in (target for target in TARGETS if target != "wasm"):
         for file, content in export(PROBLEMS["ball"], to, count=3, tolerance=1e-3).files:
+            if isinstance(content, str):  # all but the mark of the set of files to which it belongs
+                content = "\n".join(line for line in content.splitlines() if "EXPORT" not in line)
             assert found.setdefault(file, content) == content, (to, file)
     assert {"contact.fmu", "contact_fmi3.fmu"} <= set(found)
 

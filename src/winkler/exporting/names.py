@@ -27,7 +27,8 @@ static_cast template this throw try typeid typename using virtual xor std lammps
 """
 FORTRAN = """
 abs bind block call contains do else end error function if implicit import in inout integer intent interface intrinsic
-logical max maxval merge module name none out print procedure program real result stop submodule subroutine type use
+logical max maxval merge module name none out parameter print procedure program real result stop submodule subroutine
+type use
 iso_c_binding c_alert c_associated c_backspace c_bool c_carriage_return c_char c_double c_double_complex c_f_pointer
 c_f_procpointer c_f_strpointer c_float c_float128 c_float128_complex c_float_complex c_form_feed c_funloc c_funptr
 c_horizontal_tab c_int c_int8_t c_int16_t c_int32_t c_int64_t c_int128_t c_int_fast8_t c_int_fast16_t c_int_fast32_t
