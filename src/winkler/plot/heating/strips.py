@@ -75,4 +75,5 @@ def _speeds_panel(item: StripSolution) -> Panel:
     label = "speed of sliding $v$" if rubs else "speed of the faster surface $V$"
     across = PanelAxis(label, middle_scale("m/s", speed), log=True)
     scale = middle_scale("K", flash.content)
-    return Panel(tuple(marks), across, PanelAxis("flash temperature", scale, log=True), legend="upper left")
+    legend = "upper left" if rubs else "upper right"  # friction makes more heat at speed, and the curve rises
+    return Panel(tuple(marks), across, PanelAxis("flash temperature", scale, log=True), legend=legend)
