@@ -107,7 +107,11 @@ def strips(rng):
     n = 20
     edges = np.linspace(0.01, 0.99, 2 * n + 1)
     halves = np.log(edges[1:] / edges[:-1]) - np.log((1.0 - edges[1:]) / (1.0 - edges[:-1]))
-    return float(rng.uniform(-0.9, 0.9)), rng.normal(size=4), halves, np.zeros((2, n + 1)), np.zeros(n + 1), np.zeros(4)
+    fall = np.append(rng.normal(size=4), rng.choice([0.4, 1.0]))
+    return (
+        float(rng.uniform(-0.9, 0.9)), rng.normal(size=4), fall, halves, np.zeros((2, n + 1)), np.zeros(n + 1),
+        np.zeros(4),
+    )  # fmt: skip
 
 
 def rows(rng):

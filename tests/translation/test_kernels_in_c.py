@@ -110,6 +110,6 @@ def test_what_is_refused_names_its_place(name):
     from winkler.numerics.springs import fastsim
 
     kernel = getattr(fastsim, name)
-    arguments = {"rolled": (np.zeros((1, 4)), 5, np.zeros((1, 4))), "passages": (5,)}[name]
+    arguments = {"rolled": (np.zeros((1, 4)), np.ones((1, 5)), 5, np.zeros((1, 4))), "passages": (5,)}[name]
     with pytest.raises(InvalidInput, match=r"winkler/numerics/springs/fastsim\.py:\d+: an array is returned; "):
         Translation().routine(kernel, tuple(map(type_of, arguments)))

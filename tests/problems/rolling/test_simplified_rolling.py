@@ -59,7 +59,7 @@ def plain_fastsim(drive: tuple[float, ...], count: int) -> np.ndarray:
 
 def over_disc(drives: np.ndarray, count: int) -> np.ndarray:
     sums = np.empty((len(drives), 4))
-    rolled(np.array(drives, dtype=float), count, sums)
+    rolled(np.array(drives, dtype=float), np.ones((len(drives), 5)), count, sums)
     return sums / (0.5 * math.pi)
 
 

@@ -5,12 +5,15 @@ On the unit disc, X along and Y across the direction of rolling, the traction of
 
 .. math:: \frac{\mathrm d\mathbf p}{\mathrm dt} = \mathbf v - \lambda\,\mathbf p,\quad
           \mathbf v = (A - CY,\ B + DX),\quad
-          |\mathbf p| \le g = 1-X^2-Y^2,\quad \lambda\ge0,\ \lambda\,(g-|\mathbf p|)=0 .
+          |\mathbf p| \le g = m\,(1-X^2-Y^2),\quad \lambda\ge0,\ \lambda\,(g-|\mathbf p|)=0 ,
+
+where :math:`m=k+(1-k)\,e^{-|\mathbf w|}` is what is left of friction at the rigid slip :math:`\mathbf w`, which has the
+form of :math:`\mathbf v`; :math:`k=1` under Coulomb's law.
 
 Where it sticks, p is a parabola and stepped exactly.  Where it slides, only the direction of p is unknown; with v held
 at the middle of a step it turns towards v by :math:`\tan\tfrac12\delta\propto\exp(-\int|\mathbf v|\,\mathrm dt/g)`,
-again in closed form: the rule is of second order under spin and exact without it.  Strips lie evenly in the angle
-:math:`\arcsin Y`, where the force of a strip is smooth.
+again in closed form: the rule, with m held as v is, is of second order under spin and exact without it.  Strips lie
+evenly in the angle :math:`\arcsin Y`, where the force of a strip is smooth.
 """
 
 from __future__ import annotations
@@ -46,6 +49,27 @@ def turn(ex: float, ey: float, vx: float, vy: float, distance: float) -> tuple[f
 
 
 @compiled
+def friction_left(fall: Array, x: float, y: float) -> float:
+    """Return m at a place; `fall` is as in `strip`."""
+    kept: float = fall[4]
+    if kept == 1.0:
+        return 1.0
+    wx, wy = fall[0] - fall[2] * y, fall[1] + fall[3] * x
+    return kept + (1.0 - kept) * math.exp(-math.sqrt(wx * wx + wy * wy))
+
+
+@compiled
+def friction_gained(fall: Array, x: float, y: float) -> float:
+    """Return dm/dt, towards the trailing edge; `fall` is as in `strip`."""
+    wx, wy = fall[0] - fall[2] * y, fall[1] + fall[3] * x
+    slip = math.sqrt(wx * wx + wy * wy)
+    if fall[4] == 1.0 or slip == 0.0:
+        return 0.0
+    gained: float = (1.0 - fall[4]) * math.exp(-slip) * fall[3] * (wy / slip)
+    return gained
+
+
+@compiled
 def passage(start: float, end: float) -> float:
     """Return the integral of dt / (t (1 - t)); infinite from or to an edge."""
     if start <= 0.0 or end >= 1.0:
@@ -64,18 +88,28 @@ def passages(count: int) -> Array:
 
 @compiled
 def crossing(
-    px: float, py: float, vx: float, vy: float, turning: float, start: float, end: float, whole: float
+    px: float,
+    py: float,
+    vx: float,
+    vy: float,
+    turning: float,
+    start: float,
+    end: float,
+    whole: float,
+    fall: Array,
+    y: float,
 ) -> float:
     """Return how far p grows within a step until it reaches its bound."""
     if turning == 0.0:
-        # p = v t equals t (whole - t)
-        return min(max(whole - math.sqrt(vx * vx + vy * vy), start), end)
+        # p = v t equals m t (whole - t)
+        return min(max(whole - math.sqrt(vx * vx + vy * vy) / friction_left(fall, 0.0, y), start), end)
     low, high = start, end
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         width = middle - start
         qx, qy = px + vx * width, py + (vy - turning * (start + 0.5 * width)) * width
-        if qx * qx + qy * qy > (middle * (whole - middle)) ** 2:
+        bound = friction_left(fall, 0.5 * whole - middle, y) * middle * (whole - middle)
+        if qx * qx + qy * qy > bound**2:
             high = middle
         else:
             low = middle
@@ -83,7 +117,7 @@ def crossing(
 
 
 @compiled
-def strip(y: float, drive: Array, halves: Array, tractions: Array, sliding: Array, sums: Array) -> None:
+def strip(y: float, drive: Array, fall: Array, halves: Array, tractions: Array, sliding: Array, sums: Array) -> None:
     """Follow one strip from the leading edge to the trailing one.
 
     Parameters
@@ -91,7 +125,9 @@ def strip(y: float, drive: Array, halves: Array, tractions: Array, sliding: Arra
     y
         Y of the strip, between -1 and 1.
     drive : ndarray, (4,)
-        A, B, C, D.
+        A, B, C, D of v.
+    fall : ndarray, (5,)
+        A, B, C, D of w, and k.
     halves : ndarray, (2 n,)
         What `passages` returns.
     tractions : ndarray, (2, n + 1)
@@ -110,7 +146,7 @@ def strip(y: float, drive: Array, halves: Array, tractions: Array, sliding: Arra
     px = py = 0.0
     speed = math.sqrt(vx * vx + base * base)
     # a particle that enters faster than its bound grows slides from the first, along v
-    slides = speed > whole
+    slides = speed > whole * friction_left(fall, front, y)
     ex, ey = (vx / speed, base / speed) if slides else (0.0, 0.0)
     sliding[0] = 1.0 if slides else 0.0
     for k in range(count):
@@ -121,9 +157,9 @@ def strip(y: float, drive: Array, halves: Array, tractions: Array, sliding: Arra
         if not slides:
             reached, width = end, end - start
             qx, qy = px + vx * width, py + (base - turning * (start + 0.5 * width)) * width
-            if qx * qx + qy * qy > (end * (whole - end)) ** 2:
+            if qx * qx + qy * qy > (friction_left(fall, front - end, y) * end * (whole - end)) ** 2:
                 slides = True
-                reached = crossing(px, py, vx, base, turning, start, end, whole)
+                reached = crossing(px, py, vx, base, turning, start, end, whole, fall, y)
                 width = reached - start
                 qx, qy = px + vx * width, py + (base - turning * (start + 0.5 * width)) * width
                 first = passage(reached / whole, 0.5 * (reached + end) / whole)
@@ -142,11 +178,19 @@ def strip(y: float, drive: Array, halves: Array, tractions: Array, sliding: Arra
                     ex, ey = turn(1.0, 0.0, vx, base, math.inf)
         if slides and start < end:
             middle = 0.5 * (start + end)
-            at, between, then = start * (whole - start), middle * (whole - middle), end * (whole - end)
+            left = friction_left(fall, front - end, y)
+            at = friction_left(fall, front - start, y) * start * (whole - start)
+            between = friction_left(fall, front - middle, y) * middle * (whole - middle)
+            then = left * end * (whole - end)
             mx, my, qx, qy = ex, ey, ex, ey
             if turning != 0.0:
-                mx, my = turn(ex, ey, vx, base - turning * 0.5 * (start + middle), first / whole)
-                qx, qy = turn(mx, my, vx, base - turning * 0.5 * (middle + end), second / whole)
+                early, late = 0.5 * (start + middle), 0.5 * (middle + end)
+                mx, my = turn(
+                    ex, ey, vx, base - turning * early, first / (whole * friction_left(fall, front - early, y))
+                )
+                qx, qy = turn(
+                    mx, my, vx, base - turning * late, second / (whole * friction_left(fall, front - late, y))
+                )
             part = (end - start) / 6.0
             along += part * (at * ex + 4.0 * between * mx + then * qx)
             across += part * (at * ey + 4.0 * between * my + then * qy)
@@ -155,24 +199,27 @@ def strip(y: float, drive: Array, halves: Array, tractions: Array, sliding: Arra
             )
             ex, ey, px, py = qx, qy, then * qx, then * qy
             # it sticks again once the bound grows faster than the traction is driven
-            slides = vx * ex + (base - turning * end) * ey >= whole - 2.0 * end
+            grows = left * (whole - 2.0 * end) + friction_gained(fall, front - end, y) * end * (whole - end)
+            slides = vx * ex + (base - turning * end) * ey >= grows
         tractions[0, k + 1], tractions[1, k + 1] = px, py
         sliding[k + 1] = 1.0 if slides else 0.0
     sums[0], sums[1], sums[2], sums[3] = along, across, twist, y * along
 
 
 @compiled
-def rolled(drives: Array, count: int, sums: Array) -> None:
+def rolled(drives: Array, falls: Array, count: int, sums: Array) -> None:
     """Sum the tractions over the disc for many creepages.
 
     Parameters
     ----------
     drives : ndarray, (m, 4)
         A, B, C, D of each.
+    falls : ndarray, (m, 5)
+        `fall` of each, as in `strip`.
     count
         Strips, and steps along each.
     sums : ndarray, (m, 4)
-        Receives the integrals of p_x, p_y, X p_y and Y p_x; that of the bound is pi / 2.
+        Receives the integrals of p_x, p_y, X p_y and Y p_x; that of the bound is pi / 2 where m = 1.
     """
     tractions, sliding, part = np.empty((2, count + 1)), np.empty(count + 1), np.empty(4)
     halves = passages(count)
@@ -181,19 +228,21 @@ def rolled(drives: Array, count: int, sums: Array) -> None:
         angle = math.pi * ((j + 0.5) / count - 0.5)
         weight = math.pi / count * math.cos(angle)
         for i in range(drives.shape[0]):
-            strip(math.sin(angle), drives[i], halves, tractions, sliding, part)
+            strip(math.sin(angle), drives[i], falls[i], halves, tractions, sliding, part)
             for word in range(4):
                 sums[i, word] += weight * part[word]
 
 
 @compiled
-def mapped(drive: Array, across: Array, tractions: Array, sliding: Array) -> None:
+def mapped(drive: Array, fall: Array, across: Array, tractions: Array, sliding: Array) -> None:
     """Follow strips at Y = `across`, and write down what they bear and where they slide.
 
     Parameters
     ----------
     drive : ndarray, (4,)
         A, B, C, D.
+    fall : ndarray, (5,)
+        As in `strip`.
     across : ndarray, (strips,)
         Y of the strips.
     tractions : ndarray, (strips, 2, n + 1)
@@ -203,4 +252,4 @@ def mapped(drive: Array, across: Array, tractions: Array, sliding: Array) -> Non
     """
     part, halves = np.empty(4), passages(sliding.shape[1] - 1)
     for j in range(across.size):
-        strip(across[j], drive, halves, tractions[j], sliding[j], part)
+        strip(across[j], drive, fall, halves, tractions[j], sliding[j], part)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from winkler.laws.varying_friction import greatest_coefficient
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
@@ -43,7 +44,7 @@ def _solved_at(item: Any, factor: Array) -> Any:
 
 
 def _friction_bound(problem: Any, force: float) -> float:
-    return float(problem.friction.coefficient) * force
+    return greatest_coefficient(problem.friction) * force
 
 
 def _strongest(item: Any) -> Any:

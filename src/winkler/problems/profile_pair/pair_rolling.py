@@ -25,7 +25,7 @@ from winkler.problems.profile_pair.pressed_pair import PlacedPair, pressed_pair
 from winkler.problems.profile_pair.profile_pair import ProfilePair
 from winkler.problems.profile_pair.rolled_patch import RolledPatch, rolled_patches
 from winkler.problems.profile_pair.rolling_notes import pair_rolling_notes
-from winkler.problems.surface_rolling.falling import refuse_rest
+from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -298,6 +298,7 @@ class ProfilePairRollingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: pixels, conformity, friction, creepages, yield."""
         stated = self.problem
-        return pair_rolling_notes(
+        notes = pair_rolling_notes(
             stated.pair.medium, stated.friction, self.patches, self.windows, self.grid_error, self.misfit
         )
+        return (*notes, *idle_speed_notes(stated.friction, stated.speed))

@@ -7,6 +7,10 @@ surface instead of the line.  Kalker chose the flexibilities so that creep force
 
 and the bound is a parabola, :math:`\mu\,\frac{2F_N}{\pi ab}(1-x^2/a^2-y^2/b^2)`.  His FASTSIM steps through the contact
 strip by strip; here the steps are those of `winkler.numerics.springs.fastsim`, of second order.
+
+Friction that falls with the velocity of slip takes that of the rigid bodies, as Polach's law does.  What the springs
+unload is left out: a spring that begins to slide slowly would at once bear less, slide faster, and jump.  Steps that
+include it alternate between stick and slip the more, the finer they are.
 """
 
 from __future__ import annotations
@@ -17,9 +21,9 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Advice, Whole
+from winkler.checks.number_checks import Advice, NonNegative, Whole
 from winkler.errors import InvalidInput
-from winkler.laws.friction import Sliding
+from winkler.laws.varying_friction import FallingFriction, Rolled, greatest_coefficient
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.springs.fastsim import mapped, rolled
@@ -29,7 +33,8 @@ from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
-from winkler.problems.rolling.simplified_validity import distance_notes, moment_note, size_note
+from winkler.problems.rolling.simplified_validity import distance_notes, falling_note, moment_note, size_note
+from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note
@@ -57,24 +62,29 @@ class SimplifiedRolling:
         The contact, or the curvatures it comes from.
     medium : HalfSpace
         The pair of bodies.
-    friction : Coulomb
-        Its coefficient positive and finite.
+    friction : Coulomb or FallingFriction
+        A coefficient that is positive and finite, or one that falls with the velocity at which the bodies, were they
+        rigid, would slip.
     creepage : Creepage
         Longitudinal, lateral and spin, also arrays.
     load : Force
         The normal force, one positive number.
     count : int, optional
         Strips across the contact, and steps along each.
+    speed : float, optional
+        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed; under
+        Coulomb's law forces do not depend on it.
 
     Raises
     ------
     InvalidInput
-        If the load is no positive number, the medium no HalfSpace, or friction not Coulomb's.
+        If the load is no positive number, the medium no HalfSpace, or friction falls and no speed is given.
 
     References
     ----------
     J. J. Kalker, Vehicle System Dynamics 11 (1982) 1-13, doi:10.1080/00423118208968684;
-    E. A. H. Vollebregt, P. Wilders, Comput. Mech. 47 (2011) 105-116
+    E. A. H. Vollebregt, P. Wilders, Comput. Mech. 47 (2011) 105-116;
+    O. Polach, Wear 258 (2005) 992-1000, doi:10.1016/j.wear.2004.03.046
 
     Examples
     --------
@@ -91,17 +101,23 @@ class SimplifiedRolling:
     (0.216, 0.0)
     """
 
-    __words__ = words(count=("n", "", "strips across the contact, and steps along each"))
+    __words__ = words(
+        count=("n", "", "strips across the contact, and steps along each"), speed=("V", "m/s", "speed of rolling")
+    )
 
     footprint: ContactEllipse | CurvedBodies | CurvedPair
     medium: Annotated[HalfSpace, ISOTROPIC]
-    friction: Sliding
+    friction: Rolled
     creepage: Creepage
     load: Annotated[Force, ONE_FORCE]
     count: Annotated[int, Whole(4, 4096, "strips")] = 32
+    speed: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1982", "kalker_1990", "vollebregt_wilders_2011")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+
+    def __post_init__(self) -> None:
+        refuse_rest("SimplifiedRolling", self.friction, self.speed)
 
     def solve(self) -> SimplifiedRollingSolution:
         """Return the creep forces.
@@ -118,8 +134,8 @@ class SimplifiedRolling:
         a, b = self.footprint.semi_axes(self.medium.modulus, float(self.load.force))
         coefficients = creep_coefficients(a / b, rolling_pair(self.medium).poisson)
         sums = np.empty((self.creepage.broadcast()[0].size, 4))
-        rolled(self.drives(a, b, coefficients), self.count, sums)
-        most = self.friction.coefficient * float(self.load.force)
+        rolled(self.drives(a, b, coefficients), self.falls(a, b), self.count, sums)
+        most = greatest_coefficient(self.friction) * float(self.load.force)
         forces = most * sums.T / (2.0 * HALF_BOUND_INTEGRAL)
         results = (forces[0], forces[1], a * forces[2] - b * forces[3])
         along, across, moment = (shaped(result, self.creepage.shape) for result in results)
@@ -132,9 +148,17 @@ class SimplifiedRolling:
         first = 8.0 * a / (3.0 * coefficients.longitudinal * shear)
         second = 8.0 * a / (3.0 * coefficients.lateral * shear)
         third = math.pi * a * math.sqrt(a / b) / (4.0 * coefficients.spin * shear)
-        bound = 2.0 * self.friction.coefficient * float(self.load.force) / (math.pi * a * b)
+        bound = 2.0 * greatest_coefficient(self.friction) * float(self.load.force) / (math.pi * a * b)
         unit = a / bound
         return np.stack([xi / first, eta / second, spin * b / third, spin * a / third], axis=1) * unit
+
+    def falls(self, a: float, b: float) -> Array:
+        """Return the rigid slip over v_0, in units of the disc, and mu_k over mu_s, ``(m, 5)``."""
+        xi, eta, spin = self.creepage.broadcast()
+        law, pace, kept = self.friction, 0.0, np.ones(xi.size)
+        if isinstance(law, FallingFriction):
+            pace, kept = self.speed / law.velocity, kept * (law.kinetic_coefficient / law.static_coefficient)
+        return np.stack([xi * pace, eta * pace, spin * b * pace, spin * a * pace, kept], axis=1)
 
 
 @value
@@ -174,8 +198,8 @@ class SimplifiedRollingSolution(CreepageSolution):
 
     @property
     def saturation(self) -> Quantity:
-        """The resultant over mu F_N [-]."""
-        most = self.problem.friction.coefficient * float(self.problem.load.force)
+        """The resultant over mu F_N [-]; mu is that of slow slip if friction falls."""
+        most = greatest_coefficient(self.problem.friction) * float(self.problem.load.force)
         return shaped(np.asarray(self.shear_force) / most)
 
     @property
@@ -196,12 +220,12 @@ class SimplifiedRollingSolution(CreepageSolution):
         if problem.creepage.shape != ():
             raise InvalidInput("SimplifiedRollingSolution.traction: the creepage is an array; solve for one creepage.")
         a, b, count = self.longitudinal_semi_axis, self.lateral_semi_axis, problem.count
-        drive = problem.drives(a, b, self.coefficients)[0]
+        drive, fall = problem.drives(a, b, self.coefficients)[0], problem.falls(a, b)[0]
         across = np.sin(np.pi * ((np.arange(count) + 0.5) / count - 0.5))
         tractions, sliding = np.empty((count, 2, count + 1)), np.empty((count, count + 1))
-        mapped(drive, across, tractions, sliding)
+        mapped(drive, fall, across, tractions, sliding)
         along = np.sqrt(1.0 - across**2)[:, None] * np.linspace(1.0, -1.0, count + 1)
-        peak = 2.0 * problem.friction.coefficient * float(problem.load.force) / (math.pi * a * b)
+        peak = 2.0 * greatest_coefficient(problem.friction) * float(problem.load.force) / (math.pi * a * b)
         return RollingTraction(
             x=a * along,
             y=b * np.repeat(across[:, None], count + 1, axis=1),
@@ -218,9 +242,22 @@ class SimplifiedRollingSolution(CreepageSolution):
         aside = bool(np.any(np.asarray(creep.lateral) != 0.0))
         moments = (moment_note(self.coefficients, *axes),) if aside else ()
         distances = distance_notes(creep, axes[0] / axes[1], rolling_pair(problem.medium).poisson)
-        coupled = sticking_note(problem.medium, problem.friction.coefficient)
-        yielding = ellipse_yield_notes(problem.medium, axes, problem.load.force, problem.friction.coefficient)
-        return (*problem.medium.notes, size_note(problem.footprint, *axes), coupled, *distances, *moments, *yielding)
+        law, most = problem.friction, greatest_coefficient(problem.friction)
+        coupled = sticking_note(problem.medium, most)
+        yielding = ellipse_yield_notes(problem.medium, axes, problem.load.force, most)
+        falling = (self._falling_note(law),) if isinstance(law, FallingFriction) else ()
+        idle = idle_speed_notes(law, problem.speed)
+        sized = size_note(problem.footprint, *axes)
+        return (*problem.medium.notes, sized, coupled, *distances, *moments, *falling, *idle, *yielding)
+
+    def _falling_note(self, law: FallingFriction) -> Note:
+        problem, a, b = self.problem, self.longitudinal_semi_axis, self.lateral_semi_axis
+        xi, eta, spin = problem.creepage.broadcast()
+        slowest = problem.speed * np.maximum(np.hypot(xi, eta) - np.abs(spin) * max(a, b), 0.0)
+        peak = 2.0 * float(problem.load.force) / (math.pi * a * b)
+        softest = min(self.coefficients.longitudinal, self.coefficients.lateral) * rolling_pair(problem.medium).shear
+        unloading = 16.0 * problem.speed * peak / (3.0 * softest)
+        return falling_note(float(np.max(law.fall(slowest))) * unloading)
 
 
 @value

@@ -13,7 +13,7 @@ from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["distance_notes", "moment_note", "size_note"]
+__all__ = ["distance_notes", "falling_note", "moment_note", "size_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
 PRESCRIBED_ELLIPSE = Note(
@@ -22,6 +22,9 @@ PRESCRIBED_ELLIPSE = Note(
     "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
     JOHNSON,
 )
+LARGEST_CHANGE = 1.0
+"""Of friction by the unloading of the springs; beyond it friction falls faster than they unload, and they jump."""
+POLACH = "O. Polach, Wear 258 (2005) 992-1000, doi:10.1016/j.wear.2004.03.046"
 FIRST_DIGITS = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
@@ -77,6 +80,23 @@ def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: f
         f"The moment under lateral creepage begins at {100.0 * part:.2g} per cent of that of the exact theory on "
         "this ellipse.",
         "Kalker's coefficient c23, by reciprocity",
+    )
+
+
+def falling_note(change: float) -> Note:
+    """Return what friction that falls with the velocity of slip leaves out.
+
+    Parameters
+    ----------
+    change : float
+        Greatest change of friction by the velocity at which springs that slide unload, over friction [-].
+    """
+    return Note(
+        Assumption.SLIP,
+        Standing.APPROXIMATE if change <= LARGEST_CHANGE else Standing.OUTSIDE,
+        "Friction falls with the velocity at which rigid bodies would slip; that at which the springs unload, left "
+        f"out, changes it by about {100.0 * change:.2g} per cent at most.",
+        POLACH,
     )
 
 

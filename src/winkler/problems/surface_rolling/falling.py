@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction
 from winkler.numerics.surfaces.rolled_surface import RolledSurface, roll
@@ -17,22 +17,7 @@ from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.surfaces.varying_bound import vary
 from winkler.numerics.types import Array
 
-__all__ = ["refuse_rest", "roll_under"]
-
-
-def refuse_rest(who: str, friction: Coulomb | FallingFriction, speed: float) -> None:
-    """Refuse friction that depends on the velocity of slip where no speed is given.
-
-    Raises
-    ------
-    InvalidInput
-        If the speed is zero.
-    """
-    if isinstance(friction, FallingFriction) and speed == 0.0:
-        raise InvalidInput(
-            f"{who}: FallingFriction depends on the velocity of slip, creepage times speed, and no speed is given; "
-            "give the speed of rolling in m/s, or Coulomb."
-        )
+__all__ = ["roll_under"]
 
 
 def roll_under(

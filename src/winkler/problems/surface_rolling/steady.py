@@ -19,35 +19,27 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.creep_force import RollingDrive, first_of, given_of
 from winkler.problems.surface_rolling.creepages import CreepSearch, CreptPatch
-from winkler.problems.surface_rolling.falling import refuse_rest
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
 from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
-
-NO_SPEED = Note(
-    Assumption.SLIP,
-    Standing.EXACT,
-    "Coulomb's friction is the same at all velocities of slip: the speed has no effect on forces and creepages.",
-    "the law of friction",
-)
 
 
 @value
@@ -293,5 +285,5 @@ class SurfaceRollingSolution(RolledMap):
         )  # fmt: skip
         creeps = self.longitudinal_creepage, self.lateral_creepage, self.spin_creepage
         slip = greatest_slip(*creeps, self.last.pressure > 0.0, np.array(stated.topography.pixel))
-        idle = (NO_SPEED,) if stated.speed > 0.0 and isinstance(stated.friction, Coulomb) else ()
+        idle = idle_speed_notes(stated.friction, stated.speed)
         return (*notes, *idle, small_creep_note(slip), *self._yield_notes(np.size(self.force)))
