@@ -23,6 +23,7 @@ from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
+from winkler.problems.heating.band_heating import BandHeating, BandHeatingSolution
 from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
 from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
 from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
@@ -121,6 +122,7 @@ from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution",
+    "BandHeating", "BandHeatingSolution",
     "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution", "ConductanceBounds",
     "ConductanceBoundsSolution", "Constriction", "ConstrictionSolution", "ContactLaw", "ContactLawSolution",
     "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest", "Creepage",

@@ -526,6 +526,7 @@ LINES = {
     "line_friction_heating": wk.LineFrictionHeating(
         ROLLER, wk.Coulomb(0.05), wk.LineForce(400e3), WARM_PAIR, first_speed=6.0, second_speed=4.0
     ),
+    "band_heating": wk.BandHeating(0.1e-3, 100e6, WARM_PAIR, first_speed=6.0, second_speed=4.0),
     "line_adhesion": wk.LineAdhesion(STICKY_ROLLER, wk.ShortRange(50e-3), wk.LineForce(1.0)),
     **dict.fromkeys(
         ("periodic_indentation", "nominal_pressure"),

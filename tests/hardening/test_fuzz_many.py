@@ -108,6 +108,7 @@ SOLVED = {
             "rough_indentation",
             "line_constriction",
             "line_friction_heating",
+            "band_heating",
             "elliptic_friction_heating",
         ),
     ),

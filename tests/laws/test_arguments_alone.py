@@ -27,6 +27,7 @@ RESOLUTION = {
 
 GIVEN: dict[str, Any] = {
     "adhesive_cycle.machine_stiffness": 1e3,
+    "band_heating.partition": wk.FixedShare(0.2),
     "bimodal_damping.lateral_cycles": 2,
     "bimodal_damping.normal_cycles": 2,
     "constriction.mean_free_path": 40e-9,

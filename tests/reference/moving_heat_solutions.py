@@ -195,3 +195,21 @@ def line_constriction_roller() -> Numbers:
         frac(rho) / mp.pi * mp.asinh(frac(depth) / frac("1e-4")) for rho, depth in (("2e-7", "5e-3"), ("3e-7", "8e-3"))
     )
     return [first + second + frac("1e-8")]
+
+
+@of_case
+def band_heating_one_body() -> Numbers:
+    """Jaeger's band at Pe = 1: the integral of exp(t) K0(|t|) from 0 to z is exp(z) (z K0(|z|) + |z| K1(|z|)) - 1."""
+
+    def rise(x: mp.mpf) -> mp.mpf:
+        ends = (x + 1, x - 1)
+        found = [mp.exp(z) * (z * mp.besselk(0, abs(z)) + abs(z) * mp.besselk(1, abs(z))) for z in ends]
+        return frac("1e8") * frac("1e-4") / (mp.pi * 45) * (found[0] - found[1])
+
+    low, high = mp.mpf(0), mp.mpf(1)
+    for _ in range(40):  # the kernels of both edges are equal where it is warmest
+        x = (low + high) / 2
+        gains = mp.exp(2) * mp.besselk(0, 1 + x) > mp.besselk(0, 1 - x)
+        low, high = (x, high) if gains else (low, x)
+    fast = 2 * frac("1e8") / 45 * mp.sqrt(2 * frac("12e-6") * frac("1e-4") / (mp.pi * frac("0.24")))
+    return [rise(low), fast, rise(mp.mpf(0)), rise(mp.mpf(3))]

@@ -109,6 +109,7 @@ RUBBING: dict[str, Word] = {
         "Q_{21}", "W", "heat per time from the second to the first body, besides that of friction"
     ),
     "heat_per_length": Word("Q", "W/m", "heat per time and length of a line contact"),
+    "heat_flux": Word("q", "W/m^2", "heat per area and time that enters everywhere"),
     "contact_temperature": Word("T_c", "K", "temperature of the contact"),
     "max_temperature": Word("T_{max}", "K", "greatest temperature"),
     "rise": Word(r"\Delta T", "K", "greatest temperature above that of the bodies"),

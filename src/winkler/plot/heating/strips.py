@@ -1,4 +1,4 @@
-"""Sheets of the frictional heat of line contacts: both surfaces along the motion, and flash temperature over speed."""
+"""Sheets of strips of heat: both surfaces along the motion, and flash temperature over speed."""
 
 from __future__ import annotations
 
@@ -12,17 +12,19 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.heating.over_loads import curves_sheet, refuse_cold
 from winkler.plot.panel import Band, Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.series import common_scale, middle_scale, series, with_unit
+from winkler.problems.heating.band_heating import BandHeatingSolution
 from winkler.problems.heating.line_heating import LineFrictionHeatingSolution
 
-__all__ = ["line_heating_sheet"]
+__all__ = ["strip_heating_sheet"]
 
 HALF_WIDTHS = 4.0
 PLACES = 161
 SPEEDS, DECADES_BEYOND = 21, 1.5
+StripSolution = LineFrictionHeatingSolution | BandHeatingSolution
 
 
-@without_extent(LineFrictionHeatingSolution)
-def line_heating_sheet(item: LineFrictionHeatingSolution) -> Sheet:
+@without_extent(LineFrictionHeatingSolution, BandHeatingSolution)
+def strip_heating_sheet(item: StripSolution) -> Sheet:
     """Return the temperature of both surfaces across the strip, and the flash temperature over the speed.
 
     For many loads or speeds: flash temperature and heat partition over the varied quantity.
@@ -31,7 +33,7 @@ def line_heating_sheet(item: LineFrictionHeatingSolution) -> Sheet:
     if np.ndim(item.heat_per_length) != 0:
         return curves_sheet(item, item.fast_temperature, "both fast")
     panels = titled(
-        (_across_panel(item), _speeds_panel(item)), "across the strip, contact shaded", "flash temperature over speed"
+        (_across_panel(item), _speeds_panel(item)), "across the strip, shaded", "flash temperature over speed"
     )
     flash, heat = with_unit(float(item.flash_temperature), "K"), with_unit(float(item.heat_per_length), "W/m")
     share = with_unit(float(item.first_share), "")
@@ -39,8 +41,8 @@ def line_heating_sheet(item: LineFrictionHeatingSolution) -> Sheet:
     return Sheet(panels, width=4.6, height=3.2, title=title)
 
 
-def _across_panel(item: LineFrictionHeatingSolution) -> Panel:
-    a = float(item.contact.half_width)
+def _across_panel(item: StripSolution) -> Panel:
+    a = float(item.half_width)
     x = np.linspace(-HALF_WIDTHS, HALF_WIDTHS, PLACES) * a
     marks: list[Any] = []
     for body, name, colour, dash in (
@@ -58,17 +60,20 @@ def _across_panel(item: LineFrictionHeatingSolution) -> Panel:
     return Panel(tuple(marks), across, upright, legend="upper left")
 
 
-def _speeds_panel(item: LineFrictionHeatingSolution) -> Panel:
-    problem, sliding = item.problem, abs(float(item.problem.first_speed) - float(item.problem.second_speed))
+def _speeds_panel(item: StripSolution) -> Panel:
+    problem, rates = item.problem, [float(each) for each in (item.problem.first_speed, item.problem.second_speed)]
+    rubs = isinstance(item, LineFrictionHeatingSolution)
+    pace = abs(rates[0] - rates[1]) if rubs else max(map(abs, rates))
     factors = np.geomspace(10.0**-DECADES_BEYOND, 10.0**DECADES_BEYOND, SPEEDS)
-    speeds = (np.asarray(problem.first_speed), np.asarray(problem.second_speed))
-    curve = dataclasses.replace(problem, first_speed=factors * speeds[0], second_speed=factors * speeds[1]).solve()
-    speed, flash = factors * sliding, series("flash_temperature", curve.flash_temperature)
+    curve = dataclasses.replace(problem, first_speed=factors * rates[0], second_speed=factors * rates[1]).solve()
+    speed, flash = factors * pace, series("flash_temperature", curve.flash_temperature)
     marks: list[Any] = [Line(speed, flash.content, name="flash temperature")]
     fast = np.asarray(curve.fast_temperature)
     if np.all(np.isfinite(fast)):
         marks.append(Line(speed, fast, style.ORANGE, width=1.2, dash=style.DASHES[3], name="fast"))
-    marks.append(points(sliding, float(item.flash_temperature), name="requested", order=5.0))
-    across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
+    marks.append(points(pace, float(item.flash_temperature), name="requested", order=5.0))
+    label = "speed of sliding $v$" if rubs else "speed of the faster surface $V$"
+    across = PanelAxis(label, middle_scale("m/s", speed), log=True)
     scale = middle_scale("K", flash.content)
-    return Panel(tuple(marks), across, PanelAxis("flash temperature", scale, log=True), legend="upper left")
+    legend = "upper left" if rubs else "upper right"  # friction makes more heat at speed, and the curve rises
+    return Panel(tuple(marks), across, PanelAxis("flash temperature", scale, log=True), legend=legend)

@@ -1,4 +1,4 @@
-"""The heat of friction under a line contact as a source: the shape of its pressure, 1 W per length in all."""
+"""Heat on a strip as a source, 1 W per length in all: in the shape of a line contact's pressure, or even."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import PositiveQuantity
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.fields.band_source import BandSource
 from winkler.numerics.panels.chebyshev import fit_panels
@@ -14,11 +15,29 @@ from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.profiles.power import Paraboloid
+from winkler.values import value
 
-__all__ = ["band_sources"]
+__all__ = ["EvenBand", "HeatedLine", "band_sources"]
 
 TABLE_TOLERANCE = 1e-13
 """Error of a tabulated flux over its mean."""
+
+
+@value
+class EvenBand:
+    """A strip on which as much heat enters everywhere.
+
+    Parameters
+    ----------
+    half_width : float or ndarray
+        a [m].
+    """
+
+    half_width: PositiveQuantity
+
+
+HeatedLine = LineSolution | EvenBand
+"""Where heat enters: a line contact, in the shape of its pressure, or an even band."""
 
 
 @functools.lru_cache(maxsize=64)
@@ -50,7 +69,10 @@ def band_source(bed: LineFoundation, force: float, half_width: float) -> BandSou
     return BandSource(half_width, kinks, table)
 
 
-def band_sources(contact: LineSolution) -> list[BandSource | None]:
-    """Return the source of each load; None where there is no contact."""
-    pairs = zip(np.ravel(contact.force_per_length), np.ravel(contact.half_width), strict=True)
-    return [band_source(contact.problem.bed, float(p), float(a)) if p > 0.0 and a > 0.0 else None for p, a in pairs]
+def band_sources(heated: HeatedLine) -> list[BandSource | None]:
+    """Return the source of each load or half-width; None where there is no contact."""
+    if isinstance(heated, EvenBand):
+        widths = np.ravel(heated.half_width)
+        return [BandSource(float(a), (), lambda angle: 0.5 * np.cos(angle)) for a in widths]
+    pairs = zip(np.ravel(heated.force_per_length), np.ravel(heated.half_width), strict=True)
+    return [band_source(heated.problem.bed, float(p), float(a)) if p > 0.0 and a > 0.0 else None for p, a in pairs]

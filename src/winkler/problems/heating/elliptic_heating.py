@@ -277,7 +277,7 @@ class EllipticFrictionHeatingSolution:
         shape = np.shape(self.heat_rate)
         place, columns = one_result(self, index)
         load = type(self.problem.load)(float(np.broadcast_to(load_number(self.problem.load), shape)[place]))
-        problem = one_problem(self.problem, load, shape, place)
+        problem = one_problem(self.problem, shape, place, load=load)
         contact = EllipticIndentation(problem.bodies, problem.medium, problem.load).solve()
         return EllipticFrictionHeatingSolution(problem, contact, **columns)
 

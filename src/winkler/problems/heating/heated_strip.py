@@ -1,4 +1,4 @@
-"""One of two bodies that rub in a line contact, with the temperature along its surface."""
+"""One of two bodies under a strip of heat, with the temperature along its surface."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ import numpy as np
 from winkler.checks.place_checks import finite_places
 from winkler.numerics.fields.band_source import BandPeak
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.heating.band_flux import band_sources
+from winkler.problems.heating.band_flux import HeatedLine, band_sources
 from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band
-from winkler.problems.line.indentation import LineSolution
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["HeatedStrip"]
 
@@ -27,19 +26,21 @@ class HeatedStrip:
         Velocity of its surface along x, past the contact [m/s].
     heat_per_length : float
         What flows into it [W/m].
-    contact : LineSolution
-        Of one load; the flux has the shape of its pressure.
+    heated : LineSolution or EvenBand
+        Of one load or half-width: where heat enters.
     """
+
+    __words__ = words(heated=("", None, "where heat enters"))
 
     conductor: HeatBody
     speed: float
     heat_per_length: float
-    contact: LineSolution
+    heated: HeatedLine
 
     @property
     def peclet(self) -> float:
         """Pe = V a / (2 kappa) [-]; of a plated body with the least diffusivity."""
-        return 0.5 * abs(self.speed) * float(self.contact.half_width) / min(diffusivities(self.conductor))
+        return 0.5 * abs(self.speed) * float(self.heated.half_width) / min(diffusivities(self.conductor))
 
     def temperature(self, x: ArrayLike) -> Array:
         """Return the temperature of the surface above that far away [K].
@@ -55,7 +56,7 @@ class HeatedStrip:
             If a place is not finite.
         """
         places = finite_places("HeatedStrip", "x", x)
-        (source,) = band_sources(self.contact)
+        (source,) = band_sources(self.heated)
         if source is None or self.heat_per_length == 0.0:
             return np.zeros(places.shape)
         return np.asarray(moved_under_band(source, self.conductor, self.speed).surface(places) * self.heat_per_length)
@@ -63,7 +64,7 @@ class HeatedStrip:
     @property
     def warmest(self) -> BandPeak:
         """The greatest temperature: `height` [K] and its place [m]."""
-        (source,) = band_sources(self.contact)
+        (source,) = band_sources(self.heated)
         if source is None or self.heat_per_length == 0.0:
             return BandPeak(0.0, 0.0)
         peak = moved_under_band(source, self.conductor, self.speed).peak

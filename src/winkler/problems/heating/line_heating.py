@@ -13,29 +13,23 @@ no steady temperature: it becomes warmer and warmer with the logarithm of time.
 from __future__ import annotations
 
 import dataclasses
-import math
 from typing import ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import FiniteQuantity
-from winkler.errors import InvalidInput
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Overcome
-from winkler.laws.heat import EqualMaximum, FixedShare, HeatPartition
+from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
-from winkler.problems.heating.heated_strip import HeatedStrip
-from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers
-from winkler.problems.heating.line_sharing import fast_strip_temperature, shared_strip_temperatures
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
-from winkler.problems.heating.validity import moving_notes
+from winkler.problems.heating.strip_heating import StripHeating, StripTemperatures
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.yield_statement import line_contact_notes
-from winkler.problems.one_load import single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -43,7 +37,7 @@ __all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
 
 
 @value
-class LineFrictionHeating(RubbingPlatedBodies):
+class LineFrictionHeating(StripHeating):
     """Two bodies in line contact that slide on each other, or roll and slide, and warm up.
 
     Parameters
@@ -112,25 +106,7 @@ class LineFrictionHeating(RubbingPlatedBodies):
     def __post_init__(self) -> None:
         super().__post_init__()
         given = dataclasses.astuple(self.load)[0]
-        shapes = [np.shape(each) for each in (given, self.first_speed, self.second_speed)]
-        try:
-            np.broadcast_shapes(*shapes)
-        except ValueError:
-            raise InvalidInput(
-                f"LineFrictionHeating: load, first_speed and second_speed have the shapes {shapes[0]}, {shapes[1]} and "
-                f"{shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
-            ) from None
-        alone = self.partition.first_share if isinstance(self.partition, FixedShare) else math.nan
-        for word, speed, share in (("first", self.first_speed, 0.0), ("second", self.second_speed, 1.0)):
-            if alone != share and np.any(np.asarray(speed) == 0.0):
-                raise InvalidInput(
-                    f"LineFrictionHeating: {word}_speed is zero, but a body that rests against an endless band of heat "
-                    f"has no steady temperature; give a speed, or FixedShare({share}) if it takes no heat."
-                )
-
-    @property
-    def _speeds(self) -> tuple[Array, Array]:
-        return np.asarray(self.first_speed, dtype=float), np.asarray(self.second_speed, dtype=float)
+        self._check_speeds(load=given)
 
     def solve(self) -> LineFrictionHeatingSolution:
         """Return how warm the bodies get.
@@ -146,16 +122,13 @@ class LineFrictionHeating(RubbingPlatedBodies):
         """
         contact = LineIndentation(self.bed, self.load).solve()
         shape = np.broadcast_shapes(np.shape(contact.half_width), *map(np.shape, self._speeds))
-        rates = [np.broadcast_to(each, shape) for each in self._speeds]
-        peclets = peclet_numbers("LineFrictionHeating", contact.half_width, rates, self._bodies)
-        table = shared_strip_temperatures(contact, self._bodies, self.partition, rates)
-        heat = self.law.coefficient * np.broadcast_to(contact.force_per_length, shape) * np.abs(rates[0] - rates[1])
-        columns = [heat, table[0], *peclets, *(table[1:] * heat)]
-        return LineFrictionHeatingSolution(self, contact, *(shaped(each) for each in columns))
+        first, second = self._speeds
+        heat = self.law.coefficient * np.broadcast_to(contact.force_per_length, shape) * np.abs(first - second)
+        return LineFrictionHeatingSolution(self, contact, *self._columns(contact, heat))
 
 
 @value
-class LineFrictionHeatingSolution:
+class LineFrictionHeatingSolution(StripTemperatures):
     """The solution of a `LineFrictionHeating`; each quantity has the common shape of load and speeds.
 
     Temperatures are rises above that of the bodies far away.
@@ -179,11 +152,6 @@ class LineFrictionHeatingSolution:
         Mean temperature of either surface over the strip [K].
     """
 
-    __words__ = words(
-        first=("1", None, "the first body with its temperature"),
-        second=("2", None, "the second body with its temperature"),
-    )
-
     problem: LineFrictionHeating
     contact: LineSolution
     heat_per_length: Quantity
@@ -195,43 +163,14 @@ class LineFrictionHeatingSolution:
     first_mean_temperature: Quantity
     second_mean_temperature: Quantity
 
-    per_load: ClassVar[str] = "heat_per_length"
-
     @property
     def half_width(self) -> Quantity:
         """Half-width of the strip a [m]."""
         return shaped(np.broadcast_to(self.contact.half_width, np.shape(self.heat_per_length)))
 
     @property
-    def flash_temperature(self) -> Quantity:
-        """The greatest temperature of the contact, that of the warmer body [K]."""
-        return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
-
-    @property
-    def fast_temperature(self) -> Quantity:
-        """What the flash temperature tends to when both surfaces move fast [K]: Blok's formula under Hertz' pressure.
-
-        Infinite at a rim, and for a body at rest.
-        """
-        speeds = [np.broadcast_to(each, np.shape(self.heat_per_length)) for each in self.problem._speeds]
-        found = fast_strip_temperature(self.contact, self.problem._bodies, self.problem.partition, speeds)
-        return shaped(np.where(found > 0.0, found * self.heat_per_length, 0.0))
-
-    @property
-    def first(self) -> HeatedStrip:
-        """The first body with the temperature along its surface; of one load and speed, not of an array."""
-        return self._body(0)
-
-    @property
-    def second(self) -> HeatedStrip:
-        """The second body with the temperature along its surface; of one load and speed, not of an array."""
-        return self._body(1)
-
-    def _body(self, which: int) -> HeatedStrip:
-        heat = single(self.heat_per_length, "temperature")
-        share = (self.first_share, 1.0 - self.first_share)[which]
-        speed = self.problem._speeds[which]
-        return HeatedStrip(self.problem._bodies[which], float(speed), float(share) * heat, self.contact)
+    def _heated(self) -> LineSolution:
+        return self.contact
 
     def at(self, index: int | tuple[int, ...]) -> LineFrictionHeatingSolution:
         """Return the solution of one load and speed of an array.
@@ -249,18 +188,15 @@ class LineFrictionHeatingSolution:
         shape = np.shape(self.heat_per_length)
         place, columns = one_result(self, index)
         contact = contact_at(self.contact, np.shape(self.contact.half_width), shape, place)
-        problem = one_problem(self.problem, contact.problem.load, shape, place)
+        problem = one_problem(self.problem, shape, place, load=contact.problem.load)
         return LineFrictionHeatingSolution(problem, contact, **columns)
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        peclets = (np.asarray(self.first_peclet), np.asarray(self.second_peclet))
-        greatest = (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature))
-        means = (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature))
         bed, contact, friction = self.problem.bed, self.contact, self.problem.law.coefficient
         return (
             *line_contact_notes(bed, contact.force_per_length, contact.half_width, friction),
             sliding_note(bed.medium, friction),  # type: ignore[arg-type]
-            *moving_notes(peclets, greatest, means, self.problem.partition, self.problem._plated),
+            *self._notes(),
         )

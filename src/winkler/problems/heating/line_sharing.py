@@ -1,4 +1,4 @@
-"""How two bodies in line contact share the heat of friction, load by load and speed by speed."""
+"""How two bodies share the heat of a strip, load by load and speed by speed."""
 
 from __future__ import annotations
 
@@ -11,10 +11,9 @@ from winkler.errors import OutsideValidity
 from winkler.laws.heat import HeatPartition
 from winkler.numerics.fields.band_source import FAST, BandSource
 from winkler.numerics.types import Array
-from winkler.problems.heating.band_flux import band_sources
+from winkler.problems.heating.band_flux import EvenBand, HeatedLine, band_sources
 from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band, top
-from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import rim_load
 
 __all__ = ["fast_strip_temperature", "shared_strip_temperatures"]
@@ -25,17 +24,19 @@ Bodies = tuple[HeatBody, HeatBody]
 
 
 def shared_strip_temperatures(
-    contact: LineSolution, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
+    owner: str, heated: HeatedLine, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
 ) -> Array:
     """Return the share of the first body [-], and greatest and mean temperatures of both for 1 W per length [K m/W].
 
     Parameters
     ----------
-    contact : LineSolution
+    owner : str
+        Name of the problem, for messages.
+    heated : LineSolution or EvenBand
     bodies : tuple of ThermalConductor or Plated
     partition : EqualMaximum, EqualMean or FixedShare
     speeds : sequence of ndarray
-        Those of both bodies [m/s], of one shape to which the loads of the contact broadcast; zero only for a body that
+        Those of both bodies [m/s], of one shape to which the loads or half-widths broadcast; zero only for a body that
         takes no heat.
 
     Returns
@@ -44,15 +45,15 @@ def shared_strip_temperatures(
         Share; greatest of the first, of the second; mean of the first, of the second.
     """
     shape = speeds[0].shape
-    sources, which, table = band_sources(contact), _loads_over(contact, shape), np.zeros((5, *shape))
+    sources, which, table = band_sources(heated), _loads_over(heated, shape), np.zeros((5, *shape))
     for place in np.ndindex(shape):
         pair = [float(speed[place]) for speed in speeds]
-        table[(slice(None), *place)] = _shares(sources[which[place]], bodies, partition, pair)
+        table[(slice(None), *place)] = _shares(owner, sources[which[place]], bodies, partition, pair)
     return table
 
 
 def _shares(
-    source: BandSource | None, bodies: Bodies, partition: HeatPartition, speeds: Sequence[float]
+    owner: str, source: BandSource | None, bodies: Bodies, partition: HeatPartition, speeds: Sequence[float]
 ) -> tuple[float, ...]:
     if source is None:
         return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
@@ -61,7 +62,7 @@ def _shares(
         wave = speed / min(diffusivities(body))
         if 0.0 < abs(wave) * source.half_width < SLOWEST:
             raise OutsideValidity(
-                f"LineFrictionHeating: a Peclet number V a / (2 kappa) is {0.5 * abs(wave) * source.half_width:.3g}; a "
+                f"{owner}: a Peclet number V a / (2 kappa) is {0.5 * abs(wave) * source.half_width:.3g}; a "
                 "band of heat that hardly moves warms a body up without bound: give a higher speed."
             )
         moved = moved_under_band(source, body, abs(speed))
@@ -72,15 +73,15 @@ def _shares(
 
 
 def fast_strip_temperature(
-    contact: LineSolution, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
+    heated: HeatedLine, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
 ) -> Array:
     """Return what the greatest temperature for 1 W per length tends to at high speed [K m/W]; parameters as above.
 
     Infinite at a rim, and on a body that rests; zero without contact.
     """
     shape = speeds[0].shape
-    heights = np.array([_fast(contact, j, source) for j, source in enumerate(band_sources(contact))])
-    height = heights[_loads_over(contact, shape)]
+    heights = np.array([_fast(heated, j, source) for j, source in enumerate(band_sources(heated))])
+    height = heights[_loads_over(heated, shape)]
     known = (height > 0.0) & np.isfinite(height)
     alone = []
     for speed, body in zip(speeds, bodies, strict=True):
@@ -92,15 +93,17 @@ def fast_strip_temperature(
         return np.where(known, shared(alone[0], alone[1], partition), height)
 
 
-def _fast(contact: LineSolution, which: int, source: BandSource | None) -> float:
+def _fast(heated: HeatedLine, which: int, source: BandSource | None) -> float:
     """Return the greatest lambda T of 1 W per length times the root of V / kappa [W/m^(3/2)]; infinite at a rim."""
     if source is None:
         return 0.0
-    force, half_width = (float(np.ravel(each)[which]) for each in (contact.force_per_length, contact.half_width))
-    pinned = rim_load(contact.problem.bed, force, half_width) > 0.0
-    return math.inf if pinned else source.peak(FAST).height
+    if not isinstance(heated, EvenBand):
+        force, half_width = (float(np.ravel(each)[which]) for each in (heated.force_per_length, heated.half_width))
+        if rim_load(heated.problem.bed, force, half_width) > 0.0:
+            return math.inf
+    return source.peak(FAST).height
 
 
-def _loads_over(contact: LineSolution, shape: tuple[int, ...]) -> Array:
-    loads = np.shape(contact.half_width)
+def _loads_over(heated: HeatedLine, shape: tuple[int, ...]) -> Array:
+    loads = np.shape(heated.half_width)
     return np.broadcast_to(np.arange(math.prod(loads)).reshape(loads), shape)

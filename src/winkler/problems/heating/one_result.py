@@ -14,6 +14,7 @@ from winkler.numerics.types import Quantity
 __all__ = ["contact_at", "one_problem", "one_result"]
 
 Place = tuple[int, ...]
+SPEEDS = ("first_speed", "second_speed")
 Problem = TypeVar("Problem", bound=Any)
 
 
@@ -23,7 +24,7 @@ def one_result(solution: Any, index: int | Place) -> tuple[Place, dict[str, floa
     Parameters
     ----------
     solution
-        Its first two fields are the problem and the contact; the others are of one shape.
+        All of its fields but `problem` and `contact` are of one shape.
     index : int or tuple of int
         Which result.
 
@@ -38,7 +39,7 @@ def one_result(solution: Any, index: int | Place) -> tuple[Place, dict[str, floa
     except (IndexError, TypeError):
         raise InvalidInput(f"solution.at: there is no result {index!r} in a solution of shape {shape}.") from None
     place = tuple(int(each) for each in np.unravel_index(which, shape))
-    names = [field.name for field in dataclasses.fields(solution)][2:]
+    names = [field.name for field in dataclasses.fields(solution) if field.name not in ("problem", "contact")]
     return place, {name: _one(getattr(solution, name), shape, place) for name in names}
 
 
@@ -60,10 +61,12 @@ def contact_at(contact: Any, loads: Place, shape: Place, place: Place) -> Any:
     return contact.at(tuple(int(each) for each in np.unravel_index(int(which), loads)))
 
 
-def one_problem(problem: Problem, load: Any, shape: Place, place: Place) -> Problem:
-    """Return the problem with one load, and with the speeds of one result."""
-    first, second = (_one(each, shape, place) for each in (problem.first_speed, problem.second_speed))
-    changed: Problem = dataclasses.replace(problem, load=load, first_speed=first, second_speed=second)
+def one_problem(
+    problem: Problem, shape: Place, place: Place, *, many: tuple[str, ...] = SPEEDS, **given: Any
+) -> Problem:
+    """Return the problem of one result: the fields that may be of `many` results, and those that are `given`."""
+    ones = {name: _one(getattr(problem, name), shape, place) for name in many}
+    changed: Problem = dataclasses.replace(problem, **ones, **given)
     return changed
 
 

@@ -265,7 +265,7 @@ class FrictionHeatingSolution:
         shape = np.shape(self.heat_rate)
         place, columns = one_result(self, index)
         contact = contact_at(self.contact, np.shape(self.contact.radius), shape, place)
-        problem = one_problem(self.problem, contact.problem.load, shape, place)
+        problem = one_problem(self.problem, shape, place, load=contact.problem.load)
         return FrictionHeatingSolution(problem, contact, **columns)
 
     @property

@@ -14,7 +14,7 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["STEADY_SOURCE", "heating_notes", "moving_notes", "sliding_contact_notes"]
+__all__ = ["EVEN", "RUBBED", "STEADY_SOURCE", "heating_notes", "moving_notes", "sliding_contact_notes"]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
@@ -22,23 +22,27 @@ OWN = "own quadrature of the moving source, checked against the sum of point sou
 SLOW_PECLET = 0.01
 """Peclet number below which the rule of slow sliding is good to half a per cent."""
 
-STEADY_SOURCE = Note(
-    Assumption.CONDUCTION,
-    Standing.EXACT,
-    "Steady heat conduction in half-spaces of constant conductivity and diffusivity, nothing lost through the surface "
-    "outside the contact; the flux is the pressure times friction and speed, everywhere.",
-    JAEGER,
-)
+RUBBED, EVEN = "the pressure times friction and speed, everywhere", "the one given, all over the band"
+"""Where heat enters, as notes say it: in a contact, and on an even band."""
 
 
-STEADY_STACK = Note(
-    Assumption.CONDUCTION,
-    Standing.EXACT,
-    "Steady heat conduction in platings and what carries them, of constant conductivity and diffusivity, bonded "
-    "without resistance; nothing is lost through the surface outside the contact; the flux is the pressure times "
-    "friction and speed, everywhere.",
-    "own transfer through the layers, wave by wave",
-)
+def _steady(flux: str = RUBBED, plated: bool = False) -> Note:
+    """Return what was assumed of conduction under a steady flux, of bodies `plated` or not."""
+    thick = "half-spaces of constant conductivity and diffusivity, nothing lost"
+    stack = (
+        "platings and what carries them, of constant conductivity and diffusivity, bonded without resistance; nothing "
+        "is lost"
+    )
+    return Note(
+        Assumption.CONDUCTION,
+        Standing.EXACT,
+        f"Steady heat conduction in {stack if plated else thick} through the surface outside the "
+        f"{'band' if flux == EVEN else 'contact'}; the flux is {flux}.",
+        "own transfer through the layers, wave by wave" if plated else JAEGER,
+    )
+
+
+STEADY_SOURCE = _steady()
 
 
 def sliding_contact_notes(contact: IndentationSolution, coefficient: float) -> tuple[Note, ...]:
@@ -68,8 +72,13 @@ def heating_notes(
         Whether a body has platings of another conductor.
     """
     hottest = temperature_note(float(np.max(greatest)))
-    conduction, alike = (STEADY_STACK, None) if plated else (STEADY_SOURCE, peclets)
-    return conduction, _speed(peclets, overestimate, plated), _sharing(alike, greatest, means, partition), hottest
+    alike = None if plated else peclets
+    return (
+        _steady(plated=plated),
+        _speed(peclets, overestimate, plated),
+        _sharing(alike, greatest, means, partition),
+        hottest,
+    )
 
 
 def moving_notes(
@@ -78,8 +87,9 @@ def moving_notes(
     means: tuple[Array, Array],
     partition: HeatPartition,
     plated: bool = False,
+    flux: str = RUBBED,
 ) -> tuple[Note, ...]:
-    """Return how far temperatures of a line contact can be trusted; parameters as of `heating_notes`."""
+    """Return how far temperatures under a strip of heat can be trusted; parameters as of `heating_notes`."""
     motion = Note(
         Assumption.CONDUCTION,
         Standing.EXACT,
@@ -88,8 +98,9 @@ def moving_notes(
         "a few times kappa / V.",
         JAEGER,
     )
-    hottest = temperature_note(float(np.max(greatest)))
-    return STEADY_STACK if plated else STEADY_SOURCE, motion, _sharing(None, greatest, means, partition), hottest
+    rise = float(np.max(greatest))
+    hottest = temperature_note(rise, "Conductivity and diffusivity") if flux == EVEN else temperature_note(rise)
+    return _steady(flux, plated), motion, _sharing(None, greatest, means, partition), hottest
 
 
 def _speed(peclets: tuple[Array, Array], overestimate: Array, plated: bool) -> Note:

@@ -57,6 +57,11 @@ BAND = Equation(
     r"T(x) = \frac{1}{\pi\lambda}\int_{-a}^a \mu\,p(s)\,v\,\mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
     r"z = \frac{V}{2\kappa}\,(x-s)",
 )
+EVEN_BAND = Equation(
+    "Each body warms up by the sum of line sources (Jaeger), with Bessel's function K₀",
+    r"T(x) = \frac{q}{\pi\lambda}\int_{-a}^a \mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
+    r"z = \frac{V}{2\kappa}\,(x-s), \quad Q = 2\,a\,q",
+)
 BAND_FLUX = Equation("Friction turns into heat where the bodies press", r"q(x) = \mu\,p(x)\,v, \quad Q = \mu\,P\,v")
 ELLIPTIC_FLUX = Equation(
     "Friction turns into heat where the bodies press; in the direction θ the flux of Hertz' ellipse has the line load",
@@ -122,6 +127,23 @@ HEATING = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, BAND_FLUX, BAND, SHARE),
+        ),
+        "band_heating": answer(
+            "winkler.problems.heating.band_heating:BandHeating",
+            headline=("flash_temperature", "first_mean_temperature", "heat_per_length", "first_share"),
+            half_width="0.1 mm",
+            heat_flux="100 W/mm^2",
+            conductors=STEELS,
+            first_speed="6 m/s",
+            second_speed="4 m/s",
+            picture=Caption(
+                "heating",
+                "Temperatures of the bodies",
+                "Both surfaces across the band, and the flash temperature over the speed; of many half-widths, fluxes "
+                "or speeds, temperatures and shares over what was varied.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(EVEN_BAND, SHARE),
         ),
         "elliptic_friction_heating": answer(
             "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
