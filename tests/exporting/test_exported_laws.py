@@ -243,7 +243,9 @@ def test_mistakes_are_refused_in_one_sentence():
         export(ball, "pyton")
     with pytest.raises(InvalidInput, match=r"no precision 'float' for fmu; give double"):
         export(ball, "fmu", precision="float")
-    for name in ("Ball", "2ball", "for", "a b", "a" * 40):
+    with pytest.raises(InvalidInput, match=r"'for' is a word of C"):
+        export(ball, "c", name="for")
+    for name in ("Ball", "2ball", "a b", "a" * 40):
         with pytest.raises(InvalidInput, match=r"cannot begin the names of functions"):
             export(ball, "c", name=name)
     with pytest.raises(InvalidInput, match=r"the deepest load presses 0 m deep"):

@@ -70,7 +70,7 @@ MADE = {
 SOLVED = {
     "pressed": (
         *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
-        *("elliptic_yield_onset", "elliptic_wear"),
+        *("elliptic_yield_onset", "elliptic_wear", "contact_stress"),
         *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
         *(
             "line_indentation",

@@ -13,9 +13,9 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
-import importlib.util
 import os
 import re
+import sys
 import time
 from collections.abc import Iterator, Mapping
 from importlib.metadata import PackageNotFoundError, distribution, version
@@ -100,7 +100,9 @@ def _files(folder: Path, prefix: str) -> Iterator[tuple[str, int, int, int]]:
 
 def _kept_digest(package: Path, files: list[tuple[str, int, int, int]]) -> str:
     key = hashlib.sha256(repr(files).encode()).hexdigest()
-    kept = Path(importlib.util.cache_from_source(str(package / "sources.py"))).with_name("sources.digest")
+    elsewhere = sys.pycache_prefix
+    compiled = package / CACHE if elsewhere is None else Path(elsewhere, *package.parts[1:])
+    kept = compiled / "sources.digest"
     with contextlib.suppress(OSError, ValueError):
         stored_key, digest, end = kept.read_text(encoding="ascii").split(" ")
         if stored_key == key and len(digest) == DIGITS and end == "\n":

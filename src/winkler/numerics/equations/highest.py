@@ -13,6 +13,7 @@ A top is given up when it cannot become the greatest: about a place :math:`x` wh
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
@@ -85,14 +86,9 @@ def highest(
     above : float, optional
         A value found elsewhere: tops that cannot be greater are given up.
     """
-    from scipy.ndimage import label, maximum_filter
-
     reach = [(float(line[0]), float(line[-1])) for line in lines] if ends is None else list(ends)
     values = _on(field, lines)
-    tops, _ = label(
-        (values >= maximum_filter(values, size=3, mode="nearest")) & np.isfinite(values), np.ones([3] * values.ndim)
-    )
-    at = np.unique(tops, return_index=True)[1][0 if np.all(tops) else 1 :]  # equal values side by side are one top
+    at = _tops(values)
     at = at[np.argsort(-values.flat[at], kind="stable")]
     best = Top(-math.inf, tuple(float(line[0]) for line in lines))
     for index in np.stack(np.unravel_index(at[:starts], values.shape), axis=1):
@@ -116,6 +112,19 @@ def highest_of_curve(curve: Curve, end: float) -> float:
     if np.any(np.isposinf(curve(np.array([0.0, end])))):
         return math.inf
     return highest(lambda angle: curve(end * np.sin(angle)), [np.linspace(0.0, 0.5 * np.pi, SAMPLES)]).value
+
+
+def _tops(values: Array) -> Array:
+    """Return the flat indices of the local maxima of a grid; of equal values side by side, the first."""
+    padded = np.pad(values, 1, constant_values=-np.inf)
+    high = np.isfinite(values)
+    for offset in itertools.product((-1, 0, 1), repeat=values.ndim):
+        if any(offset):
+            beside = padded[
+                tuple(slice(1 + step, 1 + step + size) for step, size in zip(offset, values.shape, strict=True))
+            ]
+            high &= values > beside if offset < (0,) * values.ndim else values >= beside
+    return np.flatnonzero(high)
 
 
 def _on(field: Field, lines: Sequence[Array]) -> Array:

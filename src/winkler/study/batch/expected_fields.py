@@ -44,7 +44,8 @@ def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
     fields = restore_body(contact, *where) if "y" in place else restore(contact, *where)
     content = None if name.startswith("_") else getattr(fields, name, None)
     if not isinstance(content, np.ndarray) or name in place:
-        names = [key for key in dir(fields) if not key.startswith("_") and key not in ("r", "x", "y", "z")]
+        public = (key for key in dir(fields) if not key.startswith("_") and key not in ("r", "x", "y", "z"))
+        names = [key for key in public if not callable(getattr(fields, key))]
         raise InvalidInput(
             f"expect: quantity '{name}' is not one of {type(fields).__name__}{suggest(name, names)}; there are "
             f"{', '.join(names)}."

@@ -14,7 +14,6 @@ from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.points import ComparedNumber, Failed, Recalled, Solved
 from winkler.study.batch.tasks import PointTask
 from winkler.study.batch.verdicts import compared
-from winkler.study.language.compared.expected_units import solution_types
 from winkler.study.language.study import Expectation
 from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
@@ -153,6 +152,8 @@ def _rows(rows: list[Any]) -> tuple[tuple[Event, ...], ...]:
 @functools.cache
 def _answer_type(problem_type: type, name: str) -> type:
     """Return the class of the solutions of a problem, by its name."""
+    from winkler.study.language.compared.expected_units import solution_types
+
     for cls in solution_types(problem_type):
         if cls.__name__ == name:
             return cls

@@ -208,13 +208,13 @@ def checked(raw: dict[str, Any], file: str, folder: Path) -> tuple[Any, Any]:
 
 
 def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
-    from winkler.study.language.compared.expectations import expectation
-
     form, problem = checked(raw, file, folder)
     try:
         design = axes.design(form.sweep.pop("design", {"kind": "crossed"}))
         expect = []
         for place, item in enumerate(form.expect):
+            from winkler.study.language.compared.expectations import expectation
+
             try:
                 expect.append(expectation(dict(item), problem))
             except InvalidInput as error:
