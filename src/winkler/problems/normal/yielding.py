@@ -165,11 +165,9 @@ class YieldOnsetSolution:
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
         medium = self.problem.bed.medium
-        below = self.onsets if isinstance(medium, LayeredMedium) else ()
+        length = medium.response.length if isinstance(medium, LayeredMedium) else math.inf
         fading = [
-            one.name
-            for one in below
-            if math.isfinite(one.radius) and one.z > 0.0 and blurred(medium.response.length, one.radius)
+            one.name for one in self.onsets if math.isfinite(one.radius) and one.z > 0.0 and blurred(length, one.radius)
         ]
         return (
             *self.problem.bed.notes,
