@@ -64,9 +64,9 @@ def copied(folder: Path) -> None:
 
 
 LONG = {
-    "figures.md", "line-friction.md", "line-layers.md", "line-viscoelastic.md", "line-wear.md", "profiles.md",
-    "joints.md", "rollers.md", "rough.md", "seals.md", "subsurface.md", "surface-adhesion.md", "surface-friction.md",
-    "surface-rolling.md",
+    "coatings.md", "figures.md", "line-friction.md", "line-layers.md", "line-viscoelastic.md", "line-wear.md",
+    "profiles.md", "joints.md", "rollers.md", "rough.md", "seals.md", "subsurface.md", "surface-adhesion.md",
+    "surface-friction.md", "surface-rolling.md",
 }  # fmt: skip
 """Pages whose Python takes seconds; they run among the slow tests."""
 

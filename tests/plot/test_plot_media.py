@@ -9,7 +9,8 @@ import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.plot import draw
 from winkler.plot.extent import is_singular
-from winkler.plot.medium import interfaces, is_varied, typical_width
+from winkler.plot.marks import Text
+from winkler.plot.medium import interfaces, is_varied, makeup_panel, typical_width
 from winkler.plot.method import PICTURES, method_sheet, pictures_of
 from winkler.plot.normal.curves import line_load
 from winkler.plot.render import render
@@ -58,6 +59,16 @@ def test_layers_are_labelled_and_drawn_at_their_depths():
     assert interfaces(STACK) == pytest.approx((2e-6, 2.5e-6), rel=1e-15)
     assert interfaces(SOIL) == interfaces(wk.HalfSpace(STEEL)) == ()
     assert any("on a rigid base" in text for text in texts(draw(FILM)))
+
+
+def test_labels_of_thin_layers_do_not_cover_each_other():
+    """Layers of 2 and 0.5 um in pictures 100 um and 3.25 um deep."""
+    for medium, end in ((STACK, 1e-4), (STACK, 3e-6)):
+        places = [mark.y for mark in makeup_panel(medium, end).marks if isinstance(mark, Text)]
+        assert len(places) == 3
+        least = 0.075 * max(end, 1.3 * 2.5e-6)
+        assert np.all(np.diff(places) >= least * (1.0 - 1e-9))
+        assert 0.0 < places[0] < places[-1] < max(end, 1.3 * 2.5e-6)
 
 
 def test_the_stress_map_has_a_line_at_every_interface_and_a_step_across_it(pressed):

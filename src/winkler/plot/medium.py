@@ -44,6 +44,8 @@ LEAST_VARIATION = 1e-3
 """Relative variation of stiffness below which springs are drawn and described as equal."""
 OFFSET_FROM_AXIS = 1e-6
 """Relative distance from the axis, where stiffnesses may be zero or infinite, at which they are evaluated."""
+LABEL_HEIGHT = 0.075
+"""Least distance of two labels of layers, over the drawn depth."""
 DEPTH_SCALES_DRAWN = 3.0
 """Drawn depth of a power-law gradation in its depth scales, without a contact."""
 TINTS = ("#d8c28f", "#efe3c8", "#c9b27a", "#e5d5ae")
@@ -148,6 +150,18 @@ def _intervals(medium: Medium, end: float) -> list[DepthInterval]:
     raise _uniform_medium(medium)
 
 
+def _apart(middles: list[float], end: float) -> list[float]:
+    """Return where labels of layers stand [m]: in their middles, or as near below each other as they can be read."""
+    least, places = LABEL_HEIGHT * end, []
+    for middle in middles:
+        places.append(max(middle, places[-1] + least if places else 0.5 * least))
+    low = end - 0.5 * least
+    for index in reversed(range(len(places))):
+        places[index] = min(places[index], low)
+        low = places[index] - least
+    return places
+
+
 def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
     """Return Young's modulus over the depth below the surface, depth downwards.
 
@@ -167,6 +181,7 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
     top = float(max(np.max(part.young[part.z >= 0.01 * end], initial=0.0) for part in parts))
     right = 1.15 * (stiffest if stack else min(stiffest, top))
     marks: list[Any] = []
+    labels = _apart([0.5 * float(part.z[0] + min(part.z[-1], end)) for part in parts], end)
     for place, part in enumerate(parts):
         if np.max(part.young) == 0.0:
             marks.append(Area(part.z, 0.0, right, "#ffffff", 1.0, hatch="////", across=True))
@@ -176,16 +191,14 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
             marks.append(Area(part.z, 0.0, np.minimum(part.young, right), tint, 1.0, across=True))
             marks.append(Line(part.young, part.z, style.INK, width=1.6, blunt=True))
         if part.label:
-            middle = 0.5 * (part.z[0] + min(part.z[-1], end))
-            marks.append(
-                Text(0.04, middle, part.label, across="left", size=8.0, boxed=0.75, pad=1.0, framed=(True, False))
-            )
+            look: dict[str, Any] = {"across": "left", "size": 8.0, "boxed": 0.75, "pad": 1.0}
+            marks.append(Text(0.04, labels[place], part.label, framed=(True, False), **look))
     for above, below in zip(parts, parts[1:], strict=False):
         step = np.array([above.young[-1], below.young[0]])
         marks.append(Line(step, np.full(2, below.z[0]), style.INK, width=1.6))
     if 0.0 < radius < end:
         marks.append(Rule(radius, colour=style.RED, width=1.0, dash=style.DASHED))
-        look: dict[str, Any] = {"across": "right", "upright": "bottom", "colour": style.RED, "framed": (True, False)}
+        look = {"across": "right", "upright": "bottom", "colour": style.RED, "framed": (True, False)}
         marks.append(Text(0.97, radius, "$z = a$", **look))
     across = PanelAxis.of(series("young", np.zeros(1)), scale_of("Pa", [stiffest]), low=0.0, high=right)
     upright = PanelAxis.of(series("z", np.zeros(1)), scale_of("m", [end]), low=end, high=0.0)

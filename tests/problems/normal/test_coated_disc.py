@@ -99,6 +99,7 @@ def test_each_part_of_a_coated_disc_has_its_load():
     assert carbon.radius > 100.0 * 2e-6
     assert "the layer 2 at 45.4" in onset.validity[-1].statement
     assert onset.validity[-1].standing is wk.Standing.EXACT
+    assert "at the onset in the layer 1 the contact is so wide" in onset.validity[-1].statement
 
 
 def limit(layer, base, peak):

@@ -6,7 +6,7 @@ import typing
 
 import pytest
 
-from winkler.study.batch.outcome import _numbers_of
+from winkler.study.batch.outcome import number_names
 from winkler.study.batch.run import run
 from winkler.study.chapters.contents import answers
 from winkler.study.language.catalogue import kinds
@@ -21,7 +21,7 @@ WHOLE_CURVE = {"equilibrium"}
 def test_every_kind_has_a_headline_of_its_answers():
     wrong = {}
     for name, record in answers().items():
-        numbers = _numbers_of(typing.get_type_hints(kinds()[name].cls.solve)["return"])
+        numbers = number_names(typing.get_type_hints(kinds()[name].cls.solve)["return"])
         if bool(record.headline) == (name in WHOLE_CURVE) or not set(record.headline) <= set(numbers):
             wrong[name] = record.headline
     assert wrong == {}

@@ -152,7 +152,7 @@ def test_jumps_branches_and_limits_are_stored(tmp_path):
         with xarray.open_dataset(folder / "results.nc", engine="h5netcdf") as data:
             for place, one in enumerate(events[0]):
                 assert data[f"{name}_{one.name}"].values.tolist() == [row[place].content for row in events]
-    assert set(EVENTS) == {"jumps", "branches", "limit", "stages"}  # the last of impacts
+    assert set(EVENTS) == {"jumps", "branches", "limit", "stages", "onsets"}  # the last two of impacts, and of yield
     jump = QUESTIONS["cycle"].solve().jumps[1]
     events = {one.name: one.content for one in events_of(QUESTIONS["cycle"].solve(), "jumps")[1]}
     assert events["before_force"] == jump.before.force

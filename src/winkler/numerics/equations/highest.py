@@ -44,6 +44,8 @@ MOST_STEPS, SAME_STEP = 9, 1e-10
 SETTLED_SIZE = 2e-3
 """Size of the box over the first one up to which the place of a polynomial's top is not yet final."""
 ROUNDING = 1e-14
+NOISE = 1e-8
+"""Relative drop of the value to a line of the grid, next to which the top lies, that is rounding of the function."""
 SAMPLES = 65
 
 
@@ -249,6 +251,6 @@ def _on_line(field: Field, lines: Sequence[Array], best: Top) -> Top:
         if 0.0 < abs(line[index] - best.place[axis]) <= math.sqrt(ROUNDING) * 10.0 * max(_gap(line, index), 1e-300):
             place = tuple(float(line[index]) if k == axis else each for k, each in enumerate(best.place))
             value = float(_on(field, [np.array([each]) for each in place]).ravel()[0])
-            if value >= (1.0 - ROUNDING) * best.value:
+            if value >= best.value - NOISE * abs(best.value):
                 best = Top(value, place)
     return best

@@ -24,10 +24,12 @@ ACROSS, DOWN = 61, 81
 """Places of the plane of which the greatest at each depth is drawn."""
 FARTHEST, DEEPEST = 1.2, 2.0
 """How far and deep it reaches, over the contact radius, the half-width or the shorter semi-axis."""
+ROOM = 1.05
+"""Greatest value on the axis of stresses, over the greatest stress."""
 NAMES = {
     "von_mises": "von Mises stress",
     "max_shear": "greatest shear stress",
-    "orthogonal_shear": "shear stress along the surface",
+    "orthogonal_shear": "orthogonal shear stress",
 }
 
 
@@ -42,11 +44,13 @@ def contact_stress_sheet(item: ContactStressSolution) -> Sheet:
     values, places = np.transpose(greatest)
     marks.append(points(values, places, style.INK, size=5.0))
     across = dataclasses.replace(
-        PanelAxis.of(stress, common_scale(*drawn), low=0.0), label="greatest stress at a depth"
+        PanelAxis.of(stress, common_scale(*drawn), low=0.0, high=ROOM * float(np.max(values))),
+        label="greatest stress at a depth",
     )
     upright = PanelAxis.of(depth, depth.scale, low=float(np.max(depth.content)), high=0.0)
-    title = f"greatest shear stress {with_unit(item.max_shear, 'Pa')} in {with_unit(abs(item.max_shear_depth), 'm')}"
-    return Sheet((Panel(tuple(marks), across, upright, legend="best"),), width=5.4, height=3.8, title=title)
+    deep = with_unit(abs(item.max_shear_depth), "m")
+    title = f"greatest shear stress {with_unit(item.max_shear, 'Pa')} at a depth of {deep}"
+    return Sheet((Panel(tuple(marks), across, upright),), below=len(NAMES), width=5.4, height=3.8, title=title)
 
 
 def _width(item: ContactStressSolution) -> float:

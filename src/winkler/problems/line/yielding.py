@@ -43,29 +43,29 @@ class LinePartOnset:
     ----------
     part : int
         Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+    name : str
+        What it is called.
     force_per_length, half_width : float
         [N/m], [m] when it begins to yield; infinite where it does not within what was examined.
     x, z : float
         Where [m], as of `LineYieldOnsetSolution`; nan where it does not yield.
-    name : str
-        What it is called.
     why : str
         Why no onset was found; empty where it was.
     """
 
     __words__ = words(
         part=PART,
-        x=("x", "m", "place along the surface"),
         name=NAME,
+        x=("x", "m", "place along the surface"),
         why=("", None, "why no onset was found"),
     )
 
     part: int
+    name: str
     force_per_length: float
     half_width: float
     x: float
     z: float
-    name: str
     why: str = ""
 
 
@@ -132,9 +132,9 @@ class LineYieldOnset:
             refuse_unless_strips(bed, np.array([a]))
         except (OutsideValidity, NotConverged) as error:
             failures.append(error)
-            return LinePartOnset(number, math.inf, math.inf, math.nan, math.nan, part.name, str(error))
+            return LinePartOnset(number, part.name, math.inf, math.inf, math.nan, math.nan, str(error))
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
-        return LinePartOnset(number, force, a, place.x, place.z, part.name)
+        return LinePartOnset(number, part.name, force, a, place.x, place.z)
 
 
 @value

@@ -102,7 +102,7 @@ class EllipticYieldOnset:
             place = unit.greatest_stress(self.friction.coefficient, self.angle, below=part.first)
             grown = part.solid.strength / place.value
             x, y, z = (grown * along for along in (place.x, place.y, place.z))
-            rows.append(EllipticPartOnset(number, grown**3, x, y, z if part.first else -z, part.name))
+            rows.append(EllipticPartOnset(number, part.name, grown**3, x, y, z if part.first else -z))
         first = min(rows, key=lambda row: row.force)
         pressed = self._pressed(first.force)
         return EllipticYieldOnsetSolution(self, first.force, pressed, first.x, first.y, first.z, tuple(rows))

@@ -93,7 +93,7 @@ class YieldOnset:
             except (OutsideValidity, NotConverged) as error:
                 failures[part] = error
                 never, nowhere = math.inf, math.nan
-                rows.append(PartOnset(number, never, never, never, nowhere, nowhere, part.name, str(error)))
+                rows.append(PartOnset(number, part.name, never, never, never, nowhere, nowhere, str(error)))
         first = min(rows, key=lambda row: row.radius)
         if math.isinf(first.radius):
             raise failures[parts[0]]
@@ -124,7 +124,7 @@ def onset_of_part(problem: YieldOnset, number: int, part: StrongPart) -> PartOns
     if not bed.certain:
         refuse_unless_disc(bed, depth, radius, min(bed.reach, bed.rim))
     force = float((bed.stiffness(at) * depth - bed.gap_load(at))[0])
-    return PartOnset(number, force, radius, depth, place.x, place.z if part.first else -place.z, part.name)
+    return PartOnset(number, part.name, force, radius, depth, place.x, place.z if part.first else -place.z)
 
 
 @value
@@ -165,11 +165,14 @@ class YieldOnsetSolution:
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
         medium = self.problem.bed.medium
-        fades = isinstance(medium, LayeredMedium) and blurred(medium.response.length, self.radius)
+        length = medium.response.length if isinstance(medium, LayeredMedium) else math.inf
+        fading = [
+            one.name for one in self.onsets if math.isfinite(one.radius) and one.z > 0.0 and blurred(length, one.radius)
+        ]
         return (
             *self.problem.bed.notes,
             sliding_note(medium, self.problem.friction.coefficient),
-            onset_note([(one.name, one.force) for one in self.onsets], "N", fades=fades),
+            onset_note([(one.name, one.force) for one in self.onsets], "N", fading=fading),
         )
 
 

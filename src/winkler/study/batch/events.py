@@ -1,7 +1,7 @@
 """Events of a solution: the jumps of a cycle, the branches of a curve, the limit of a sheared contact, the stages of an
 impact, the onsets of yield of several bodies.
 
-Each event becomes a row of numbers with names and glossary entries, for tables and archives.
+Each event becomes a row of numbers and texts with names and glossary entries, for tables and archives.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ EVENTS = {
 
 
 class Event(NamedTuple):
-    """One number of an event.
+    """One number or text of an event.
 
     Parameters
     ----------
@@ -33,16 +33,16 @@ class Event(NamedTuple):
     word
         Symbol, unit and meaning.
     content
-        SI.
+        SI; a text where the unit of the word is None.
     """
 
     name: str
     word: Word
-    content: float
+    content: float | str
 
 
 def events_of(solution: Any, name: str) -> tuple[tuple[Event, ...], ...]:
-    """Return one row of numbers for every event of a solution; none if it has no such events."""
+    """Return one row for every event of a solution; none if it has no such events."""
     content = getattr(solution, name, ())
     items = content if isinstance(content, tuple) else (content,)
     return tuple(tuple(_numbers(item)) for item in items if dataclasses.is_dataclass(item))
@@ -61,6 +61,6 @@ def _numbers(item: Any) -> list[Event]:
                 )
                 for one in _numbers(member)
             ]
-        elif isinstance(member, int | float):
-            events.append(Event(field.name, entry, float(member)))
+        elif isinstance(member, int | float | str):
+            events.append(Event(field.name, entry, member if isinstance(member, str) else float(member)))
     return events

@@ -5,9 +5,9 @@
     results.nc     every answer over the axes of the sweep, and every restored field; read it with xarray
     results.csv    one row per point and load: what was varied, then the answers; units in the header
     surface.csv    the fields on the surface, if [fields] requests them
-    jumps.csv, branches.csv, limit.csv, stages.csv
-                   one row per jump of an adhesive cycle or curve, stable branch, limit of a sheared contact, or stage
-                   of sticking and sliding in an impact
+    jumps.csv, branches.csv, limit.csv, stages.csv, onsets.csv
+                   one row per jump of an adhesive cycle or curve, stable branch, limit of a sheared contact, stage
+                   of sticking and sliding in an impact, or body that begins to yield
     sensitivity.csv
                    one row per answer and varied key: indices of Sobol, if the design is sensitivity
 
@@ -214,10 +214,12 @@ def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
         point_rows = rows_of(outcome, name)
         count = max((len(events) for _, events in point_rows), default=0)
         for place, one in enumerate(point_rows[0][1][0] if point_rows else ()):
-            content = np.full((*outcome.shape, count), np.nan)
+            text = isinstance(one.content, str)
+            content = np.full((*outcome.shape, count), "" if text else np.nan, dtype=object if text else float)
             for point, events in point_rows:
                 content[point.index][: len(events)] = [event[place].content for event in events]
-            variables[f"{name}_{one.name}"] = ((*dims, name), content, netcdf_attributes(one.word))
+            numbers = content.astype(str) if text else content
+            variables[f"{name}_{one.name}"] = ((*dims, name), numbers, netcdf_attributes(one.word))
 
 
 def _place_dims(

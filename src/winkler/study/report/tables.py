@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from winkler.plot.series import middle_scale, name_in_words
 from winkler.readable import with_unit
-from winkler.study.batch.events import EVENTS
+from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV, rows_of
@@ -102,20 +102,11 @@ def _events(outcome: Outcome) -> str:
         where = [settings_text(outcome.study, point.settings) for point, events in point_rows for _ in events]
         if not rows:
             continue
-        scales = [
-            middle_scale(column[0].word.unit, [one.content for one in column]) for column in zip(*rows, strict=True)
-        ]
         swept = ["point"] if outcome.study.sweep else []
-        heads = [
-            f"#{safe(one.name.replace('_', ' '))}" + (f"<br>[{safe(scale.unit)}]" if scale.unit else "")
-            for one, scale in zip(rows[0], scales, strict=True)
-        ]
+        heads, cells = zip(*_event_columns(rows), strict=True)
         lines = [
-            "<tr>"
-            + (f"<td>{safe(point)}</td>" if swept else "")
-            + "".join(_cell(one.content, scale.factor) for one, scale in zip(row, scales, strict=True))
-            + "</tr>"
-            for row, point in zip(rows[:MOST_ROWS], where, strict=False)
+            "<tr>" + (f"<td>{safe(point)}</td>" if swept else "") + "".join(row) + "</tr>"
+            for row, point in zip(list(zip(*cells, strict=True))[:MOST_ROWS], where, strict=False)
         ]
         more = (
             f"<p class='small'>… and {len(rows) - MOST_ROWS} more; {name}.csv holds all.</p>"
@@ -124,6 +115,20 @@ def _events(outcome: Outcome) -> str:
         )
         parts.append(f"<h3>{safe(title)}</h3>{table([*swept, *heads], lines)}{more}")
     return "".join(parts)
+
+
+def _event_columns(rows: list[list[Event]]) -> Iterator[tuple[str, list[str]]]:
+    """Yield the head and the cells of each column of a table of events; texts that are all empty are left out."""
+    for column in zip(*rows, strict=True):
+        name, entry = safe(name_in_words(column[0].name)), column[0].word
+        if isinstance(column[0].content, str):
+            if any(one.content for one in column):
+                yield name, [f"<td>{safe(str(one.content))}</td>" for one in column]
+            continue
+        numbers = [float(one.content) for one in column]
+        scale = middle_scale(entry.unit, numbers)
+        unit = f"<br>[{safe(scale.unit)}]" if scale.unit else ""
+        yield f"#{name}{unit}", [_cell(one, scale.factor) for one in numbers]
 
 
 def _single(columns: tuple[ResultColumn, ...]) -> str:

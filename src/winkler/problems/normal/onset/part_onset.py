@@ -24,30 +24,30 @@ class PartOnset:
     ----------
     part : int
         Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+    name : str
+        What it is called.
     force, radius, depth : float
         [N], [m], [m] when it begins to yield; infinite where it does not within what was examined.
     x, z : float
         Where [m], as of `YieldOnsetSolution`; nan where it does not yield.
-    name : str
-        What it is called.
     why : str
         Why no onset was found; empty where it was.
     """
 
     __words__ = words(
         part=PART,
-        x=("x", "m", "place in the direction in which the surface is dragged"),
         name=NAME,
+        x=("x", "m", "place in the direction in which the surface is dragged"),
         why=("", None, "why no onset was found"),
     )
 
     part: int
+    name: str
     force: float
     radius: float
     depth: float
     x: float
     z: float
-    name: str
     why: str = ""
 
 
@@ -59,25 +59,25 @@ class EllipticPartOnset:
     ----------
     part : int
         Which of the bodies that have a strength it is, 1 the first.
+    name : str
+        What it is called.
     force : float
         [N] when it begins to yield.
     x, y, z : float
         Where [m], as of `EllipticYieldOnsetSolution`.
-    name : str
-        What it is called.
     """
 
     __words__ = words(part=PART, name=NAME, x=("x", "m", "place along the surface"))
 
     part: int
+    name: str
     force: float
     x: float
     y: float
     z: float
-    name: str
 
 
-def onset_note(rows: Sequence[tuple[str, float]], unit: str, *, fades: bool = False) -> Note:
+def onset_note(rows: Sequence[tuple[str, float]], unit: str, *, fading: Sequence[str] = ()) -> Note:
     """Return which part yields first, and under which load each does.
 
     Parameters
@@ -85,8 +85,8 @@ def onset_note(rows: Sequence[tuple[str, float]], unit: str, *, fades: bool = Fa
     rows : sequence of tuple
         The name of each part, and its load in the unit.
     unit : str
-    fades : bool
-        Whether the contact is so wide that the shortest waves in the layers are left out.
+    fading : sequence of str
+        Names of the parts at whose onset the contact is so wide that the shortest waves in the layers are left out.
     """
     first = min(rows, key=lambda row: row[1])[0]
     text = f"Yielding begins in the {first}, where the von Mises stress of the elastic field first reaches its strength"
@@ -96,6 +96,9 @@ def onset_note(rows: Sequence[tuple[str, float]], unit: str, *, fades: bool = Fa
             for name, load in rows
         ]
         text += f"; each as if the others stayed elastic: {', '.join(loads)}"
-    if fades:
-        text += "; in layers as thin as these, stresses within a hundredth of the contact from its edge are rounded off"
-    return Note(Assumption.ELASTIC, Standing.ASYMPTOTIC if fades else Standing.EXACT, f"{text}.", MISES)
+    if fading:
+        text += (
+            f"; at the onset in the {' and the '.join(fading)} the contact is so wide that stresses in the layers "
+            "within a hundredth of it from its edge are rounded off"
+        )
+    return Note(Assumption.ELASTIC, Standing.ASYMPTOTIC if first in fading else Standing.EXACT, f"{text}.", MISES)
