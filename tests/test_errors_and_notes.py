@@ -6,10 +6,12 @@ import ast
 import pickle
 import re
 
+import numpy as np
 import pytest
 
 import winkler as wk
 from winkler.errors import suggest
+from winkler.study.language.compared.alternatives import alternatives
 from winkler.validity import worst
 
 
@@ -54,6 +56,59 @@ def test_a_message_states_no_place_in_memory(thing):
         assert "\n" not in str(error.value)
         again = pickle.loads(pickle.dumps(error.value))
         assert (type(again), str(again)) == (wk.InvalidInput, str(error.value))
+
+
+def _errors(root=wk.WinklerError):
+    return [root, *(error for kind in root.__subclasses__() for error in _errors(kind))]
+
+
+BREAKS = [chr(code) for code in range(0x3000) if len(f"a{chr(code)}b".splitlines()) > 1]
+"""Found by Python, whose `str.splitlines` is what reports and tables cut texts by."""
+
+
+def test_each_sentence_of_an_error_is_one_line():
+    """The `repr` of an array, and texts of users and libraries, have line breaks."""
+    assert len(_errors()) >= 6
+    assert len(BREAKS) >= 10
+    rows = np.arange(4.0).reshape(2, 2)
+    for kind in _errors():
+        for given in (f"{rows!r}", f"{rows}", *(f"steel{mark} no. 2" for mark in BREAKS)):
+            error = kind(f"force is {given}; give one number.", "depth is missing; add it.")
+            first, second = str(error).splitlines()
+            assert first.split() == f"force is {given}; give one number.".split()
+            assert second == "depth is missing; add it."
+            assert error.args == (first, second)
+            again = pickle.loads(pickle.dumps(error))
+            assert (type(again), str(again)) == (kind, str(error))
+
+
+def test_a_reworded_error_keeps_its_sentences_and_notes():
+    error = wk.OutsideValidity("one.", "two.")
+    error.add_note("where it came from")
+    reworded = error.reworded("here: {}".format)
+    assert (type(reworded), str(reworded)) == (wk.OutsideValidity, "here: one.\nhere: two.")
+    assert reworded.__notes__ == ["where it came from"]
+
+
+def test_matrices_given_for_numbers_are_refused_in_one_line():
+    for refused in (wk.Sphere, wk.Cone, wk.Coulomb, lambda given: wk.Elastic(given, 0.3)):
+        with pytest.raises(wk.InvalidInput) as error:
+            refused(np.arange(4.0).reshape(2, 2))
+        assert len(str(error.value).splitlines()) == 1
+
+
+def test_each_mistake_of_a_model_has_its_name_in_front():
+    error = wk.InvalidInput("fit.toml: a is 1; give 2.", "fit.toml: b is 1; give 2.")
+
+    def study_of(raw):
+        raise error
+
+    with pytest.raises(wk.InvalidInput) as raised:
+        alternatives({"problem": {"a": 0}, "fit": {"models": {"cone": {"problem.a": 1}}}}, study_of, at="fit.toml: ")
+    assert str(raised.value).splitlines() == [
+        "fit.toml: fit.models.cone: a is 1; give 2.",
+        "fit.toml: fit.models.cone: b is 1; give 2.",
+    ]
 
 
 RESIDUE = re.compile(r"mismatch|misfit|residual|uncertainty|\bleft\b")

@@ -9,7 +9,8 @@
     |-- Mistake           (also a RuntimeError)   winkler itself is wrong; only points of a sweep are caught so
     `-- Interrupted       the reader stopped a batch; finished parts remain
 
-Each message states what was given, what is allowed, and what to do.  `suggest` finds the nearest known word,
+Each message states what was given, what is allowed, and what to do, in one sentence on one line.  An error about
+several mistakes has several sentences, each on a line of its own.  `suggest` finds the nearest known word,
 `mistake_in` describes an unexpected error.
 """
 
@@ -17,7 +18,8 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import Self
 
 from winkler.synonyms import SYNONYMS
 
@@ -37,16 +39,36 @@ LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
 ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
 """In the ``repr`` of an object that has none of its own."""
+LINE_BREAK = re.compile(r"\s*[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]\s*")
+"""Where `str.splitlines` cuts, as in the ``repr`` of an array, with the blanks around it."""
 
 
 class WinklerError(Exception):
-    """Root of every error that winkler raises on purpose; `exit_code` is what the command line returns."""
+    r"""Root of every error that winkler raises on purpose; `exit_code` is what the command line returns.
+
+    Each argument is one sentence, and becomes one line.
+
+    Examples
+    --------
+    >>> str(WinklerError("the force is [1.\n 2.] N; give one number.", "the depth is missing; add it."))
+    'the force is [1. 2.] N; give one number.\nthe depth is missing; add it.'
+    """
 
     exit_code = 1
 
-    def __init__(self, *parts: object) -> None:
+    def __init__(self, *sentences: str) -> None:
         # where an object lies in memory says nothing, and differs from run to run
-        super().__init__(*(ADDRESS.sub("", part) if isinstance(part, str) else part for part in parts))
+        super().__init__(*(LINE_BREAK.sub(" ", ADDRESS.sub("", sentence)) for sentence in sentences))
+
+    def __str__(self) -> str:
+        return "\n".join(self.args)
+
+    def reworded(self, change: Callable[[str], str]) -> Self:
+        """Return the error with each of its sentences changed, and with its notes."""
+        other = type(self)(*map(change, self.args))
+        for note in getattr(self, "__notes__", ()):
+            other.add_note(note)
+        return other
 
 
 class InvalidInput(WinklerError, ValueError):

@@ -37,6 +37,13 @@ free = { "problem.bed.medium.first.young" = true }
 """
 
 
+PIXEL = (
+    "89504e470d0a1a0a0000000d49484452000000010000000108000000003a7e9b550000000a49444154789c63600000000200"
+    "0148afa4710000000049454e44ae426082"
+)
+"""A PNG file of one black pixel."""
+
+
 def turned(app_page):
     """Turn the page to fits."""
     app_page.page.get_by_role("button", name="Fit a curve").click()
@@ -143,6 +150,21 @@ def test_a_late_answer_does_not_replace_what_is_wrong(fresh):
     app_page.settled("wrong")
     app_page.page.wait_for_timeout(5_000)
     app_page.settled("wrong")
+
+
+def test_a_picture_given_as_a_curve_is_refused_without_errors_of_the_browser(fresh, tmp_path):
+    """Two errors stood on the console: the field that takes files showed the picture, which the policy forbids."""
+    app_page = fresh()
+    turned(app_page)
+    said = []
+    app_page.page.on("console", lambda message: said.append(message.text) if message.type == "error" else None)
+    picture = tmp_path / "photo.png"
+    picture.write_bytes(bytes.fromhex(PIXEL))
+    uploaded(app_page, picture)
+    app_page.page.locator(".study-side .wrong", has_text="photo.png").wait_for(timeout=20_000)
+    app_page.settled("wrong")
+    assert said == []
+    assert app_page.mistakes == []
 
 
 def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):

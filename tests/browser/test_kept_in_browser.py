@@ -108,9 +108,19 @@ def test_a_server_that_was_started_again_takes_up_the_page(browser):
         app_page.type(FORCE, "20 N")
         sentence = depth_of(app_page, "20 N")
         app_page.page.wait_for_function("location.hash.startsWith('#study=')")
+        field = app_page.page.locator(f'input[data-path="{FORCE}"]')
+        field.focus()
+    app_page.page.get_by_text("Connection lost").wait_for(timeout=20_000)
+    app_page.page.keyboard.press("End")
+    app_page.page.keyboard.type("7")  # nobody would take it, and the field would silently go back
+    field.focus()
+    app_page.page.keyboard.type("7")
+    assert field.input_value() == "20 N"
     app_page.page.evaluate("document.querySelector('.head').remove()")  # what shows it later is a new page
     with served(port=port, crashes=True):
         assert depth_of(app_page, "20 N") == sentence
         assert number(app_page, FORCE) == "20 N"
+        app_page.type(FORCE, "30 N")
+        depth_of(app_page, "30 N")
         assert app_page.left_machine == []
         app_page.page.context.close()

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import io
+import re
 import struct
+import subprocess
+import sys
+import warnings
 import zipfile
 
 import numpy as np
@@ -173,3 +177,42 @@ def test_damaged_containers(published, tmp_path):
         pack.writestr("meta.yml", META)
     with pytest.raises(InvalidInput, match=r"lost\.zip: SurfaceTopography cannot read this file \("):
         read_topography(tmp_path / "lost.zip")
+
+
+SHORT = {
+    "one point": "0 0\n",
+    "one point, no end of line": "0 0",
+    "one row": "0,0,0,0,0\n",
+    "one column": "0\n1\n2\n",
+    "no number": "nan nan\n",
+    "two points": "0 0\n1 2\n",
+    "equal places": "1 0\n1 2\n" * 50,
+}
+LIBRARY = re.compile(r"index -?\d+ is|out of bounds|axis|tried|Reader|physical_sizes|dtype|NoneType|[\n`]")
+"""What NumPy and SurfaceTopography say of such files."""
+
+
+@pytest.mark.parametrize("ending", [".txt", ".xyz", ".csv"])
+@pytest.mark.parametrize("name", SHORT)
+def test_files_of_too_few_points_are_refused_without_words_of_a_library(name, ending, tmp_path):
+    """Issue 38, item 7: a scan of one point leaked a warning and NumPy's sentence."""
+    file = tmp_path / f"short{ending}"
+    file.write_text(SHORT[name], encoding="utf-8")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for read in (read_scan, read_topography):
+            for unit in ("", "um"):
+                with pytest.raises(InvalidInput) as refused:
+                    read(file, unit=unit)
+                assert LIBRARY.search(str(refused.value)) is None, str(refused.value)
+
+
+@pytest.mark.slow
+def test_the_library_of_instruments_warns_nobody(tmp_path):
+    """It says in a new process that mpi4py is not there."""
+    file = tmp_path / "short.txt"
+    file.write_text("0 0\n", encoding="utf-8")
+    code = f"import winkler as wk\ntry: wk.read_scan({str(file)!r}, unit='um')\nexcept wk.InvalidInput as e: print(e)"
+    ended = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert "(none of its formats fits); save it as a table with the columns place and height." in ended.stdout

@@ -60,7 +60,7 @@ def rows(path):
 
 def test_a_package_that_is_not_there_is_said_once(monkeypatch, caplog):
     monkeypatch.setitem(sys.modules, "numba", None)
-    monkeypatch.setitem(sys.modules, "h5py", None)
+    monkeypatch.setitem(sys.modules, "h5netcdf", None)  # without h5py alone it loads, and keeps that for later tests
     for question in (jit._numba, netcdf.has_netcdf):
         monkeypatch.setattr(sys.modules[question.__module__], question.__name__, question)  # a cache of its own
         question.cache_clear()

@@ -6,6 +6,7 @@ import asyncio
 import csv
 import io
 import json
+import sys
 import time
 import zipfile
 
@@ -16,6 +17,7 @@ import tomli_w
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
+from winkler.study.report import netcdf
 from winkler.web.form import form
 from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.solver import Solver
@@ -120,6 +122,23 @@ def test_sheets_and_files(bench, tmp_path):
     (report,) = bench.replies(Export(2, "report"))
     assert report.name == "report.html"
     assert report.content.startswith(b"<!DOCTYPE html>")
+
+
+def test_where_no_netcdf_file_can_be_written_a_sentence_says_so(bench, tmp_path, monkeypatch):
+    """It ended in `KeyError: 'results.nc'`, which the app calls a mistake of its own."""
+    answers_of(bench, tomli_w.dumps(form.initial_table("indentation")), tmp_path)
+    monkeypatch.setitem(sys.modules, "h5netcdf", None)
+    netcdf.has_netcdf.cache_clear()
+    try:
+        (wrong,) = bench.replies(Export(2, "netcdf"))
+        (table,) = bench.replies(Export(3, "csv"))
+    finally:
+        netcdf.has_netcdf.cache_clear()
+    assert wrong.sentences == (
+        "results.nc: h5netcdf or h5py cannot be loaded, so the app gives no NetCDF file; save the results as CSV, or "
+        "install both packages and start the app again.",
+    )
+    assert table.name == "results.csv"
 
 
 @pytest.mark.slow

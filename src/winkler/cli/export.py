@@ -47,7 +47,7 @@ def export(
             problem, to, name=name, tolerance=tolerance, count=count, precision=precision, every_radius=every_radius
         )
     except WinklerError as error:
-        raise type(error)(in_kinds(str(error))) from None
+        raise error.reworded(in_kinds) from None
     for file, _ in law.files:
         refuse_existing(output / file, overwrite, "output: ")
     for path in write_export(law, output):

@@ -25,6 +25,8 @@ T = TypeVar("T")
 
 CONTENTS = {1: ("line scan", "height maps"), 2: ("height map", "line scans")}
 """What is looked for, and what else there may be."""
+REMEDIES = {1: "save it as a table with the columns place and height", 2: "save it as an NPY file or as a text"}
+"""How else scans and maps are read."""
 
 
 def channel_contents(
@@ -51,7 +53,8 @@ def channel_contents(
         If SurfaceTopography is not installed or cannot read the file, or there is no such channel.
     """
     try:
-        from SurfaceTopography.IO import open_topography
+        with quiet():  # it warns where the library for many processes is not installed
+            from SurfaceTopography.IO import CannotDetectFileFormat, open_topography
     except ImportError:
         raise InvalidInput(
             f"{path}: files of instruments are read by SurfaceTopography; install it by "
@@ -59,7 +62,7 @@ def channel_contents(
         ) from None
     refuse_large(path, FILE_BYTES)
     what, _ = CONTENTS[directions]
-    wrong, remedy = "SurfaceTopography cannot read this file", "save it as an NPY file or as a text"
+    wrong, remedy = "SurfaceTopography cannot read this file", REMEDIES[directions]
     with quiet(), sentence_of(path, wrong, remedy), limited_memory(path):
         if is_archive(path):
             refuse_large_archive(path, "save the map as an NPY file")
@@ -69,7 +72,10 @@ def channel_contents(
             return contents(surface)
         refuse_other_files(path)
         _refuse_cut_array(path)
-        opened = open_topography(str(path)).channels
+        try:
+            opened = open_topography(str(path)).channels
+        except CannotDetectFileFormat:  # its message lists what each of its formats missed, in words of NumPy
+            raise InvalidInput(f"{path}: {wrong} (none of its formats fits); {remedy}.") from None
         along = [signal for signal in opened if signal.dim == directions]
         # other signals than heights have a pair of units, or none
         fitting = [
@@ -85,6 +91,8 @@ def channel_contents(
             )
         chosen = fitting[names.index(channel) if channel else 0]
         refuse(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
+        if chosen.physical_sizes is None:
+            raise InvalidInput(f"{path}: the file does not state how long its {what} is; {remedy}.")
         # without a unit nothing is converted; where it is missing, the caller asks for it
         return contents(chosen.topography())
 

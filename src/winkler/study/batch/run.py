@@ -110,11 +110,8 @@ def first_failure(failed: Iterable[Failed]) -> Failed:
 
 
 def named(error: WinklerError, name: str) -> WinklerError:
-    """Return an error with the name of its file in front, and with its notes."""
-    renamed = type(error)(f"{name}: {error}")
-    for note in getattr(error, "__notes__", ()):
-        renamed.add_note(note)
-    return renamed
+    """Return an error with the name of its file in front of each sentence."""
+    return error.reworded(lambda sentence: f"{name}: {sentence}")
 
 
 def raised(point: Failed, sentence: str) -> WinklerError:

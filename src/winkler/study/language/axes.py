@@ -185,7 +185,7 @@ class _Target:
         try:
             content = schema.adapter(self.cls, self.field, self.hint).validate_python({"content": raw}).content
         except ValidationError as error:
-            raise InvalidInput("\n".join(mistakes.sentences(error, {"content": raw}, where))) from None
+            raise InvalidInput(*mistakes.sentences(error, {"content": raw}, where)) from None
         if isinstance(content, BaseModel):
             return assembled(content, folder=folder, file=file, key=where)
         if isinstance(content, list):

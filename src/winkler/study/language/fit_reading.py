@@ -109,7 +109,7 @@ def _study_of(raw: dict[str, Any], text: str, file: str, folder: Path) -> FitStu
             **given,
         )
     except WinklerError as error:
-        raise type(error)(f"{at}{error}") from None
+        raise error.reworded(lambda sentence: f"{at}{sentence}") from None
 
 
 def _refuse_further(given: dict[str, Any], frees: tuple[Free, ...], problem: Any) -> None:

@@ -26,7 +26,7 @@ def worded(file: str, reasons: list[str]) -> InvalidInput:
     lines = [f"{file}: {sentence}" if file else sentence for sentence in reasons[:MOST_SENTENCES]]
     if len(reasons) > MOST_SENTENCES:
         lines.append(f"{len(reasons) - MOST_SENTENCES} more mistakes are not shown.")
-    return InvalidInput("\n".join(lines))
+    return InvalidInput(*lines)
 
 
 def sentences(error: ValidationError, raw: Any, root: str = "") -> list[str]:

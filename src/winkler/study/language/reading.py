@@ -237,7 +237,7 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
     except WinklerError as error:
         if file and str(error).startswith(f"{file}: "):
             raise
-        raise type(error)(f"{_at(file)}{error}") from None
+        raise error.reworded(lambda sentence: f"{_at(file)}{sentence}") from None
 
 
 def stated(form: Any) -> dict[str, Any]:

@@ -112,8 +112,7 @@ def read_nanoindentation_study(path: Path) -> NanoindentationStudy:
     try:
         return _study(raw, text, path)
     except InvalidInput as error:
-        sentence = str(error)
-        raise InvalidInput(sentence if sentence.startswith(path.name) else f"{path.name}: {sentence}") from None
+        raise error.reworded(lambda one: one if one.startswith(path.name) else f"{path.name}: {one}") from None
 
 
 def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:

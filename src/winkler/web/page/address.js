@@ -23,6 +23,8 @@ export default {
     window.addEventListener("popstate", this.back);
     window.addEventListener("storage", this.others);
     document.addEventListener("keydown", this.keys);
+    this.popup = new MutationObserver(() => this.lock());
+    this.popup.observe(document.getElementById("popup"), { attributeFilter: ["aria-hidden"] });
     const kept = read(sessionStorage, STUDY, {});
     const code = this.inAddress();
     const files = !code || code === kept.code ? (kept.files ?? "") : "";
@@ -34,8 +36,14 @@ export default {
     window.removeEventListener("popstate", this.back);
     window.removeEventListener("storage", this.others);
     document.removeEventListener("keydown", this.keys);
+    this.popup.disconnect();
   },
   methods: {
+    // while the popup says that the connection is lost, nobody would take what is typed
+    lock() {
+      const lost = document.getElementById("popup").ariaHidden === "false";
+      document.querySelector(".study-side").inert = lost;
+    },
     inAddress() {
       return new URLSearchParams(location.hash.slice(1)).get("study") ?? "";
     },

@@ -6,6 +6,7 @@ import io
 import zipfile
 from pathlib import PurePath
 
+from winkler.errors import InvalidInput
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
@@ -25,6 +26,11 @@ def exported(outcome: Outcome | FitOutcome, what: str) -> File:
         Outcome of a study.
     what
         ``csv``, ``netcdf``, ``png`` or ``report``.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no NetCDF file, as its library cannot be loaded.
     """
     if what == "report":
         page = fit_report.page(outcome) if isinstance(outcome, FitOutcome) else report.page(outcome)
@@ -34,6 +40,11 @@ def exported(outcome: Outcome | FitOutcome, what: str) -> File:
     files = fit_writing.number_files(outcome) if isinstance(outcome, FitOutcome) else archive.archive_files(outcome)
     module = fit_writing if isinstance(outcome, FitOutcome) else archive
     name = module.CSV if what == "csv" else module.NETCDF
+    if name not in files:
+        raise InvalidInput(
+            f"{name}: h5netcdf or h5py cannot be loaded, so the app gives no NetCDF file; save the results as CSV, "
+            "or install both packages and start the app again."
+        )
     return File(name, files[name])
 
 

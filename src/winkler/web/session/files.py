@@ -24,6 +24,8 @@ EXPORTS = (
 )
 """Exports with label and icon."""
 STUDY = "study.toml"
+PLAIN = "no-thumbnails"
+"""Pictures among uploads are not shown: the security policy of the page forbids it, with errors of the browser."""
 
 
 class Files:
@@ -53,13 +55,13 @@ class Files:
     ) -> None:
         self.upload_folder, self.opened, self.uploaded, self.wrong = upload_folder, opened, uploaded, wrong
         studies = ui.upload(on_upload=self._open, on_rejected=_refused, auto_upload=True, max_file_size=LARGEST)
-        studies.classes("unseen").props('accept=".toml,.zip"').props["data-upload"] = "study"
+        studies.classes("unseen").props(f'{PLAIN} accept=".toml,.zip"').props["data-upload"] = "study"
         self.uploads = ui.upload(on_upload=self._keep, on_rejected=_refused, auto_upload=True, max_file_size=LARGEST)
-        self.uploads.classes("unseen").props["data-upload"] = "data"
+        self.uploads.classes("unseen").props(PLAIN).props["data-upload"] = "data"
         self.curves = ui.upload(
             on_upload=self._keep_curve, on_rejected=_refused, multiple=True, auto_upload=True, max_file_size=LARGEST
         )
-        self.curves.classes("unseen").props["data-upload"] = "curves"
+        self.curves.classes("unseen").props(PLAIN).props["data-upload"] = "curves"
         self.curves.on("finish", self._curves_kept)
         self.refused_curves: list[str] = []
         self.keeping = 0

@@ -179,7 +179,7 @@ class UploadFolder:
             if isinstance(name, str) and (name != plain_name(name) or not self.members(name))
         ]
         if wrong:
-            raise InvalidInput("\n".join(wrong))
+            raise InvalidInput(*wrong)
 
     def close(self) -> None:
         """Remove everything."""

@@ -255,7 +255,7 @@ class _WorkerState:
         try:
             self.outcome = yield from fitted_batch(study, pieces(study), started, lambda: self.halted)
         except WinklerError as error:
-            raise type(error)(beside_the_curve(str(error))) from None
+            raise error.reworded(beside_the_curve) from None
         yield fitted.fit_text(self.outcome, request.text)
         yield from self._pictures(0, still=False)
         yield from fitted.fit_sheets(self.outcome)

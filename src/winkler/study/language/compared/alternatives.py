@@ -16,6 +16,7 @@ Free numbers of the curve are those of the study; those of the problem, too, unl
 from __future__ import annotations
 
 import copy
+import functools
 import re
 from collections.abc import Callable
 from typing import Any
@@ -59,9 +60,13 @@ def alternatives(
         try:
             study = study_of(_changed(copy.deepcopy(raw), dict(changes)))
         except WinklerError as error:
-            raise type(error)(f"{where}{str(error).removeprefix(at)}") from None
+            raise error.reworded(functools.partial(_in_model, where, at)) from None
         found.append(Alternative(name, study.problem, study.free))
     return tuple(found)
+
+
+def _in_model(where: str, at: str, sentence: str) -> str:
+    return f"{where}{sentence.removeprefix(at)}"
 
 
 def _changed(raw: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
