@@ -39,16 +39,16 @@ def greatest(body, speed):
     with mp.workdps(30):
         rate, a = mpf(speed) / mpf(body.diffusivity) / 2, mpf(HALF_WIDTH)
         low, high = mpf(0), a
-        for _ in range(30):
+        for _ in range(22):
             x = (low + high) / 2
             gains = mp.exp(2 * rate * a) * mp.besselk(0, rate * (a + x)) > mp.besselk(0, rate * (a - x))
             low, high = (x, high) if gains else (low, x)
         return float(low), rise(body, speed, low)
 
 
-@pytest.mark.parametrize("speed", [0.024, 2.4, 24.0])
+@pytest.mark.parametrize("speed", [0.024, 24.0])
 def test_temperatures_are_jaegers(speed):
-    """Pe = 0.1 to 100: along x, the greatest one and its place, the mean as a mean of the closed form."""
+    """Pe = 0.1 and 100: along x, the greatest one and its place, the mean as a mean of the closed form."""
     band = alone(speed)
     assert band.first_peclet == pytest.approx(speed * HALF_WIDTH / 24e-6, rel=1e-14)
     for part in (-1.5, -1.0, -0.3, 0.0, 0.8, 1.0, 4.0):
@@ -58,7 +58,7 @@ def test_temperatures_are_jaegers(speed):
     assert band.flash_temperature == band.first_max_temperature == pytest.approx(float(height), rel=1e-10)
     assert band.first.warmest.x == pytest.approx(place, rel=1e-5)
     assert band.second_max_temperature == 0.0
-    node, weight = np.polynomial.legendre.leggauss(24)
+    node, weight = np.polynomial.legendre.leggauss(16)
     angle = 0.5 * np.pi * node
     table = [float(rise(STEEL, speed, mpf(HALF_WIDTH * s))) for s in np.sin(angle)]
     mean = 0.25 * np.pi * float(np.sum(weight * np.cos(angle) * table))
