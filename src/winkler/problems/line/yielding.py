@@ -182,7 +182,7 @@ class LineYieldOnsetSolution:
             fading = [
                 one.name
                 for one in self.onsets
-                if math.isfinite(one.half_width) and one.z > 0.0 and blurred(length, one.half_width)
+                if math.isfinite(one.half_width) and math.copysign(1.0, one.z) > 0.0 and blurred(length, one.half_width)
             ]
             return (*strip_notes(bed, self.half_width, 0.0), slid, onset_note(rows, "N/m", fading=fading))
         return (*line_notes(bed, self.half_width), slid, onset_note(rows, "N/m"))
