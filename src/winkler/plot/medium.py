@@ -152,7 +152,8 @@ def _intervals(medium: Medium, end: float) -> list[DepthInterval]:
 
 def _apart(middles: list[float], end: float) -> list[float]:
     """Return where labels of layers stand [m]: in their middles, or as near below each other as they can be read."""
-    least, places = LABEL_HEIGHT * end, []
+    least = LABEL_HEIGHT * end
+    places: list[float] = []
     for middle in middles:
         places.append(max(middle, places[-1] + least if places else 0.5 * least))
     low = end - 0.5 * least

@@ -178,6 +178,11 @@ class LineYieldOnsetSolution:
         bed = self.problem.bed
         slid = sliding_note(bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
         if isinstance(bed, LayeredLineFoundation):
-            fades = blurred(bed.medium.response.length, self.half_width)
-            return (*strip_notes(bed, self.half_width, 0.0), slid, onset_note(rows, "N/m", fades=fades))
+            length = bed.medium.response.length
+            fading = [
+                one.name
+                for one in self.onsets
+                if math.isfinite(one.half_width) and math.copysign(1.0, one.z) > 0.0 and blurred(length, one.half_width)
+            ]
+            return (*strip_notes(bed, self.half_width, 0.0), slid, onset_note(rows, "N/m", fading=fading))
         return (*line_notes(bed, self.half_width), slid, onset_note(rows, "N/m"))

@@ -167,7 +167,9 @@ class YieldOnsetSolution:
         medium = self.problem.bed.medium
         length = medium.response.length if isinstance(medium, LayeredMedium) else math.inf
         fading = [
-            one.name for one in self.onsets if math.isfinite(one.radius) and one.z > 0.0 and blurred(length, one.radius)
+            one.name
+            for one in self.onsets
+            if math.isfinite(one.radius) and math.copysign(1.0, one.z) > 0.0 and blurred(length, one.radius)
         ]
         return (
             *self.problem.bed.notes,
