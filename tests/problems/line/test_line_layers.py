@@ -314,6 +314,7 @@ def test_equal_layers_yield_as_a_half_plane():
     theirs = wk.LineYieldOnset(wk.LineFoundation(CYLINDER, wk.HalfSpace(solid))).solve()
     assert ours.force_per_length == pytest.approx(theirs.force_per_length, rel=1e-9)
     assert ours.z == pytest.approx(theirs.z, rel=1e-4)
+    assert any("Yielding begins" in note.statement for note in ours.validity)
 
 
 @pytest.mark.slow

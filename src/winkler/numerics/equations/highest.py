@@ -109,9 +109,14 @@ def highest_of_curve(curve: Curve, end: float) -> float:
     end : float
         Where the edge is [m].
     """
-    if np.any(np.isposinf(curve(np.array([0.0, end])))):
+    angles = np.linspace(0.0, 0.5 * np.pi, SAMPLES)
+    values = np.asarray(curve(end * np.sin(angles)), dtype=float)
+    if np.any(np.isposinf(values[[0, -1]])):
         return math.inf
-    return highest(lambda angle: curve(end * np.sin(angle)), [np.linspace(0.0, 0.5 * np.pi, SAMPLES)]).value
+    about_middle = np.concatenate((values[2:0:-1], values[:3]))  # it is even: a smooth top there is the middle itself
+    if np.array_equal(_tops(values), [0]) and _is_smooth(about_middle, [np.intp(2)], 0):
+        return float(values[0])
+    return highest(lambda angle: curve(end * np.sin(angle)), [angles]).value
 
 
 def _tops(values: Array) -> Array:
