@@ -51,6 +51,13 @@ print(f"orthogonal shear stress {place.value / peak:.4f} p0, {place.z * 1e6:.0f}
 assert np.isclose(place.value / peak, math.sqrt(2.0 * t - 1.0) / (2.0 * t * (t + 1.0)), rtol=1e-9)
 
 # %%
+# All greatest stresses of a contact with their depths, in one answer:
+
+stress = wk.ContactStress(wk.EllipticIndentation(bodies, pair, wk.Force(500.0))).solve()
+assert np.isclose(stress.orthogonal_shear, place.value, rtol=1e-9)
+draw(stress)
+
+# %%
 # Friction in both directions
 # ---------------------------
 # Where the ball slides, yielding begins earlier, and from about :math:`\mu=0.3` on at the surface.

@@ -31,8 +31,9 @@ LONG = {
     "reduction", "surface_tangential", "profile_pair_rolling", "surface_adhesion",
 }  # fmt: skip
 """Kinds that take more than a second, most of it for compiling."""
-CARD = re.compile(r'<div class="card sought"><div class="value">(.*?)</div>')
-LEAD = re.compile(r'<p class="lead sought-line">(.*?)</p>')
+MARK = r'(?: <span class="standing outside">outside</span>)?'
+CARD = re.compile(rf'<div class="card sought"><div class="value">(.*?){MARK}</div>')
+LEAD = re.compile(rf'<p class="lead sought-line">(.*?){MARK}</p>')
 
 
 def first_of(text):

@@ -195,7 +195,7 @@ def _converted(content: Any, unit: str, argument: Argument) -> Any:
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     """Return an array of floats that nobody writes to: itself if it is one, otherwise a copy."""
-    if array.dtype != float or array.flags.writeable:
+    if array.dtype != float or array.base is not None or array.flags.writeable:
         array = np.array(array, dtype=float)
         array.flags.writeable = False
     return array

@@ -78,7 +78,7 @@ def each(path, *besides: str) -> dict[str, str]:
                 message.append(f"{name}: read")
             except WinklerError as error:
                 message.append(f"{name}: {str(error)[-160:]}")
-        raise InvalidInput("\n".join(message))
+        raise InvalidInput(*message)
 
     return dict(line.split(": ", 1) for line in sentence_within(all_of_them).split("\n"))
 

@@ -153,7 +153,7 @@ def test_a_place_among_the_rows_may_be_expected():
     assert "shift (last)" in page(outcome, ())
     with pytest.raises(InvalidInput, match=r"'shift\.99' asks for one of 1\d numbers"):
         run(parse_study(TEXT + expect.format(99, 0.4)))
-    with pytest.raises(InvalidInput, match="glossary"):
+    with pytest.raises(InvalidInput, match="give an answer of the problem"):
         parse_study(TEXT + expect.replace("shift", "shaft").format(0, 0.4))
 
 
