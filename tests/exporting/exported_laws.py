@@ -42,7 +42,7 @@ PROBLEMS = {
     "ball": Indentation(BALL, Force(np.array([1.0, 10.0]))),
     "cone": ContactLaw(Foundation(Cone(0.2), GLASS), deepest=1e-6),
     "sheared": Tangential(BALL, Coulomb(0.3), THERE_AND_BACK),
-    "static": Tangential(Foundation(Cone(0.2), GLASS), StaticKinetic(0.5, 0.3), THERE_AND_BACK),
+    "two_coefficients": Tangential(Foundation(Cone(0.2), GLASS), StaticKinetic(0.5, 0.3), THERE_AND_BACK),
     "beads": Contacts.apart(GLASS, curvature_radius=1e-3, coefficient=0.3, reach=2e-6, rolling_arm=1e-5, count=8),
     "powder": ElasticPlasticParticle(1e-3, POWDER, Depth([50e-6, 0.0]), work_opening=0.1, work_closing=0.05),
     "sticky": AdhesiveCycle(RUBBER, ShortRange(work_closing=0.02, work_opening=0.05), Depth([10e-6, -1e-5])),
