@@ -22,7 +22,11 @@ COARSE_FRAMES, FINE_FRAMES = 48, 32
 STIFFEST_SHARE = 0.95
 """Greatest compliance of the frame in parts of the least measured one."""
 PENALTY = 0.5
-"""Loss of the logarithm of the likelihood for each coefficient: that of Schwarz would choose too few for the frame."""
+"""Loss of the logarithm of the likelihood for each coefficient.
+
+It was chosen by tries on drawn worlds, not derived: with that of Schwarz, of Akaike or none, intervals from ten curves held
+the truth in 72 to 83 % of 60 worlds; from three curves all of them in 95 to 98 %.
+"""
 LEAST_WEIGHT = 1e-6
 """Least weight of a frame that is looked at more closely."""
 
