@@ -24,8 +24,8 @@ STIFFEST_SHARE = 0.95
 PENALTY = 0.5
 """Loss of the logarithm of the likelihood for each coefficient.
 
-It was chosen by tries on drawn worlds, not derived: with that of Schwarz, of Akaike or none, intervals from ten curves held
-the truth in 72 to 83 % of 60 worlds; from three curves all of them in 95 to 98 %.
+It was chosen by tries on drawn worlds, not derived: with that of Schwarz, of Akaike or none, intervals from ten curves
+held the truth in 72 to 83 % of 60 worlds; from three curves all of them in 95 to 98 %.
 """
 LEAST_WEIGHT = 1e-6
 """Least weight of a frame that is looked at more closely."""
