@@ -30,6 +30,7 @@ def strengthened(item, strength):
 
 
 WITHOUT = {
+    "band_heating": "an even flux of heat, no bodies that are pressed",
     "elastic_plastic_particle": "its strength is its law",
     "elastomer_friction": "a relaxing body under a rigid one: no solid has a strength",
     "elliptic_yield_onset": "the onset is its answer",
