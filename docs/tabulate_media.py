@@ -91,9 +91,10 @@ class Cells(NamedTuple):
         return self.stated | self.no_place
 
     def agrees(self, cell: Cell, found: Cell) -> bool:
-        """Return whether a cell states what was found, but for the numbers of its example."""
-        if found.word == NO_PLACE:
-            return cell.word == "refused" and set(cell.rests) <= set(self.no_place)
+        """Return whether a cell states what was found, but for numbers; if taken, whether it can be so."""
+        if found.word in {NO_PLACE, TAKEN}:
+            placeless = cell.word == "refused" and bool(cell.rests) and set(cell.rests) <= set(self.no_place)
+            return placeless == (found.word == NO_PLACE)
         notes = () if cell.word == "exact" else cell.rests
         texts = [self.stated[key]["text"] if key in self.stated else "" for key in notes] or cell.rests
         return cell.word == found.word and set(map(topic, texts)) == set(map(topic, found.rests))
