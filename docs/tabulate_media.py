@@ -1,7 +1,7 @@
 """Write the table of media and problems in docs/choosing.md from docs/media/cells.toml, and that file from answers.
 
-After a problem, a medium or a note on validity was added or changed, ask the package for the cells concerned; a kind or
-a medium takes some seconds::
+After a problem, a medium or a note on validity was added or changed, ask the package for the cells concerned; a kind
+takes some seconds, a medium up to a minute::
 
     python docs/tabulate_media.py --kinds line_tangential,line_constriction
     python docs/tabulate_media.py --media coated_half_space
@@ -189,6 +189,8 @@ def answer(kind: str, medium: str) -> Cell:
         raise
     except wk.WinklerError as error:
         return Cell("refused", (plain(str(error), medium),))
+    if undeclared := {note.assumption for note in stated} - type(problem).assumptions:  # type: ignore[attr-defined]
+        raise ValueError(f"{kind} on {medium}: it has notes on {undeclared}, which are not among its assumptions.")
     counted = kind in SHORT["known_by_their_grid"]
     notes = [note for note in stated if of_method(note) or (counted and note.assumption is Assumption.RESOLUTION)]
     if kind not in SHORT["partly_outside"] and any(note.standing is Standing.OUTSIDE for note in notes):

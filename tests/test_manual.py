@@ -143,6 +143,7 @@ def test_cells_without_a_problem_are_as_stated(media, cells, medium):
 QUICK_CELLS = [
     ("indentation", "half_space", "exact"),
     ("rolling_start", "half_space", "approximate"),
+    ("rough_contact", "graded_half_space", "approximate"),
     ("sliding_wear", "graded_half_space", "approximate"),
     ("surface_rolling", "half_space", "approximate"),
     ("surface_adhesion", "graded_half_space", "approximate"),
