@@ -34,7 +34,7 @@ from golden import (
     stored,
 )
 
-LASTING = 3.0
+LASTING = 4.0
 """Seconds of processor time from which an entry goes into a file of its own, which long tests compare."""
 TWICE = 3
 """Rows of an entry that are computed with both kinds of arithmetic."""
