@@ -90,7 +90,7 @@ class Octaves:
 
                 def bent(u: Array) -> Array:
                     along = np.exp(u.ravel())
-                    return np.log(self.function(middle * along) / scale * along**-power).reshape(u.shape)
+                    return np.asarray(np.log(self.function(middle * along) / scale * along**-power).reshape(u.shape))
 
                 rounded = 2.0 * np.finfo(float).eps * abs(power)  # of the function, by the rounding of its places
                 panels = fit_panels(bent, edges, max(RELATIVE_TOLERANCE, rounded), MOST_PANELS)
