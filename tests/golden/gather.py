@@ -36,8 +36,6 @@ from golden import (
 
 LASTING = 4.0
 """Seconds of processor time from which an entry goes into a file of its own, which long tests compare."""
-TWICE = 3
-"""Rows of an entry that are computed with both kinds of arithmetic."""
 
 
 def arithmetic() -> dict[str, str]:
@@ -54,34 +52,34 @@ def arithmetic() -> dict[str, str]:
     }
 
 
-def found_rows(key: str, count: int) -> list[Found | str]:
-    """Return the numbers of the first rows of a question."""
-    return [answered(question) for question in questions()[key][:count]]
+def found_rows(key: str) -> list[Found | str]:
+    """Return the numbers of the rows of a question."""
+    return [answered(question) for question in questions()[key]]
 
 
 def otherwise(keys: list[str], file: Path) -> dict[str, list[dict[str, list[float]] | str]]:
-    """Return the first rows of questions as another process finds them with other arithmetic."""
+    """Return the rows of questions as another process finds them with other arithmetic."""
     subprocess.run([sys.executable, __file__, "--rows", str(file), *keys], env=os.environ | arithmetic(), check=True)
     return json.loads(file.read_text())
 
 
 def write_rows(file: str, keys: list[str]) -> None:
-    """Write the first rows of questions, with all of their numbers."""
+    """Write the rows of questions, with all of their numbers."""
     rows = {
-        key: [one if isinstance(one, str) else row_of(one.answers, sys.maxsize) for one in found_rows(key, TWICE)]
+        key: [one if isinstance(one, str) else row_of(one.answers, sys.maxsize) for one in found_rows(key)]
         for key in keys
     }
     Path(file).write_text(json.dumps(rows))
 
 
-def rounding(found: list[Found | str], other: list[dict[str, list[float]] | str]) -> dict[str, float]:
-    """Return by which quantities differ between two kinds of arithmetic, where it is more than a tenth of 1e-12."""
+def rounding(found: list[Found | str], other: list[dict[str, list[float]] | str], allowed: float) -> dict[str, float]:
+    """Return by which quantities differ between two kinds of arithmetic by more than a tenth of what is allowed."""
     most: dict[str, float] = {}
-    for now, then in zip(found, other, strict=False):
+    for now, then in zip(found, other, strict=True):
         if isinstance(now, Found) and isinstance(then, dict):
             for name, content in now.answers.items():
                 most[name] = max(most.get(name, 0.0), difference(then[name], content))
-    return {name: float(f"{apart:.1e}") for name, apart in most.items() if apart > 0.1 * REARRANGED}
+    return {name: float(f"{apart:.1e}") for name, apart in most.items() if apart > 0.1 * allowed}
 
 
 def main(names: list[str]) -> None:
@@ -99,16 +97,15 @@ def main(names: list[str]) -> None:
             lasting.add(key)
         print(f"{key}: {time.process_time() - began:.2f} s", flush=True)
     errors = {key: [0.0 if isinstance(one, str) else one.error for one in rows] for key, rows in found.items()}
-    exact = [key for key in found if max(errors[key]) == 0.0]
     with tempfile.TemporaryDirectory() as folder:
-        other = otherwise(exact, Path(folder) / "rows.json") if exact else {}
+        other = otherwise(list(found), Path(folder) / "rows.json") if found else {}
     sections: dict[str, dict[str, Entry]] = {}
     for key, rows in found.items():
         kept = {"kept": KEPT} if key.startswith("history/") else {}
         content = [one if isinstance(one, str) else row_of(one.answers, **kept) for one in rows]
         section = key.partition("/")[0] + ("-lasting" if key in lasting else "")
-        noise = rounding(rows, other[key]) if key in other else {}
-        residuals = {name for name, apart in noise.items() if apart > RESIDUAL}
+        noise = rounding(rows, other[key], max(REARRANGED, *errors[key]))
+        residuals = {name for name, apart in noise.items() if apart > max(RESIDUAL, *errors[key])}
         if residuals:
             print(f"{key}: not stored: {', '.join(sorted(residuals))}")
             content = [
@@ -116,7 +113,7 @@ def main(names: list[str]) -> None:
             ]
             noise = {name: apart for name, apart in noise.items() if name not in residuals}
         error = sorted(set(errors[key]))[-1:] if len(set(errors[key])) == 1 else errors[key]
-        sections.setdefault(section, {})[key] = Entry("R" if key in other else "M", content, error, noise)
+        sections.setdefault(section, {})[key] = Entry("M" if any(error) else "R", content, error, noise)
     for number, (section, entries) in enumerate(sections.items(), 1 + len(files())):
         lines = ",\n".join(f"{json.dumps(key)}: {_json(packed(entry))}" for key, entry in entries.items())
         file = NUMBERS / f"{number}-{section}.json"

@@ -13,9 +13,9 @@ An entry has a class, which was fixed when its numbers were gathered:
 A difference counts over the greatest magnitude of its quantity along the path, over loads or points: a number that
 passes through zero is rounded as its neighbours are.  The last digits depend on processor and number of threads.  So
 numbers are gathered twice, with all instructions of the processor and with the fewest (`gather.py`).  Where a quantity
-of class R differs between both by more than a tenth of 1e-12 (a cancellation, an inverse, the place of an extremum),
-the difference is stored as its `rounding`, and ten times that is allowed.  What differs by more than `RESIDUAL` is the
-residual of an equation or a sum that vanishes, and is not stored.
+differs between both by more than a tenth of what is allowed (a cancellation, an inverse, the place of an extremum), the
+difference is stored as its `rounding`, and ten times that is allowed.  What differs by more than `RESIDUAL`, or by more
+than the error of a march, is the residual of an equation or a sum that vanishes, and is not stored.
 """
 
 from __future__ import annotations
@@ -155,7 +155,7 @@ class Entry(NamedTuple):
     error
         Of each row the stated error, one number where all have the same; of class W the tolerance of its number.
     rounding
-        By which quantities of class R differ between two kinds of arithmetic.
+        By which quantities differ between two kinds of arithmetic, where it is more than a tenth of the allowed.
     source
         Of class W: where the independent number comes from.
     """
@@ -168,11 +168,8 @@ class Entry(NamedTuple):
 
     def allowed(self, row: int, name: str) -> float:
         """Return the difference that is allowed."""
-        return (
-            self.error[row % len(self.error)]
-            if self.kind != "R"
-            else max(REARRANGED, MARGIN * self.rounding.get(name, 0.0))
-        )
+        own = REARRANGED if self.kind == "R" else self.error[row % len(self.error)]
+        return max(own, MARGIN * self.rounding.get(name, 0.0))
 
     def moved(self, row: int, found: Found | str) -> list[str]:
         """Return one line for each quantity that is not what it was."""
