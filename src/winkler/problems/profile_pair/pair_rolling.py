@@ -37,9 +37,9 @@ FORCE_TOLERANCE = 1e-5
 LEAST_BORNE = 0.2
 """Part of the pressures that the vertical force is at least: else friction carries the upper body."""
 FEWEST_PIXELS = 16
+"""Along a side, of the grids with which results are compared."""
 COARSER, LEFT = (0.5, 0.625), 2.0
-"""Grids with these parts of the pixels, and the error over the greatest change from them: 1.9 of forty random barrels."""
-"""Along a side, of the grid with which results are compared."""
+"""Parts of the pixels of these grids, and the error over the greatest change from them: 1.9 of forty random barrels."""
 FASTEST_DRIFT = 0.5
 """Largest lateral drift [-]."""
 
