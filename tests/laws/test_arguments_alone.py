@@ -160,8 +160,7 @@ def given(argument: str, problem: Any) -> Any:
 
 
 COSTLY = {
-    "elliptic_friction_heating", "friction_heating", "joint_stiffness", "line_friction_heating", "master_curve",
-    "oscillating_rolling", "profile_pair", "profile_pair_rolling", "transient_heating", "yield_onset",
+    "joint_stiffness", "master_curve", "oscillating_rolling", "profile_pair", "profile_pair_rolling", "yield_onset",
 }  # fmt: skip
 """Kinds of problems that take some tenths of a second."""
 
