@@ -56,8 +56,9 @@ def coupled_stresses(
 def coupled_note(strip: CoupledStrip, slope: float) -> Note:
     """Return how far creepage, force and loss of a strip are off, under a slope a/R [-]."""
     part, lost = 100.0 * creepage_error(strip), "The loss is too small for these elements to show."
-    if strip.loss > 0.0:
-        lost = f"The loss is within {100.0 * loss_error(strip, slope) / strip.loss:.2g} % of itself."
+    error = loss_error(strip, slope)
+    if error < strip.loss:
+        lost = f"The loss is within {100.0 * error / strip.loss:.2g} % of itself."
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
