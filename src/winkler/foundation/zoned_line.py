@@ -9,6 +9,7 @@ Of the stress :math:`-\sigma_0` between a and c the potential below the surface 
 from __future__ import annotations
 
 import math
+from typing import ClassVar
 
 import numpy as np
 
@@ -40,6 +41,8 @@ class ZonedBed(LineFoundation):
         contact=("a", "m", "half-width of the contact"),
         outer=("c", "m", "where the attraction ends"),
     )
+
+    hertzian: ClassVar[bool] = False
 
     strength: Positive
     contact: NonNegative

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.surfaces.strip_elements import linear_potential
@@ -27,7 +28,7 @@ class LineMarchedState(ShearedStrip):
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
@@ -55,7 +56,7 @@ class LineMarchedState(ShearedStrip):
         rubbed=("", "J/m^2", "what friction has lost per area, element by element"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: Coulomb
     force_per_length: float
     half_width: float
@@ -154,7 +155,13 @@ class LineMarchedState(ShearedStrip):
 
 
 def marched_state(
-    bed: LineFoundation, law: Coulomb, row: MarchedRow, force: float, half_width: float, shear: float, bulk: float
+    bed: LineFoundation | LayeredLineFoundation,
+    law: Coulomb,
+    row: MarchedRow,
+    force: float,
+    half_width: float,
+    shear: float,
+    bulk: float,
 ) -> LineMarchedState:
     """Return the state of a row of elements under these forces per length [N/m] and this bulk stress [Pa]."""
     used = row.traction / row.bound
