@@ -25,8 +25,11 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.strip_waves import smooth_modes, transforms
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.plane_interior import PlaneLayers
 from winkler.media.layered.wave_constants import Body
+from winkler.media.stacked.sliding_film import SlidingFilm
+from winkler.media.stacked.stacked import StackedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms.strip_equation import StripResponse, Waves, octaves, strip_responses, waves
@@ -96,7 +99,7 @@ class LayeredLineFoundation(LineBed):
     ----------
     profile : Profile
         The gap f between the undeformed bodies, as of `LineFoundation`.
-    medium : CoatedHalfSpace, StackedHalfSpace or SlidingFilm
+    medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm or PlaneLayers
         Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, against a
         homogeneous body.
 
@@ -107,7 +110,10 @@ class LayeredLineFoundation(LineBed):
     """
 
     profile: Profile
-    medium: Annotated[PlaneLayers, Advice("homogeneous bodies go into a LineFoundation")]
+    medium: Annotated[
+        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | PlaneLayers,
+        Advice("homogeneous bodies go into a LineFoundation"),
+    ]
 
     search_step: ClassVar[float] = 1.5
     punches_push: ClassVar[bool] = False

@@ -87,9 +87,9 @@ class LineFoundation(LineBed):
     sheared_as_pressed: ClassVar[bool] = True
 
     @property
-    def hertzian(self) -> bool:  # type: ignore[override]
-        """Whether the pressure is Hertz's under every load: that of a parabolic cylinder."""
-        return isinstance(self.profile, Paraboloid)
+    def hertz_radius(self) -> float:
+        """R of a parabolic cylinder [m]; infinite for other profiles."""
+        return self.profile.curvature_radius if isinstance(self.profile, Paraboloid) else math.inf
 
     @property
     def _round(self) -> float:

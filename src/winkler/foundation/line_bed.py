@@ -50,11 +50,18 @@ class LineBed:
     punches_push: ClassVar[bool] = True
     """Whether flat punches nowhere pull, and leave the surface beside them below: no contact whose load grows parts."""
 
-    hertzian: ClassVar[bool] = False
-    """Whether the pressure is Hertz's under every load: that of a parabolic cylinder on half-planes."""
-
     sheared_as_pressed: ClassVar[bool] = False
     """Whether tractions move the surfaces along as pressures sink them, but for the factor `along_share`."""
+
+    @property
+    def hertz_radius(self) -> float:
+        """R of a parabolic cylinder on half-planes [m], whose pressure is Hertz's under every load; else infinite."""
+        return math.inf
+
+    @property
+    def hertzian(self) -> bool:
+        """Whether the pressure is Hertz's under every load, so that all contacts are similar."""
+        return math.isfinite(self.hertz_radius)
 
     @property
     def along_share(self) -> float:

@@ -9,7 +9,6 @@ Of the stress :math:`-\sigma_0` between a and c the potential below the surface 
 from __future__ import annotations
 
 import math
-from typing import ClassVar
 
 import numpy as np
 
@@ -42,11 +41,14 @@ class ZonedBed(LineFoundation):
         outer=("c", "m", "where the attraction ends"),
     )
 
-    hertzian: ClassVar[bool] = False
-
     strength: Positive
     contact: NonNegative
     outer: Positive
+
+    @property
+    def hertz_radius(self) -> float:
+        """Infinite: the attraction alters the pressure."""
+        return math.inf
 
     @property
     def span(self) -> float:

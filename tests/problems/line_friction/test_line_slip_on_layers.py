@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 
 import numpy as np
 import pytest
+from scipy.special import k0
 from slip_of_layers import SlippingCylinder
 
 import winkler as wk
@@ -156,3 +158,86 @@ def test_notes_of_a_line_that_slips_on_layers():
     elastic = next(note for note in notes if note.assumption is wk.Assumption.ELASTIC)
     assert elastic.standing is wk.Standing.APPROXIMATE
     assert "were all of it to slide" in elastic.statement
+
+
+def test_stresses_inside_layers_are_refused_while_a_contact_slips_in_part():
+    bed = wk.LayeredLineFoundation(CYLINDER, coating(0.5))
+    state = pushed(bed, wk.LinePath(0.1, [0.0, 0.02])).at(-1)
+    with pytest.raises(wk.OutsideValidity, match="slips in part"):
+        state.stresses(0.0, 0.1)
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
+@pytest.mark.parametrize("contrast", [0.1, 10.0])
+def test_heat_of_a_line_that_slides_on_layers(contrast, a):
+    """Temperature of a moving band under the pressure of the integral equation, by quadrature about its logarithm."""
+    of = by_equations(contrast, a)
+    first, second = wk.ThermalConductor(2.0, 0.5), wk.ThermalConductor(1.0, 1.0)
+    bed = wk.LayeredLineFoundation(CYLINDER, coating(contrast))
+    found = wk.LineFrictionHeating(
+        bed, wk.Coulomb(MU), wk.LineForce(of.load), wk.HeatConductors(first, second),
+        first_speed=3.0 / a, second_speed=0.0, partition=wk.FixedShare(1.0),
+    ).solve()  # fmt: skip
+    pressure = np.polynomial.chebyshev.Chebyshev.fit(of.s / a, of.p, 40)
+    x, rate = np.array([-0.4, 0.2, 0.8]) * a, 3.0 / a / (2.0 * 0.5)
+
+    def warmed(place):
+        node, weight = np.polynomial.legendre.leggauss(60)
+        total = 0.0
+        for low, high in ((-a, place), (place, a)):  # s = end + (end - place) (1 - t^4): roots and logarithm are gone
+            t = 0.5 * (node + 1.0)
+            share = t**4 * (35.0 - 84.0 * t + 70.0 * t**2 - 20.0 * t**3)
+            s, step = low + (high - low) * share, (high - low) * 140.0 * (t * (1.0 - t)) ** 3 * 0.5 * weight
+            z = rate * (place - s)
+            heat = MU * np.sqrt(np.maximum(a * a - s * s, 0.0)) / a * pressure(s / a) * 3.0 / a
+            total += float(np.sum(heat * np.exp(z) * k0(np.abs(z)) * step))
+        return total / (np.pi * 2.0)
+
+    np.testing.assert_allclose(found.first.temperature(x), [warmed(place) for place in x], rtol=1e-6)
+    plain = dataclasses.replace(found.problem, bed=wk.LineFoundation(CYLINDER, wk.HalfSpace(solid()))).solve()
+    assert found.flash_temperature != pytest.approx(plain.flash_temperature, rel=5e-3)
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
+@pytest.mark.parametrize("contrast", [0.1, 10.0])
+def test_current_through_a_line_on_layers_converges_on_their_strip(contrast, a):
+    """rho / pi arsinh(d / a) in each body, with the half-width of the integral equation."""
+    load = wk.LineForce(by_equations(contrast, a).load)
+    pair = wk.ElectricalConductors(wk.ElectricalConductor(2.0), wk.ElectricalConductor(3.0))
+    bed = wk.LayeredLineFoundation(CYLINDER, coating(contrast))
+    found = wk.LineConstriction(bed, pair, load, first_depth=20.0, second_depth=30.0).solve()
+    expected = (2.0 * np.arcsinh(20.0 / a) + 3.0 * np.arcsinh(30.0 / a)) / np.pi
+    assert found.resistance_per_length == pytest.approx(expected, rel=1e-11)
+
+
+def test_friction_drags_a_layer_away_that_slides_on_what_lies_below_it():
+    bed = wk.LayeredLineFoundation(CYLINDER, wk.SlidingFilm([wk.Layer(solid(), 1.0)], solid(0.1)))
+    pair = wk.HeatConductors(wk.ThermalConductor(2.0, 0.5), wk.ThermalConductor(1.0, 1.0))
+    with pytest.raises(wk.OutsideValidity, match="slides on what lies below it and bears no shear"):
+        wk.LineFrictionHeating(bed, wk.Coulomb(MU), wk.LineForce(0.1), pair, first_speed=1.0, second_speed=2.0)
+
+
+def test_anisotropic_layers_slip_as_isotropic_ones_where_they_are_and_by_their_own_constants_elsewhere():
+    """A transversely isotropic layer with isotropic constants; one of the same E* that shears another way."""
+    iso = wk.TransverselyIsotropic(*alike(solid()))
+    path = wk.LinePath(0.5, [0.0, 0.1])
+    known = pushed(wk.LayeredLineFoundation(CYLINDER, coating(0.2)), path)
+    stack = wk.StackedHalfSpace([wk.StackLayer(iso, 1.0)], solid(0.2))
+    found = pushed(wk.LayeredLineFoundation(CYLINDER, stack), path)
+    np.testing.assert_allclose(found.half_width, known.half_width, rtol=1e-10)
+    np.testing.assert_allclose(found.dissipation_per_length, known.dissipation_per_length, rtol=1e-8)
+    wood = wk.TransverselyIsotropic(11.0, 4.0, 4.0, 20.0, 3.0)
+    thick = wk.StackedHalfSpace([wk.StackLayer(wood, 1.0)], wood)
+    layered = pushed(wk.LayeredLineFoundation(CYLINDER, thick), path)
+    plain = pushed(wk.LineFoundation(CYLINDER, wk.TransverselyIsotropicHalfSpace(wood)), path)
+    np.testing.assert_allclose(layered.half_width, plain.half_width, rtol=1e-10)
+    lost = plain.dissipation_per_length[-1]
+    assert layered.dissipation_per_length[-1] == pytest.approx(lost, rel=2e-4)
+
+
+def alike(body):
+    """C11, C12, C13, C33, C44 of an isotropic solid."""
+    lame = 2.0 * body.shear * body.poisson / (1.0 - 2.0 * body.poisson)
+    return lame + 2.0 * body.shear, lame, lame, lame + 2.0 * body.shear, body.shear

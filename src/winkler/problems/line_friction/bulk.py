@@ -60,8 +60,7 @@ def lean_of(bed: LineBed, path: LinePath) -> float:
     """Return lambda, the shift of an earlier contact over the load per length over E* that it lacks [-]."""
     if not np.any(path.bulk_stress) or not bed.hertzian:
         return 0.0
-    radius: float = bed.profile.curvature_radius  # type: ignore[attr-defined]
-    return radius * path.bulk_per_shear * bed.medium.along_modulus * bed.strain_per_stress
+    return bed.hertz_radius * path.bulk_per_shear * bed.medium.along_modulus * bed.strain_per_stress
 
 
 def _share(bed: LineBed, lean: float, load: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
+from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
@@ -123,6 +124,11 @@ class LineMarchedState(ShearedStrip):
         return found
 
     def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+        if not self.bed.sheared_as_pressed:
+            raise OutsideValidity(
+                "LineTangential: stresses inside layers that a contact shears while it slips in part are not computed; "
+                "LineIndentation(bed, load).solve().stresses(x, z, friction) has those of a contact that slides."
+            )
         poisson = poisson_of(self.bed.medium, below)
         side, mu = 1.0 if below else -1.0, self.law.coefficient
         # as if the mean of what both edges use were used everywhere, and the rest of the traction beside it
