@@ -24,6 +24,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.materials.depth_grading import DepthGrading
+from winkler.media.layered.across import across_above
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
 
@@ -239,8 +240,7 @@ def surface_compliance_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
         fall = np.tanh((bottom - top) * xi[:end] / STEP_DIVISIONS[:, None])
         for step in range(4):
             rows = slice(step, None)
-            own = y[rows, :end] * shear[rows, step]
-            y[rows, :end] = (own + fall[rows]) / ((1.0 + own * fall[rows]) * shear[rows, step])
+            y[rows, :end] = across_above(y[rows, :end], shear[rows, step], fall[rows])
     return np.asarray((EXTRAPOLATION_WEIGHTS @ y)[np.argsort(order)])
 
 

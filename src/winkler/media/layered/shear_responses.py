@@ -15,12 +15,13 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
+from winkler.media.layered.across import climbed_across
 from winkler.media.layered.climb import climbed
 from winkler.media.layered.layers import LayeredResponse, rounded
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
-__all__ = ["AcrossResponse", "AlongResponse", "across_layer", "across_modulus", "along_modulus"]
+__all__ = ["AcrossResponse", "AlongResponse", "across_modulus", "along_modulus"]
 
 
 def along_modulus(*bodies: Solid) -> float:
@@ -87,26 +88,5 @@ class AcrossResponse(LayeredResponse):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
-        excess: ComplexArray = np.zeros_like(xi)
-        for layer in reversed(self.layers):
-            across, excess = across_layer(across, 1.0 / layer.solid.shear, xi * layer.thickness)
-        return np.asarray(0.5 * self.modulus * excess / self.layers[0].solid.shear)
-
-
-def across_layer(below: ComplexArray, own: float, x: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
-    """Return the compliance to shear across the wave above a layer, and its excess over that of the layer alone.
-
-    Parameters
-    ----------
-    below : ndarray, (m,)
-        That of what it lies on [1/Pa].
-    own : float
-        That of a half-space of its solid [1/Pa].
-    x : ndarray, (m,)
-        Wave numbers times thickness.
-    """
-    fade, falls, ratio = np.exp(-2.0 * x), -np.expm1(-2.0 * x), below / own
-    # written without a difference of nearly equal numbers, for layers thin or thick, and bases soft or stiff
-    share = 1.0 / (1.0 + fade + ratio * falls)
-    return own * (ratio * (1.0 + fade) + falls) * share, 2.0 * (ratio - 1.0) * fade * share
+        across = climbed_across(self.layers, self.on, xi)[0]
+        return np.asarray(0.5 * self.modulus * (across - 1.0 / self.layers[0].solid.shear))

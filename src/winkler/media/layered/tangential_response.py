@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.layered import Layer
+from winkler.media.layered.across import climbed_across
 from winkler.media.layered.climb import climbed
 from winkler.media.layered.layers import LayeredResponse, rounded
 from winkler.numerics.types import ComplexArray
@@ -48,12 +49,7 @@ class TangentialResponse(LayeredResponse):
     def _waves(self, xi: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
         """Return the compliances [1/Pa] to loads along the wave and across it, times xi."""
         along = -climbed(self.layers, self.on, xi)[0][1][0]
-        across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
-        for layer in reversed(self.layers):
-            fall = np.tanh(xi * layer.thickness)
-            own = across * layer.solid.shear
-            across = (own + fall) / ((1.0 + own * fall) * layer.solid.shear)
-        return along, across
+        return along, climbed_across(self.layers, self.on, xi)[0]
 
     @property
     def compressed(self) -> float:

@@ -10,9 +10,9 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import StackLayer
+from winkler.media.layered.across import climbed_across, impedance
 from winkler.media.layered.climb import AnyLayer, climbed, is_bonded
 from winkler.media.layered.layers import rounded
-from winkler.media.layered.shear_responses import across_layer
 from winkler.media.layered.wave_constants import (
     Body,
     across_compliance,
@@ -217,14 +217,9 @@ class StackAcross(StackResponse):
         top = self.layers[0]
         return top.thickness * math.sqrt(constants_of(top.solid).twist)
 
-    def excess(self, xi: ComplexArray) -> ComplexArray:
-        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        across = np.full(xi.shape, across_compliance(self.on), dtype=xi.dtype)
-        excess: ComplexArray = np.zeros_like(xi)
-        for layer in reversed(self.layers):
-            depth = layer.thickness * math.sqrt(constants_of(layer.solid).twist)
-            across, excess = across_layer(across, across_compliance(layer.solid), xi * depth)
-        return np.asarray(self._share * excess)
+    def relative(self, xi: ComplexArray) -> ComplexArray:
+        """Compliance of the stack over that of a half-space of its uppermost layer."""
+        return np.asarray(climbed_across(self.layers, self.on, xi)[0] * impedance(self.layers[0].solid)[0])
 
 
 @value
