@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.media.layered.climb import AnyLayer
+from winkler.media.layered.climb import AnyLayer, is_bonded
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 
@@ -61,7 +61,7 @@ def climbed_across(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> 
     Parameters
     ----------
     layers : tuple of Layer or StackLayer
-        From the top; none slides.
+        From the top; what slides bears no shear below it.
     on : Elastic, TransverselyIsotropic or Rigid
         What carries them.
     xi : ndarray, (m,)
@@ -70,8 +70,15 @@ def climbed_across(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> 
     rungs = [np.full(xi.shape, 0.0 if isinstance(on, Rigid) else 1.0 / impedance(on)[0], dtype=xi.dtype)]
     for layer in reversed(layers):
         stiff, steep = impedance(layer.solid)
-        rungs.append(across_above(rungs[-1], stiff, np.tanh(xi * (layer.thickness * steep))))
+        fall = np.tanh(xi * (layer.thickness * steep))
+        rungs.append(across_above(rungs[-1], stiff, fall) if is_bonded(layer) else _without_end(1.0 / stiff, fall))
     return rungs[::-1]
+
+
+def _without_end(compliance: float, fall: ComplexArray) -> ComplexArray:
+    """Return the compliance of a free layer: the longest waves turn it without bound."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(compliance / fall)
 
 
 def across_inside(own: Array, x: Array, start: Array) -> AcrossState:

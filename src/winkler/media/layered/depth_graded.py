@@ -19,9 +19,10 @@ from winkler.media.families import PushedLayers
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
-from winkler.media.layered.depth_shear import AcrossDepthResponse, AlongDepthResponse
+from winkler.media.layered.depth_response import DepthResponse, GradedBody
+from winkler.media.layered.pair_response import Mode
 from winkler.media.punch_field import BodyField
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -67,24 +68,13 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
     tolerance: Annotated[float, between(LEAST_TOLERANCE, LARGEST_TOLERANCE)] = 1e-6
 
     @functools.cached_property
-    def response(self) -> NormalDepthResponse:
-        """The response of the pair to a pressure."""
-        return NormalDepthResponse(self.grading, self.second, self.tolerance)
+    def body(self) -> GradedBody:
+        """The graded body, as what it answers to waves."""
+        return GradedBody(self.grading, self.tolerance)
 
-    @functools.cached_property
-    def tangential_response(self) -> TangentialDepthResponse:
-        """The response of the pair to a shear load."""
-        return TangentialDepthResponse(self.grading, self.second, self.tolerance)
-
-    @functools.cached_property
-    def along_response(self) -> AlongDepthResponse:
-        """The response of the pair to shear along its wave."""
-        return AlongDepthResponse(self.grading, self.second, self.tolerance)
-
-    @functools.cached_property
-    def across_response(self) -> AcrossDepthResponse:
-        """The response of the pair to shear across its wave, and to a twist."""
-        return AcrossDepthResponse(self.grading, self.second, self.tolerance)
+    def responding(self, mode: Mode) -> DepthResponse:
+        """The response of the pair to a load."""
+        return _responding(mode, self.body, self.second)
 
     @property
     def thickness(self) -> float:
@@ -107,3 +97,9 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
                 "refinement of the cells until the surface compliance moves by less",
             ),
         )
+
+
+@cached_by_value(256)
+def _responding(mode: Mode, body: GradedBody, second: Solid) -> DepthResponse:
+    """Return the same object for the same content: it keeps its lengths, and caches find it sooner."""
+    return DepthResponse(mode, body, second)
