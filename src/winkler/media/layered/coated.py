@@ -30,7 +30,6 @@ from winkler.media.layered.stack import Stack
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
-from winkler.numerics.caching import cached_by_value
 from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse
@@ -57,22 +56,22 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
         """The response of the pair to a load."""
         raise NotImplementedError
 
-    @property
+    @functools.cached_property
     def response(self) -> PressedResponse:
         """The response of the pair to a pressure."""
         return self.responding(Mode.NORMAL)
 
-    @property
+    @functools.cached_property
     def tangential_response(self) -> PressedResponse:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
         return self.responding(Mode.TANGENTIAL)
 
-    @property
+    @functools.cached_property
     def along_response(self) -> PressedResponse:
         """The response of the pair to shear along its wave."""
         return self.responding(Mode.ALONG)
 
-    @property
+    @functools.cached_property
     def across_response(self) -> PressedResponse:
         """The response of the pair to shear across its wave, and to a twist."""
         return self.responding(Mode.ACROSS)
@@ -218,14 +217,9 @@ class StackMedium(LayeredMedium):
         """The layers, with what they are bonded to."""
         return self.layers
 
-    @functools.cached_property
-    def body(self) -> Stack:
-        """The layers and their base, as what they answer to waves."""
-        return Stack(self.stack, self.on)
-
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load."""
-        return _responding(mode, self.body, self.second)
+        return PairResponse(mode, Stack(self.stack, self.on), self.second)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
@@ -234,12 +228,6 @@ class StackMedium(LayeredMedium):
     def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
         """The same under a traction along +x: that of a load times a modulus."""
         return sheared_interior.field(load, self.stack, self.on, modulus, x, y, z)
-
-
-@cached_by_value(1024)
-def _responding(mode: Mode, body: Stack, second: Body) -> PairResponse:
-    """Return the same object for the same content: caches find it sooner."""
-    return PairResponse(mode, body, second)
 
 
 @value

@@ -9,7 +9,6 @@ narrow contacts feel the very top alone.
 
 from __future__ import annotations
 
-import functools
 from typing import Annotated
 
 from winkler.checks.number_checks import between
@@ -22,7 +21,6 @@ from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_response import DepthResponse, GradedBody
 from winkler.media.layered.pair_response import Mode
 from winkler.media.punch_field import BodyField
-from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -67,14 +65,9 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
     second: Solid = RIGID
     tolerance: Annotated[float, between(LEAST_TOLERANCE, LARGEST_TOLERANCE)] = 1e-6
 
-    @functools.cached_property
-    def body(self) -> GradedBody:
-        """The graded body, as what it answers to waves."""
-        return GradedBody(self.grading, self.tolerance)
-
     def responding(self, mode: Mode) -> DepthResponse:
         """The response of the pair to a load."""
-        return _responding(mode, self.body, self.second)
+        return DepthResponse(mode, GradedBody(self.grading, self.tolerance), self.second)
 
     @property
     def thickness(self) -> float:
@@ -97,9 +90,3 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
                 "refinement of the cells until the surface compliance moves by less",
             ),
         )
-
-
-@cached_by_value(256)
-def _responding(mode: Mode, body: GradedBody, second: Solid) -> DepthResponse:
-    """Return the same object for the same content: it keeps its lengths, and caches find it sooner."""
-    return DepthResponse(mode, body, second)
