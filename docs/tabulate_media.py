@@ -1,16 +1,30 @@
-"""Write the table of media and problems in docs/choosing.md from what the package answers.
+"""Write the table of media and problems in docs/choosing.md from docs/media/cells.toml, and that file from answers.
 
-Run ``python docs/tabulate_media.py`` (a minute) after a problem, a medium or a note on validity was added; tests
-compare the page with what this would write.  The problem of each cell is the example of its kind in the catalogue, with
-the medium in place of its own and what docs/media/examples.toml changes.
+After a problem, a medium or a note on validity was added or changed, ask the package for the cells concerned; a kind
+takes some seconds, a medium up to a minute::
+
+    python docs/tabulate_media.py --kinds line_tangential,line_constriction
+    python docs/tabulate_media.py --media coated_half_space
+    python docs/tabulate_media.py --all                            # some minutes
+
+Each call writes the page as well; without an option it writes the page alone, and solves nothing.  Words, notes and
+texts of notes follow the answers.  Reasons of refused cells are written by hand, and kept: each refused cell has one,
+of its note or its own, from ``[physical]`` (nothing would open it) or ``[opens]`` (what would open it).  A cell whose
+kind has no place for its medium has a note from ``[no_place]``, also written by hand.  What is still to be written is
+printed, and tests demand it.  What no cell needs any more is removed.
+
+The problem of each cell is the example of its kind in the catalogue, with the medium in place of its own and what
+docs/media/examples.toml changes.
 """
 
 from __future__ import annotations
 
+import argparse
 import functools
+import json
 import re
 import tomllib
-from fnmatch import fnmatch
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,6 +37,7 @@ from winkler.validity import Assumption, Note, Standing
 
 PAGE = Path(__file__).resolve().parent / "choosing.md"
 BEGIN, END = "<!-- media: begin -->", "<!-- media: end -->"
+CELLS = PAGE.parent / "media" / "cells.toml"
 OF_METHOD = {
     Assumption.RESPONSE,
     Assumption.SINGLE_CONTACT,
@@ -36,16 +51,108 @@ OF_METHOD = {
 }
 """What belongs to a method on a medium, as coupling does for maps on layers; others depend on the numbers of a case."""
 SHORT = tomllib.loads((PAGE.parent / "media" / "examples.toml").read_text(encoding="utf-8"))
-"""How examples differ from those of the catalogue, to be short; why kinds of problems have no place for media."""
+"""How examples differ from those of the catalogue, to be short."""
 TAKEN = "taken"
 NO_PLACE = "no place"
+HEAD = """\
+# Which problem answers on which medium, and how: the table of docs/choosing.md, one line a cell.
+#
+# exact: the assumptions of the method, of which notes on validity say that they hold; approximate, refused: keys of
+# notes.  A refused cell has the reason of its note, or its own: physical, or what would open it.  `python
+# docs/tabulate_media.py --kinds KIND,...` writes this file from what the package answers, and keeps what is written by
+# hand: [physical], [opens], [no_place], each `reason`, and the names of notes.
+"""
 
 
 class Cell(NamedTuple):
-    """One of "exact", "approximate" and "refused", with the reasons; before it is solved, `TAKEN` or `NO_PLACE`."""
+    """A word with what it rests on, and the key of a reason of its own for which it is refused.
+
+    Before the problem is solved the word is `TAKEN` or `NO_PLACE`.  What it rests on: assumptions if it is exact, else
+    statements, of which cells.toml keeps the keys.
+    """
 
     word: str
-    whys: tuple[str, ...] = ()
+    rests: tuple[str, ...] = ()
+    reason: str = ""
+
+
+class Cells(NamedTuple):
+    """What cells.toml states; of notes the text and the reason by key, of cells one for each kind and medium."""
+
+    physical: dict[str, str]
+    opens: dict[str, str]
+    no_place: dict[str, dict[str, str]]
+    stated: dict[str, dict[str, str]]
+    cells: dict[tuple[str, str], Cell]
+
+    @property
+    def notes(self) -> dict[str, dict[str, str]]:
+        """All notes by key."""
+        return self.stated | self.no_place
+
+    def agrees(self, cell: Cell, found: Cell) -> bool:
+        """Return whether a cell states what was found, but for numbers; if taken, whether it can be so."""
+        if found.word in {NO_PLACE, TAKEN}:
+            placeless = cell.word == "refused" and bool(cell.rests) and set(cell.rests) <= set(self.no_place)
+            return placeless == (found.word == NO_PLACE)
+        notes = () if cell.word == "exact" else cell.rests
+        texts = [self.stated[key]["text"] if key in self.stated else "" for key in notes] or cell.rests
+        return cell.word == found.word and set(map(topic, texts)) == set(map(topic, found.rests))
+
+    def reason(self, cell: Cell) -> str:
+        """Return the key of the reason of a refused cell, empty if there is none yet."""
+        return cell.reason or next((self.notes[key].get("reason", "") for key in cell.rests), "")
+
+    def media(self) -> tuple[list[str], list[str]]:
+        """Return the media that do not relax, and those that do."""
+        found = [medium for medium in CATALOGUE["medium"] if any(column == medium for _, column in self.cells)]
+        elastic = [medium for medium in found if ("indentation", medium) in self.cells]
+        return elastic, [medium for medium in found if medium not in elastic]
+
+    def kinds(self, media: Collection[str]) -> list[str]:
+        """Return the kinds of problems that have a row in the table of these media."""
+        return [kind for kind in CATALOGUE["problem"] if any((kind, medium) in self.cells for medium in media)]
+
+
+def read() -> Cells:
+    """Return what stands in cells.toml."""
+    table = tomllib.loads(CELLS.read_text(encoding="utf-8"))
+    cells = {}
+    for kind, row in table["cells"].items():
+        for medium, content in row.items():
+            own = content.pop("reason", "")
+            ((word, keys),) = content.items()
+            cells[kind, medium] = Cell(word, tuple(keys), own)
+    return Cells(table["physical"], table["opens"], table["no_place"], table["stated"], cells)
+
+
+def written(table: Cells) -> str:
+    """Return the text of cells.toml, without what no cell needs."""
+    used = {key for cell in table.cells.values() if cell.word != "exact" for key in cell.rests}
+    reasons = {table.reason(cell) for cell in table.cells.values() if cell.word == "refused"}
+    reasons |= {note.get("reason", "") for key, note in table.notes.items() if key in used}
+    lines = [HEAD]
+    for name, texts in (("physical", table.physical), ("opens", table.opens)):
+        kept = {key: text for key, text in texts.items() if key in reasons}
+        lines += [f"[{name}]", *(f"{key} = {quoted(text)}" for key, text in kept.items()), ""]
+    for name, notes in (("no_place", table.no_place), ("stated", table.stated)):
+        lines += [f"[{name}]", ""]
+        for key in sorted(used & set(notes)):
+            lines += [f"[{name}.{key}]", *(f"{word} = {quoted(text)}" for word, text in notes[key].items()), ""]
+    for kind in CATALOGUE["problem"]:
+        row = {medium: table.cells[kind, medium] for medium in CATALOGUE["medium"] if (kind, medium) in table.cells}
+        if row:
+            lines += [f"[cells.{kind}]"]
+            for medium, cell in row.items():
+                own = f", reason = {quoted(cell.reason)}" if cell.reason else ""
+                lines.append(f"{medium} = {{ {cell.word} = [{', '.join(map(quoted, cell.rests))}]{own} }}")
+            lines.append("")
+    return "\n".join(lines)
+
+
+def quoted(text: str) -> str:
+    """Return a text as TOML writes it."""
+    return json.dumps(text, ensure_ascii=False)
 
 
 def example(kind: str, medium: str) -> dict[str, Any]:
@@ -68,14 +175,12 @@ def made(kind: str, medium: str) -> tuple[Cell, object]:
     try:
         return Cell(TAKEN), build(table)
     except wk.WinklerError as error:
-        return Cell("refused", (reason(str(error), medium),)), None
+        return Cell("refused", (plain(str(error), medium),)), None
 
 
-def cell(kind: str, medium: str) -> Cell:
-    """Return a cell of the table."""
+def answer(kind: str, medium: str) -> Cell:
+    """Return what the package answers in a cell."""
     before, problem = made(kind, medium)
-    if before.word == NO_PLACE:
-        return Cell("refused", (reason_of_no_place(kind, medium),))
     if problem is None:
         return before
     try:
@@ -83,23 +188,20 @@ def cell(kind: str, medium: str) -> Cell:
     except wk.NotConverged:  # of this example: no word about the medium
         raise
     except wk.WinklerError as error:
-        return Cell("refused", (reason(str(error), medium),))
+        return Cell("refused", (plain(str(error), medium),))
+    if undeclared := {note.assumption for note in stated} - type(problem).assumptions:  # type: ignore[attr-defined]
+        raise ValueError(f"{kind} on {medium}: it has notes on {undeclared}, which are not among its assumptions.")
     counted = kind in SHORT["known_by_their_grid"]
     notes = [note for note in stated if of_method(note) or (counted and note.assumption is Assumption.RESOLUTION)]
     if kind not in SHORT["partly_outside"] and any(note.standing is Standing.OUTSIDE for note in notes):
         raise ValueError(f"{kind} on {medium}: its example is outside the validity of the method, take another.")
     if not notes:
         raise ValueError(f"{kind} on {medium}: its validity does not say how exact the method is; give it a note.")
-    whys = [reason(note.statement, medium) for note in notes if note.standing is not Standing.EXACT]
-    return Cell("approximate" if whys else "exact", tuple(dict.fromkeys(whys)))
-
-
-def reason_of_no_place(kind: str, medium: str) -> str:
-    """Return why a kind of problem has no place for a medium, as stated in `SHORT`."""
-    for row in SHORT["no_place"]:
-        if any(fnmatch(kind, pattern) for pattern in row["problems"]) and medium in row["media"]:
-            return str(row["why"])
-    raise ValueError(f"docs/media/examples.toml does not say why {kind} has no place for {medium}.")
+    whys = [plain(note.statement, medium) for note in notes if note.standing is not Standing.EXACT]
+    if whys:
+        return Cell("approximate", tuple(dict.fromkeys(whys)))
+    names = {note.assumption for note in notes}
+    return Cell("exact", tuple(assumption.name.lower() for assumption in Assumption if assumption in names))
 
 
 def of_method(note: Note) -> bool:
@@ -108,7 +210,7 @@ def of_method(note: Note) -> bool:
     return (note.assumption in OF_METHOD or note == UNCOUPLED_LAYERS) and not ranged
 
 
-def reason(sentence: str, medium: str) -> str:
+def plain(sentence: str, medium: str) -> str:
     """Return a sentence without the names of problem and medium, so that equal reasons are equal."""
     sentence = re.sub(r"^(problem[\w.]*: )?([A-Z]\w+: )?", "", sentence)
     name = CATALOGUE["medium"][medium].path.rpartition(":")[2]
@@ -123,58 +225,144 @@ def topic(sentence: str) -> str:
     return re.sub(r"[-+]?\d[-+.\de]*", "#", sentence)
 
 
-def columns() -> tuple[list[str], list[str]]:
-    """Return the media that do not relax, and those that do."""
+def places() -> list[tuple[str, str]]:
+    """Return kind and medium of each cell; media that relax have a table of their own."""
     media = list(CATALOGUE["medium"])
     elastic = [medium for medium in media if made("indentation", medium)[0].word == TAKEN]
-    return elastic, [medium for medium in media if medium not in elastic]
+    relaxing = [medium for medium in media if medium not in elastic]
+    return [
+        (kind, medium)
+        for kind in CATALOGUE["problem"]
+        for group in (elastic, relaxing)
+        if any(made(kind, medium)[0].word == TAKEN for medium in group)
+        for medium in group
+    ]
 
 
-def rows(media: list[str]) -> list[str]:
-    """Return the kinds of problems that one of these media suits."""
-    return [kind for kind in CATALOGUE["problem"] if any(made(kind, medium)[0].word == TAKEN for medium in media)]
+def updated(table: Cells, kinds: Collection[str], media: Collection[str]) -> Cells:
+    """Return what cells.toml is to state once the cells of these kinds on these media were asked."""
+    texts, cells, before = dict(table.stated), {}, set()
+    for place in places():
+        old = table.cells.get(place, Cell("refused"))
+        if place[0] in kinds and place[1] in media:
+            found = answer(*place)
+            print(*place, found.word)
+            if found.word == NO_PLACE:
+                cells[place] = old if table.agrees(old, found) else Cell("refused")
+            elif found.word == "exact":
+                cells[place] = found
+            else:
+                keys = tuple(dict.fromkeys(key_of(why, texts, before) for why in found.rests))
+                cells[place] = Cell(found.word, keys, old.reason if old[:2] == (found.word, keys) else "")
+        elif place in table.cells:
+            cells[place] = old
+        before.update(cells[place].rests if place in cells else ())
+    return Cells(table.physical, table.opens, table.no_place, texts, cells)
 
 
-def section() -> str:
-    """Return the tables and their notes."""
-    whys: list[str] = []
+def key_of(why: str, texts: dict[str, dict[str, str]], before: set[str]) -> str:
+    """Return the key of a statement; of those that differ in numbers the first in the table is the text of the note."""
+    name = "_".join(re.findall(r"[a-z]+", why.lower())[:5])
+    names = (name, *(f"{name}_{number}" for number in range(2, 99)))
+    known = (key for key, note in texts.items() if topic(note["text"]) == topic(why))
+    key = next(known, None) or next(one for one in names if one not in texts)
+    if key not in before:
+        texts[key] = texts.get(key, {}) | {"text": why}
+        before.add(key)
+    return key
+
+
+def to_be_written(table: Cells) -> list[str]:
+    """Return what is missing in cells.toml and can only be written by hand."""
+    missing = []
+    for (kind, medium), cell in table.cells.items():
+        if cell.word == "refused" and not cell.rests:
+            missing.append(f"{kind} on {medium} has no place for it: say why in a note of [no_place].")
+        elif cell.word == "refused" and table.reason(cell) not in {*table.physical, *table.opens}:
+            missing.append(
+                f"{kind} on {medium} is refused: give it, or its note {cell.rests[0]}, a `reason` that stands in "
+                "[physical] or [opens]."
+            )
+    return missing
+
+
+def section(table: Cells) -> str:
+    """Return the tables, their notes and what would open refused cells."""
+    numbers: dict[str, int] = {}
     lines: list[str] = []
-    for media in columns():
+    for media in table.media():
         lines += ["", "| kind of problem | " + " | ".join(f"`{medium}`" for medium in media) + " |"]
         lines += ["|---" * (len(media) + 1) + "|"]
-        for kind in rows(media):
+        for kind in table.kinds(media):
             words = []
             for medium in media:
-                found = cell(kind, medium)
-                whys += [why for why in found.whys if topic(why) not in map(topic, whys)]
-                topics = [topic(why) for why in whys]
-                numbers = ", ".join(str(topics.index(topic(why)) + 1) for why in found.whys)
-                words.append(f"{found.word} ({numbers})" if numbers else found.word)
-            print(kind, *words)
+                word, keys, _ = table.cells[kind, medium]
+                led = [str(numbers.setdefault(key, len(numbers) + 1)) for key in keys if word != "exact"]
+                words.append(f"{word} ({', '.join(led)})" if led else word)
             lines.append(f"| `{kind}` | " + " | ".join(words) + " |")
-    notes = [f"{number}. {why}" for number, why in enumerate(whys, 1)]
-    return "\n".join([BEGIN, *lines, "", *notes, "", END])
+    notes = [f"{number}. {table.notes[key]['text']}" for key, number in numbers.items()]
+    return "\n".join([BEGIN, *lines, "", *notes, "", *opening(table), "", END])
 
 
-def stated() -> dict[tuple[str, str], Cell]:
-    """Return the cells that stand on the page."""
+def refused(table: Cells, reasons: Collection[str]) -> list[tuple[str, str]]:
+    """Return kind and medium of the cells that are refused for one of these reasons."""
+    return [place for place, cell in table.cells.items() if cell.word == "refused" and table.reason(cell) in reasons]
+
+
+def opening(table: Cells) -> list[str]:
+    """Return the section of the page on what would open refused cells."""
+    open_cells, closed = refused(table, table.opens), refused(table, table.physical)
+    lines = [
+        "### What would open the refused cells",
+        "",
+        f"Of {len(table.cells)} cells {len(open_cells) + len(closed)} are refused. {len(closed)} of these have a "
+        f"physical reason; {len(open_cells)} need what is not built in.",
+    ]
+    for title, texts in (("what would open it", table.opens), ("physical reason", table.physical)):
+        lines += ["", f"| {title} | cells | refused |", "|---|---|---|"]
+        for key, text in texts.items():
+            places = refused(table, [key])
+            lines.append(f"| {text} | {len(places)} | {grouped(places)} |")
+    return lines
+
+
+def grouped(places: list[tuple[str, str]]) -> str:
+    """Return cells as words: kinds that are refused on the same media together."""
+    media: dict[str, tuple[str, ...]] = {}
+    for kind, medium in places:
+        media[kind] = (*media.get(kind, ()), medium)
+    alike = {group: [kind for kind in media if media[kind] == group] for group in media.values()}
+    return "; ".join(
+        f"{', '.join(f'`{kind}`' for kind in kinds)} on {', '.join(f'`{medium}`' for medium in group)}"
+        for group, kinds in alike.items()
+    )
+
+
+def page(table: Cells) -> str:
+    """Return the text of the page with these cells."""
     text = PAGE.read_text(encoding="utf-8")
-    text = text[text.index(BEGIN) : text.index(END)]
-    whys = dict(re.findall(r"^(\d+)\. (.*)$", text, re.MULTILINE))
-    cells: dict[tuple[str, str], Cell] = {}
-    media: list[str] = []
-    for line in re.findall(r"^\|(.*)\|$", text, re.MULTILINE):
-        first, *others = (part.strip().strip("`") for part in line.split("|"))
-        if first == "kind of problem":
-            media = others
-        elif first in CATALOGUE["problem"]:
-            for medium, content in zip(media, others, strict=True):
-                word, _, numbers = content.partition(" (")
-                cells[first, medium] = Cell(word, tuple(whys[number] for number in re.findall(r"\d+", numbers)))
-    return cells
+    return text[: text.index(BEGIN)] + section(table) + text[text.index(END) + len(END) :]
+
+
+def main() -> None:
+    """Ask for the cells that the command line names, and write cells.toml and the page."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for slot, name in (("problem", "kinds"), ("medium", "media")):
+        parser.add_argument(f"--{name}", type=lambda text: text.split(","), help=f"names of the slot {slot}, by commas")
+    parser.add_argument("--all", action="store_true", help="ask for each cell")
+    asked = parser.parse_args()
+    known = list(CATALOGUE["problem"]), list(CATALOGUE["medium"])
+    for given, names in zip((asked.kinds, asked.media), known, strict=True):
+        if unknown := set(given or ()) - set(names):
+            parser.error(f"not in the catalogue: {', '.join(sorted(unknown))}")
+    table = read()
+    if asked.all or asked.kinds or asked.media:
+        table = updated(table, asked.kinds or known[0], asked.media or known[1])
+        CELLS.write_text(written(table), encoding="utf-8")
+        table = read()
+    PAGE.write_text(page(table), encoding="utf-8")
+    print(*to_be_written(table), sep="\n")
 
 
 if __name__ == "__main__":
-    page = PAGE.read_text(encoding="utf-8")
-    before, after = page.index(BEGIN), page.index(END) + len(END)
-    PAGE.write_text(page[:before] + section() + page[after:], encoding="utf-8")
+    main()

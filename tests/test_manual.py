@@ -57,38 +57,97 @@ def media(root):
     return module
 
 
-HINT = "run python docs/tabulate_media.py"
+@pytest.fixture
+def cells(media):
+    """Return what docs/media/cells.toml states."""
+    return media.read()
+
+
+HINT = "run python docs/tabulate_media.py --kinds KIND,..., and write what it asks for"
 
 
 LAYERED = ["graded_half_space", "coated_half_space", "depth_graded_half_space"]
 OTHERS = sorted(set(CATALOGUE["medium"]) - set(LAYERED))
 
 
-def same(media, found, written):
-    """Return whether a cell is as written, but for the numbers of its example."""
-    topics = [{media.topic(why) for why in each.whys} for each in (found, written)]
-    return found.word == written.word and topics[0] == topics[1]
+def test_the_page_and_the_list_of_cells_are_as_their_script_writes_them(media, cells):
+    assert media.CELLS.read_text(encoding="utf-8") == media.written(cells), HINT
+    assert media.PAGE.read_text(encoding="utf-8") == media.page(cells), "run python docs/tabulate_media.py"
+
+
+def test_each_kind_has_a_cell_on_each_medium_that_could_take_it(media, cells):
+    assert {medium for _, medium in cells.cells} == set(CATALOGUE["medium"]), HINT
+    for group in cells.media():
+        rows = cells.kinds(group)
+        assert [(kind, m) for kind in rows for m in group if (kind, m) not in cells.cells] == [], HINT
+    without = set(CATALOGUE["problem"]) - {kind for kind, _ in cells.cells}
+    assert [kind for kind in without for m in CATALOGUE["medium"] if media.made(kind, m)[0].word == media.TAKEN] == []
+
+
+def test_each_refused_cell_has_a_physical_reason_or_what_would_open_it(media, cells):
+    """Before this list 67 were counted, of which 2 were opened, and those of five notes: 41 without a physical reason.
+
+    Here are counted besides: greatest stresses 6, rolling on springs 16, bodies that relax 8.
+    """
+    assert media.to_be_written(cells) == []
+    assert set(cells.physical).isdisjoint(cells.opens)
+    assert len(media.refused(cells, cells.opens)) <= 67 - 2 + 41 + 30
+    refused = [cell for cell in cells.cells.values() if cell.word == "refused"]
+    assert len(refused) == len(media.refused(cells, cells.opens)) + len(media.refused(cells, cells.physical))
+    assert all(not cell.reason for cell in cells.cells.values() if cell.word != "refused")
+
+
+def test_a_refused_cell_without_a_reason_is_named(media, cells):
+    """The script can fail: a new note has no reason yet, and a kind without a place no note."""
+    place, bare = ("line_adhesion", "coated_half_space"), ("roller_contact", "coated_half_space")
+    texts = {}
+    key = media.key_of("It is not known.", texts, set())
+    changed = cells.cells | {place: media.Cell("refused", (key,)), bare: media.Cell("refused")}
+    first, second = media.to_be_written(cells._replace(stated=cells.stated | texts, cells=changed))
+    assert "roller_contact on coated_half_space has no place" in first + second
+    assert "line_adhesion on coated_half_space is refused" in first + second
+
+
+def test_exact_is_what_notes_declare_of_each_assumption_of_the_method(media, cells):
+    """Of those that are stated; those that a number checks have a note only where the number is near its limit."""
+    for (kind, medium), cell in cells.cells.items():
+        if cell.word == "exact":
+            declared = CATALOGUE["problem"][kind].cls.assumptions & media.OF_METHOD
+            stated = {assumption.name.lower() for assumption in declared if not assumption.checked}
+            assert "response" in stated <= set(cell.rests), (kind, medium)
+            assert set(cell.rests) <= {assumption.name.lower() for assumption in declared}, (kind, medium)
+        else:
+            assert cell.rests, (kind, medium)
+
+
+def test_what_a_medium_leaves_out_is_left_out_by_each_problem_on_it(cells):
+    """Forces of attracted maps on gradings were said to be exact."""
+    left_out = {medium: cells.cells["indentation", medium].rests for medium in cells.media()[0]}
+    left_out = {m: rests for m, rests in left_out.items() if cells.cells["indentation", m].word == "approximate"}
+    assert sorted(left_out) == ["depth_graded_half_space", "graded_half_space"]
+    for (kind, medium), cell in cells.cells.items():
+        if cell.word != "refused":
+            assert set(left_out.get(medium, ())) <= set(cell.rests), (kind, medium)
 
 
 @pytest.mark.parametrize("medium", [*LAYERED, *(pytest.param(medium, marks=pytest.mark.slow) for medium in OTHERS)])
-def test_the_table_of_media_says_which_problems_take_which(media, medium):
-    stated = {kind: cell for (kind, column), cell in media.stated().items() if column == medium}
-    for kind, written in stated.items():
-        found = media.made(kind, medium)[0]
-        if found.word == media.TAKEN:
-            assert written.word in {"exact", "approximate", "refused"}, (kind, HINT)
-            assert bool(written.whys) == (written.word != "exact"), (kind, HINT)
-        else:
-            assert same(media, media.cell(kind, medium), written), (kind, HINT)
+def test_cells_without_a_problem_are_as_stated(media, cells, medium):
     for kind in CATALOGUE["problem"]:
-        assert kind in stated or media.made(kind, medium)[0].word != media.TAKEN, (kind, HINT)
+        found, stated = media.made(kind, medium)[0], cells.cells.get((kind, medium))
+        if stated is None:
+            assert found.word != media.TAKEN, (kind, HINT)
+        else:
+            assert cells.agrees(stated, found), (kind, HINT)
 
 
 QUICK_CELLS = [
     ("indentation", "half_space", "exact"),
     ("rolling_start", "half_space", "approximate"),
+    ("rough_contact", "graded_half_space", "approximate"),
     ("sliding_wear", "graded_half_space", "approximate"),
     ("surface_rolling", "half_space", "approximate"),
+    ("surface_adhesion", "graded_half_space", "approximate"),
+    ("tangential", "transversely_isotropic_half_space", "approximate"),
     ("torsion", "stacked_half_space", "approximate"),
     ("torsion", "coated_half_space", "exact"),
     ("elliptic_indentation", "coated_half_space", "refused"),
@@ -97,19 +156,28 @@ QUICK_CELLS = [
 
 
 @pytest.mark.parametrize(("kind", "medium", "word"), QUICK_CELLS)
-def test_some_cells_of_the_table_of_media_are_what_their_problems_answer(media, kind, medium, word):
-    written = media.stated()[kind, medium]
+def test_some_cells_are_what_their_problems_answer(media, cells, kind, medium, word):
+    written = cells.cells[kind, medium]
     assert written.word == word
-    assert same(media, media.cell(kind, medium), written), HINT
+    assert cells.agrees(written, media.answer(kind, medium)), HINT
+
+
+def test_a_cell_that_answers_otherwise_is_found(media, cells):
+    found = media.answer("indentation", "half_space")
+    refused = cells.cells["line_adhesion", "graded_half_space"]
+    for written in (cells.cells["indentation", "graded_half_space"], refused):
+        assert not cells.agrees(written, found)
+    assert not cells.agrees(refused, media.Cell(media.TAKEN)), "it was opened"
+    assert not cells.agrees(cells.cells["indentation", "half_space"], media.Cell(media.NO_PLACE))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("medium", list(CATALOGUE["medium"]))
-def test_each_cell_of_the_table_of_media_is_what_its_problem_answers(media, medium):
+def test_each_cell_is_what_its_problem_answers(media, cells, medium):
     """Those of which the problem is built; of the others the test above knows all."""
-    for (kind, column), written in media.stated().items():
+    for (kind, column), written in cells.cells.items():
         if column == medium and media.made(kind, medium)[0].word == media.TAKEN:
-            assert same(media, media.cell(kind, medium), written), (kind, HINT)
+            assert cells.agrees(written, media.answer(kind, medium)), (kind, HINT)
 
 
 @pytest.mark.slow

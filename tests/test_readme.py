@@ -66,7 +66,7 @@ def copied(folder: Path) -> None:
 LONG = {
     "coatings.md", "figures.md", "line-friction.md", "line-layers.md", "line-viscoelastic.md", "line-wear.md",
     "profiles.md", "joints.md", "rollers.md", "rough.md", "seals.md", "subsurface.md", "surface-adhesion.md",
-    "surface-friction.md", "surface-rolling.md",
+    "surface-friction.md", "surface-rolling.md", "wear.md",
 }  # fmt: skip
 """Pages whose Python takes seconds; they run among the slow tests."""
 

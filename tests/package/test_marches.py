@@ -8,7 +8,7 @@ import typing
 
 import numpy as np
 import pytest
-from example_answers import solved
+from example_answers import lasting_slow, solved
 
 from winkler.io.processes.stopping import INTERRUPTED
 from winkler.plot import sheet_of
@@ -59,7 +59,8 @@ def test_there_are_marches():
     assert {name for name, line in kinds().items() if hasattr(line.cls, "steps")} == set(MARCHES)
 
 
-@pytest.mark.parametrize("name", MARCHES)
+@pytest.mark.few(20)
+@pytest.mark.parametrize("name", lasting_slow(MARCHES))
 def test_every_march_states_how_far_it_is_and_keeps_what_it_has_reached(name):
     problem = build(example_study(name)["problem"])
     assert is_march(problem)

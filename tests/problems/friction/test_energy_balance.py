@@ -69,6 +69,7 @@ SHAPES = {
 """Profile, how its stiffness grows with the depth, K(d) [N/m] for E* = 1, and the error of 400 springs."""
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_a_ramp_loses_the_energy_of_its_closed_form(shape, ratio):
@@ -93,6 +94,7 @@ def test_indentation_to_and_fro_keeps_account(name, ratio):
     assert np.all(result.stored_energy >= 0.0)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_sudden_depths_and_forces_keep_account(ratio):
     solid = solids(ratio)["standard solid"]
@@ -104,6 +106,7 @@ def test_sudden_depths_and_forces_keep_account(ratio):
         assert np.all(np.diff(result.dissipation) >= 0.0)
 
 
+@pytest.mark.few(6)
 @pytest.mark.parametrize("name", SOLIDS)
 @pytest.mark.parametrize("ratio", [1e-20, 1e-3, 0.1, 1.0, 1e4, 1e20])
 def test_a_body_that_is_dragged_keeps_account(name, ratio):
@@ -201,6 +204,7 @@ LAWS = [wk.Coulomb(0.3), wk.Coulomb(math.inf), wk.StaticKinetic(0.5, 0.3), Roote
 
 
 @pytest.mark.few(4)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("law", LAWS, ids=["Coulomb", "rough", "static", "own"])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_springs_on_random_paths_balance_energy(law, profile):
@@ -249,7 +253,8 @@ def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("coefficient", [0.3, math.inf])
+@pytest.mark.few(2)
+@pytest.mark.parametrize("coefficient", [math.inf, 0.3])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_torsion_on_a_random_path_balances_energy(profile, coefficient):
     random, count = np.random.default_rng(2), 8

@@ -330,6 +330,33 @@ def test_validity_is_exact_in_one_direction():
     assert any("deviates by up to about 7.2 degrees" in n.statement for n in solution.validity)
 
 
+def waves_along_and_across(c11, c12, c13, c33, c44):
+    """Return surface displacements under waves of traction along and across them, from the equations of equilibrium."""
+    mixed = c13 + c44
+    middle = mixed**2 - c11 * c33 - c44**2
+    q = np.sqrt(np.roots([c44 * c33, middle, c11 * c44]).astype(complex))  # exp(-q z), with real parts above zero
+    ratio = -(c44 * q**2 - c11) / (mixed * q)  # of the displacement across the surface to i times that along it
+    pressed = c13 - c33 * q * ratio
+    parts = np.array([-pressed[1], pressed[0]])  # no pressure on the surface
+    along = np.sum(parts) / np.sum(c44 * (q + ratio) * parts)
+    return along.real, 1.0 / np.sqrt(c44 * 0.5 * (c11 - c12))
+
+
+@pytest.mark.parametrize("constants", [(10.0, 4.0, 3.5, 12.0, 3.0), (5.0, 2.0, 2.2, 20.0, 1.2)])
+def test_slip_deviates_on_transversely_isotropic_bodies_too(constants):
+    """In isotropic bodies tractions along their wave move it by 1 - nu of what those across do: nu/(4 - 2 nu)."""
+    alike = wk.TransverselyIsotropicHalfSpace(wk.Elastic(1.68, 0.4))
+    body = wk.TransverselyIsotropic(*constants)
+    along, across = waves_along_and_across(*constants)
+    poisson = 1.0 - along / across
+    for medium, expected in ((alike, 0.4), (wk.TransverselyIsotropicHalfSpace(body), poisson)):
+        bed = wk.Foundation(wk.Paraboloid(3.0), medium)
+        notes = [note.statement for note in run(through(wk.Depth(0.3), wk.Shift(0.05)), bed).validity]
+        (found,) = [note for note in notes if "it deviates" in note]
+        angle = np.degrees(abs(expected / (4.0 - 2.0 * expected)))
+        assert f"{expected:.3g} it deviates by up to about {angle:.2g} degrees" in found
+
+
 def test_input_is_checked():
     path = through(wk.Depth(0.3), wk.Shift(0.05))
     with pytest.raises(wk.InvalidInput, match="law is a float; give Coulomb"):

@@ -28,6 +28,8 @@ COSTLY = {"bimodal_damping", "impact", "sliding_wear", "tangential", "viscoelast
 """Problems that take seconds on all beds; they run among the slow tests."""
 ON_MAPS = {"joint_stiffness", "reduced_friction", "surface_rolling", "surface_rolling_start", "surface_tangential"}
 """Problems that take a second or more with all parts; those of the others on maps run by default."""
+REDUCED = {"reduced_bed"}
+"""A part whose springs are computed for each of the others, which takes seconds."""
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
 BALL = wk.Paraboloid(10e-3)
@@ -101,13 +103,16 @@ def solve_or_refuse(problem: Any) -> None:
         pass
 
 
-@pytest.mark.parametrize("name", OTHERS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in REDUCED else name for name in OTHERS]
+)
 def test_a_part_is_taken_or_refused_by_a_sentence(name):
     whole = example(name)
     for field, other in itertools.product(parts(whole), (*OTHERS, *PROBLEMS)):
         replaced(whole, field, example(other))
 
 
+@pytest.mark.few(25)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in ON_MAPS else name for name in PROBLEMS]
 )
@@ -120,6 +125,7 @@ def test_a_problem_takes_what_it_can_answer(name):
             solve_or_refuse(changed)
 
 
+@pytest.mark.few(20)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in COSTLY else name for name in PRESSED]
 )

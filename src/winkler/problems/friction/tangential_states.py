@@ -11,7 +11,7 @@ from winkler.foundation.bed import Bed, PressedSprings, slipping_springs
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic
-from winkler.media.halfspace import HalfSpace
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.direction import direction_notes
@@ -32,6 +32,8 @@ MINDLIN = (
     "478-487, doi:10.1007/BF00835661"
 )
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
+LEAST_ANGLE = 1e-9
+"""Angle [degrees] that is rounding."""
 
 
 @value
@@ -150,18 +152,23 @@ def friction_notes(
     medium = bed.medium
     if isinstance(medium, HalfSpace):
         poisson = max(body.poisson for body in (medium.first, medium.second) if isinstance(body, Elastic))
-        if poisson > 0.0:
-            angle = np.degrees(poisson / (4.0 - 2.0 * poisson))
-            notes.append(
-                Note(
-                    Assumption.SLIP,
-                    Standing.ASYMPTOTIC,
-                    f"Slip is taken to be parallel to the shear force; with Poisson's ratio {poisson:.3g} it deviates "
-                    f"by up to about {angle:.2g} degrees, whose effect on forces is of second order in that angle.",
-                    JOHNSON,
-                )
-            )
+        notes += _deviation_notes(poisson, "Poisson's ratio")
+    elif isinstance(medium, HomogeneousMedium):
+        poisson = 2.0 - 4.0 * medium.torsional_modulus / medium.shear_modulus
+        notes += _deviation_notes(poisson, "an effective Poisson's ratio 2 - 4 G_t/G* =")
     return tuple(notes)
+
+
+def _deviation_notes(poisson: float, name: str) -> list[Note]:
+    """Return how far slip deviates from the shear force; nothing where waves along and across it are equally stiff."""
+    angle = np.degrees(abs(poisson / (4.0 - 2.0 * poisson)))
+    if angle < LEAST_ANGLE:
+        return []
+    statement = (
+        f"Slip is taken to be parallel to the shear force; with {name} {poisson:.3g} it deviates by up to about "
+        f"{angle:.2g} degrees, whose effect on forces is of second order in that angle."
+    )
+    return [Note(Assumption.SLIP, Standing.ASYMPTOTIC, statement, JOHNSON)]
 
 
 def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> SurfaceFriction:

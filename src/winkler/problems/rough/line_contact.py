@@ -99,7 +99,7 @@ class RoughContact:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
-        (Assumption.ELASTIC, Assumption.ROUGHNESS, Assumption.RESOLUTION)
+        (Assumption.RESPONSE, Assumption.ELASTIC, Assumption.ROUGHNESS, Assumption.RESOLUTION)
     )
 
     def __post_init__(self) -> None:

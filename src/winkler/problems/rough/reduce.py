@@ -87,7 +87,7 @@ class Reduction:
 
     references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
-        (Assumption.ELASTIC, Assumption.SHAPE, Assumption.RESOLUTION)
+        (Assumption.RESPONSE, Assumption.ELASTIC, Assumption.SHAPE, Assumption.RESOLUTION)
     )
 
     def __post_init__(self) -> None:

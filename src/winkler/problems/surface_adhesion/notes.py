@@ -64,7 +64,7 @@ def surface_adhesion_notes(
     else:
         stated = f"Gaps are taken between flat parts of the surfaces (Derjaguin); the map {number}."
     return (
-        *medium_notes(medium, rough, math.inf, 0.0, 0.0, 0.0)[:2],
+        *(note for note in medium_notes(medium, rough, math.inf, 0.0, 0.0, 0.0) if note not in mapped[2:]),
         Note(
             Assumption.RESOLUTION,
             standing_left(residual, Standing.ASYMPTOTIC),
