@@ -11,7 +11,7 @@ import pytest
 import winkler as wk
 from winkler.media.layered.across import across_added, across_inside
 from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.stack import Stack
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Wave
 
 XI_H = (1e-12, 1e-8, 1e-4, 1e-2, 0.3, 0.999, 1.001, 2.0, 5.0, 20.0, 100.0, 700.0)
@@ -131,7 +131,7 @@ def test_waves_keep_all_digits():
     for layers, base, xi in corners():
         numbers = inputs(layers, base, xi)
         mp.mp.dps = digits_for(numbers)
-        wanted, body = references(numbers), Stack(layers, base)
+        wanted, body = references(numbers), StackBody(layers, base)
         for part in Wave:
             found = mp.mpf(float(body.waves(part, np.array([xi]))[0]))
             if abs(wanted[part]) < mp.mpf(10) ** -50 * wanted[Wave.ALONG]:
@@ -170,9 +170,9 @@ def test_one_body_is_the_same_value_as_a_coating_and_as_a_stack():
 
 def test_without_layers_a_stack_is_a_half_space():
     solid, xi = wk.Elastic(3e9, 0.3), np.array([0.1, 3.0])
-    layered = Stack((wk.Layer(solid, 1.0),), solid)
+    layered = StackBody((wk.Layer(solid, 1.0),), solid)
     for part in Wave:
-        np.testing.assert_allclose(Stack((), solid).waves(part, xi), layered.waves(part, xi), rtol=2e-14)
+        np.testing.assert_allclose(StackBody((), solid).waves(part, xi), layered.waves(part, xi), rtol=2e-14)
 
 
 def test_a_wave_across_keeps_its_digits_at_depth():

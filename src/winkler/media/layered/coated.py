@@ -26,7 +26,7 @@ from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.sheared import ShearedLayers
-from winkler.media.layered.stack import Stack
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
@@ -219,7 +219,7 @@ class StackMedium(LayeredMedium):
 
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load."""
-        return PairResponse(mode, Stack(self.stack, self.on), self.second)
+        return PairResponse(mode, StackBody(self.stack, self.on), self.second)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""

@@ -17,7 +17,7 @@ import functools
 import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic
-from winkler.media.layered.stack import Layered, Stack, rounded
+from winkler.media.layered.stack import Layered, StackBody, rounded
 from winkler.media.layered.wave_constants import Body, Wave, half_space_compliance
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
@@ -89,14 +89,14 @@ class PairResponse(WavePair):
     ----------
     mode : Mode
         The load.
-    first : Stack
+    first : StackBody
         Layers, at least one, on what carries them.
     second : Elastic, TransverselyIsotropic or Rigid
         The other body, a homogeneous half-space.
     """
 
     mode: Mode
-    first: Stack
+    first: StackBody
     second: Body = RIGID
 
     precision = 3e-14

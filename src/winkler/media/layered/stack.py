@@ -22,7 +22,7 @@ from winkler.media.layered.wave_constants import (
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
-__all__ = ["Layered", "Stack", "rounded"]
+__all__ = ["Layered", "StackBody", "rounded"]
 
 
 class Layered(Protocol):
@@ -38,7 +38,7 @@ class Layered(Protocol):
 
 
 @value
-class Stack:
+class StackBody:
     """Layers on what carries them.
 
     Parameters
@@ -99,14 +99,14 @@ class Stack:
         top, length = self.layers[0].solid, self.layers[0].thickness
         return top.young if isinstance(top, Elastic) else top.c44, length
 
-    def in_own_units(self) -> Stack:
+    def in_own_units(self) -> StackBody:
         """Return the same stack in units of its uppermost layer."""
         modulus, length = self.unit
         layers = tuple(
             StackLayer(_in_units(layer.solid, modulus), rounded(layer.thickness / length), is_bonded(layer))
             for layer in self.layers
         )
-        return Stack(layers, self.on if isinstance(self.on, Rigid) else _in_units(self.on, modulus))
+        return StackBody(layers, self.on if isinstance(self.on, Rigid) else _in_units(self.on, modulus))
 
 
 def rounded(ratio: float) -> float:

@@ -22,7 +22,7 @@ from winkler.materials.elastic import RIGID
 from winkler.media.layered.across import climbed_across, impedance
 from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.stack import Stack
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
@@ -38,7 +38,7 @@ class FloatingAcross(PairResponse):
     """The response to a twist of layers without shear below them; the lowest of the stack slides."""
 
     mode: Mode
-    first: Stack
+    first: StackBody
     second: Body = RIGID
 
     @property

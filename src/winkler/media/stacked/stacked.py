@@ -18,7 +18,7 @@ from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import BARBER, StackMedium
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.stack import Stack
+from winkler.media.layered.stack import StackBody
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.media.stacked.floating import FloatingAcross
@@ -41,7 +41,7 @@ class SlidingStack(StackMedium, StackedBody):
         if not slides or mode is Mode.NORMAL:
             return super().responding(mode)
         if mode is Mode.ACROSS:
-            return FloatingAcross(mode, Stack(self.stack[:slides], RIGID), self.second)
+            return FloatingAcross(mode, StackBody(self.stack[:slides], RIGID), self.second)
         raise OutsideValidity(
             f"{type(self).__name__}: layer {slides} slides on what lies below it and bears no shear there, so "
             "that under a push it slides away; give layers that are bonded."
