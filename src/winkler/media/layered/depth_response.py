@@ -27,7 +27,7 @@ from winkler.media.layered.depth_recursion import (
     surface_compliance_across,
     surface_depth,
 )
-from winkler.media.layered.pair_response import Mode, WavePair
+from winkler.media.layered.pair_response import MODE_WORDS, Mode, WavePair
 from winkler.media.layered.wave_constants import Wave, half_space_compliance, in_plane_share
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.transforms.cosine_transform import on_axis
@@ -102,6 +102,8 @@ class DepthResponse(WavePair):
     second : Elastic or Rigid
         The other body, a homogeneous half-space.
     """
+
+    __words__ = MODE_WORDS
 
     mode: Mode
     first: GradedBody

@@ -20,9 +20,9 @@ from winkler.materials.elastic import RIGID, Elastic
 from winkler.media.layered.stack import Layered, StackBody, rounded
 from winkler.media.layered.wave_constants import Body, Wave, half_space_compliance
 from winkler.numerics.types import ComplexArray
-from winkler.values import value
+from winkler.values import value, words
 
-__all__ = ["Mode", "PairResponse", "WavePair"]
+__all__ = ["MODE_WORDS", "Mode", "PairResponse", "WavePair"]
 
 
 class Mode(enum.Enum):
@@ -38,6 +38,9 @@ class Mode(enum.Enum):
     """Shear, averaged over its angle with the wave."""
     TURNING = ((Wave.ALONG, -0.5), (Wave.ACROSS, 0.5))
     """Half of what waves across their direction move more than those along it, over the mean of the surface."""
+
+
+MODE_WORDS = words(mode=("", None, "the load: a pressure, or shear along, across or at all angles with its wave"))
 
 
 class WavePair:
@@ -94,6 +97,8 @@ class PairResponse(WavePair):
     second : Elastic, TransverselyIsotropic or Rigid
         The other body, a homogeneous half-space.
     """
+
+    __words__ = MODE_WORDS
 
     mode: Mode
     first: StackBody
