@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from example_answers import example_problem, solved
+from example_answers import LASTING, example_problem, solved
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
@@ -159,8 +159,21 @@ def given(argument: str, problem: Any) -> Any:
     return dataclasses.replace(problem, **{argument.split(".")[1]: value_of(argument)})
 
 
+COSTLY = {
+    "joint_stiffness", "master_curve", "oscillating_rolling", "profile_pair", "profile_pair_rolling", "yield_onset",
+}  # fmt: skip
+"""Kinds of problems that take some tenths of a second."""
+
+
 @pytest.mark.few(12)
-@pytest.mark.parametrize("argument", [argument for argument in ARGUMENTS if argument not in TOGETHER])
+@pytest.mark.parametrize(
+    "argument",
+    [
+        pytest.param(argument, marks=pytest.mark.slow if argument.split(".")[0] in COSTLY | LASTING else ())
+        for argument in ARGUMENTS
+        if argument not in TOGETHER
+    ],
+)
 def test_an_argument_given_alone_acts_or_is_named(argument):
     """One that cannot be left out acts; where the others cannot be left out, they are those of the example."""
     for others in (False, True):

@@ -1,132 +1,35 @@
 """Errors that answers state, in notes or as numbers, against refinement, on random problems.
 
-Of each kind the true error exceeds the stated one in at most 5 % of the problems.
+Of each kind the true error exceeds the stated one in at most 5 % of the problems: of twenty problems one may, which an
+estimate that is exceeded in one problem of seven also passes once in five times.  Each number that an answer calls an
+error, and each note with one, either has a case or is listed with the reason why it has none.
 """
 
 from __future__ import annotations
 
+import ast
+import importlib
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicHermiteSpline
+from stated_cases import ANSWERS, CASES, QUICK
 
 import winkler as wk
-from winkler.materials.spring_and_dashpot import StandardSolid
-from winkler.problems.viscoelastic.layered_path import stepped
 
 ALLOWED = 0.05
 SLOW = 20
-ROUNDING = 1e-14
+LONGER = {"measured_section", "profile_pair", "sliding_heat"}
+"""Cases that take some tenths of a second: one problem of each by default."""
 
 
-def change(found, true, scale=None):
-    """Return the greatest difference over a scale, the greatest of the true numbers unless given."""
-    return float(np.max(np.abs(np.asarray(found) - true)) / (np.max(np.abs(true)) if scale is None else scale))
-
-
-def relaxing_layers(rng):
-    """Force of a relaxation test, depth of a creep test; the note names their error."""
-    film = StandardSolid(1.0, 10.0 ** rng.uniform(-1, 1.5), 10.0 ** rng.uniform(-1, 1), poisson=rng.uniform(0.2, 0.5))
-    base = wk.Elastic(10.0 ** rng.uniform(-1, 3), rng.uniform(0.1, 0.45)) if rng.random() < 0.7 else wk.Rigid()
-    thickness, shape = 10.0 ** rng.uniform(-2, 0), rng.integers(3)
-    layers = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(film, thickness)], on=base)
-    bed = wk.Foundation((wk.Paraboloid(1.0), wk.Cone(1.4), wk.FlatPunch(0.1))[shape], layers)
-    times, depth = np.sort(10.0 ** rng.uniform(-2, 2, 4)), rng.uniform(0.02, 0.3) * thickness
-    if rng.random() < 0.4:
-        load = wk.Force(float(wk.Indentation(wk.Foundation(bed.profile, layers.glassy), wk.Depth(depth)).solve().force))
-        test, name, place = wk.CreepTest(bed, load.force, times), "depth", 0
-    else:
-        load, test, name, place = wk.Depth(depth), wk.RelaxationTest(bed, depth, times), "force", 1
-    found = test.solve()
-    stated = next(re.search(r"change force or depth by (\S+) of", note.statement) for note in found.validity[::-1]
-                  if "Half as many" in note.statement)  # fmt: skip
-    return float(stated[1]), change(getattr(found, name), stepped("", bed, times, load, 768)[place])
-
-
-def contact_law(rng):
-    """Forces between the rows of a table, by cubics and by straight lines."""
-    angle, radius = rng.uniform(0.8, 1.5), 10.0 ** rng.uniform(-4, -2)
-    shape = (wk.Sphere(radius), wk.Cone(angle), wk.SpheroConical(radius, angle), wk.RoundedPunch(radius, radius))
-    bed = wk.Foundation(shape[rng.integers(4)], wk.HalfSpace(wk.Elastic(1e9, 0.3)))
-    law = wk.ContactLaw(bed, rng.uniform(0.01, 0.1) * radius, tolerance=10.0 ** rng.uniform(-6, -2)).solve()
-    between = np.sort(rng.uniform(0.0, law.depth[-1], 4000))
-    true = np.asarray(wk.Indentation(bed, wk.Depth(between)).solve().force)
-    cubic = CubicHermiteSpline(law.depth, law.force, law.stiffness)(between)
-    straight = np.interp(between, law.depth, law.force)
-    stated = np.array([law.hermite_error, law.linear_error]) + ROUNDING
-    errors = [change(each, true, law.force[-1]) for each in (cubic, straight)]
-    return 1.0, float(np.max(errors / stated))
-
-
-def roller(rng):
-    """Depth, force and pressures of a roller."""
-    logarithmic = wk.LogarithmicEnds(10.0 ** rng.uniform(-4, -3), load_factor=1.5, crowned_share=0.7)
-    ends = (wk.CrownedEnds(10.0 ** rng.uniform(0, 2)), wk.RoundedEnds(rng.uniform(0.05, 0.5)), logarithmic)
-    load, soft = wk.Force(10.0 ** rng.uniform(-4.5, -3)), wk.HalfSpace(wk.Elastic(1.0, 0.0))
-    length, kind = rng.uniform(1.5, 4.0), rng.integers(3)
-    rough, fine = (wk.RollerContact(1.0, length, ends[kind], soft, load, elements=count).solve() for count in (64, 256))
-    names = ("depth", "peak_pressure", "middle_pressure")
-    return rough.grid_error, max(abs(getattr(rough, name) / getattr(fine, name) - 1.0) for name in names)
-
-
-def profile_pair(rng):
-    """Force and greatest pressure of two profiles."""
-    y = np.linspace(-2e-3, 2e-3, 81)
-    radius, wavy = rng.uniform(5e-3, 30e-3), 1e-7 * rng.uniform(0.0, 1.0) * np.cos(y / 2e-4 + rng.uniform(0.0, 6.0))
-    flat, ball = wk.CrossProfile(y, 0.0 * y), wk.CrossProfile(y, y**2 / (2.0 * radius) + wavy)
-    steel = wk.HalfSpace.between(wk.Elastic(210e9, 0.28), wk.Elastic(210e9, 0.28))
-    depth = wk.Depth(10.0 ** rng.uniform(-6, -5.3))
-    rough, fine = (
-        wk.ProfilePair(flat, ball, steel, depth, second_radius=10e-3, pixels=pixels).solve() for pixels in (24, 128)
-    )
-    return rough.grid_error, max(
-        abs(rough.force / fine.force - 1.0), abs(rough.peak_pressure / fine.peak_pressure - 1.0)
-    )
-
-
-def pressed_ellipse(rng):
-    """Return what draws an ellipse of Hertz's pressure with friction on so many pixels; its edge lies between them."""
-    a, b = 1e-3, 1e-3 * rng.uniform(0.4, 2.0)
-    x_middle, y_middle = 1e-4 * rng.uniform(-1.0, 1.0, 2)
-
-    def load(count):
-        pixel = 4.4 * np.array([a, b]) / count
-        x, y = ((np.arange(count) - 0.5 * (count - 1)) * each for each in pixel)
-        inside = 1.0 - ((x[:, None] - x_middle) / a) ** 2 - ((y[None, :] - y_middle) / b) ** 2
-        pressure = 1e9 * np.sqrt(np.maximum(inside, 0.0))
-        return wk.SurfaceLoad(pressure, pixel * count, 0.2 * pressure)
-
-    return load
-
-
-def sliding_heat(rng):
-    """Greatest temperature of bodies that slide."""
-    load, speeds = pressed_ellipse(rng), 10.0 ** rng.uniform(-3, 1, 2)
-    pair = wk.HeatConductors(wk.ThermalConductor(50.0, 1.4e-5), wk.ThermalConductor(10.0 ** rng.uniform(0, 2), 1e-5))
-    rough, fine = (
-        wk.SurfaceFrictionHeating(load(count), pair, float(-speeds[0]), float(speeds[1])).solve() for count in (24, 96)
-    )
-    return rough.grid_error, abs(rough.max_temperature / fine.max_temperature - 1.0)
-
-
-def stress_below(rng):
-    """Greatest stress below a map of pressures and tractions."""
-    load, steel = pressed_ellipse(rng), wk.Elastic(210e9, rng.uniform(0.1, 0.45))
-    rough, fine = (wk.MapStress(load(count), steel).solve() for count in (24, 96))
-    return rough.grid_error, abs(rough.von_mises / fine.von_mises - 1.0)
-
-
-QUICK = [contact_law, profile_pair, sliding_heat]
-KINDS = [*QUICK, relaxing_layers, roller, stress_below]
-
-
-def exceeding(kind, seeds):
+def exceeding(name, seeds):
     """Return the problems whose true error exceeds the stated one."""
     found = {}
     for seed in seeds:
         try:
-            stated, true = kind(np.random.default_rng(seed))
+            stated, true = CASES[name](np.random.default_rng(seed))
         except wk.OutsideValidity:
             continue
         if true > stated:
@@ -134,13 +37,144 @@ def exceeding(kind, seeds):
     return found
 
 
-@pytest.mark.parametrize("kind", QUICK)
-def test_stated_errors_of_a_few_problems(kind):
-    assert exceeding(kind, range(2)) == {}
+@pytest.mark.parametrize("name", QUICK)
+def test_stated_errors_of_a_few_problems(name):
+    assert exceeding(name, range(1 if name in LONGER else 2)) == {}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
-def test_true_errors_exceed_stated_ones_in_one_of_twenty_at_most(kind):
-    found = exceeding(kind, range(SLOW))
+@pytest.mark.parametrize("name", CASES)
+def test_true_errors_exceed_stated_ones_in_one_of_twenty_at_most(name):
+    found = exceeding(name, range(SLOW))
     assert len(found) <= ALLOWED * SLOW, found
+
+
+STATED = re.compile(r"(^|_)(errors?|uncertainty)$")
+MEASURED = "a standard error of measurements: how often its interval holds is tested in seeded worlds beside its module"
+GIVEN = "given by the user, or set from what is tested"
+ELEMENTS = "a difference from boundary elements, recomputed at other shear forces in test_reduced_friction"
+COMPARED = "a comparison of two models, both in the answer"
+SAME = "the number of its solution, under one load"
+FAMILIES = {"winkler.fitting.": MEASURED, "winkler.problems.master_curves.": MEASURED}
+"""Beginnings of modules whose errors are all of one kind."""
+WITHOUT_CASE = {
+    "DirectionalBed.shift_error": GIVEN,
+    "DirectionalBed.loss_error": GIVEN,
+    "ReducedBed.shift_error": GIVEN,
+    "ReducedBed.loss_error": GIVEN,
+    "ModelError.pull_off_error": COMPARED,
+    "ModelError.radius_error": COMPARED,
+    "JointStiffnessSolution.shift_error": ELEMENTS,
+    "JointStiffnessSolution.loss_error": ELEMENTS,
+    "ReducedFrictionSolution.shift_error": ELEMENTS,
+    "ReducedFrictionSolution.loss_error": ELEMENTS,
+    "PullOffWithoutRange.error": "a march of minutes; against JKR in test_surface_adhesion",
+}
+"""Errors that have no case here, and why."""
+
+
+def texts(*folders):
+    """Yield names and texts of modules, the name without that of the package."""
+    root = Path(wk.__file__).parent
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*.py")):
+            yield ".".join(path.relative_to(root).with_suffix("").parts), path.read_text(encoding="utf-8")
+
+
+def stated_errors():
+    """Yield what public classes call an error: ``Class.name`` and module."""
+    for name, text in texts("fitting", "foundation", "io", "materials", "media", "problems", "profiles"):
+        if re.search(r"^    (def )?\w*(errors?|uncertainty)\b", text, re.MULTILINE):
+            module = importlib.import_module(f"winkler.{name}")
+            for cls in (getattr(module, each) for each in module.__all__):
+                if isinstance(cls, type) and cls.__module__ == module.__name__:
+                    for field in {*getattr(cls, "__annotations__", {}), *vars(cls)}:
+                        if STATED.search(field) and not field.startswith("_"):
+                            yield f"{cls.__name__}.{field}", module.__name__
+
+
+def test_each_stated_error_has_a_case_or_a_reason():
+    found = dict(stated_errors())
+    open_ones = {
+        name
+        for name, module in found.items()
+        if name not in ANSWERS and name not in WITHOUT_CASE and not module.startswith(tuple(FAMILIES))
+    }
+    assert open_ones == set()
+    assert set(WITHOUT_CASE) <= set(found)
+    assert not set(WITHOUT_CASE) & set(ANSWERS)
+    assert {name for name in ANSWERS if name[0].isupper()} <= set(found)
+
+
+SAID = re.compile(
+    r"within \{|off by[^.;:]{0,40}\{|errs? by[^.;:]{0,30}\{|wrong by[^.;:]{0,30}\{|differs? by[^.;:]{0,60}\{"
+    r"|changed? [^.;:]{0,70}\bby[^.;:]{0,20}\{|changes [^.;:]{0,70}\bby[^.;:]{0,20}\{|misses [^.;:]{0,60}\{"
+    r"|known to [^.;:]{0,20}\{|\{\} (%|per cent) too |error[^.;\n=]{0,40} \{|uncertain by \{"
+)
+"""How sentences state an error by a computed number, which stands as {}."""
+WORDS = re.compile(r"within |off by|errs? by|wrong by|differ|change|misses |known to|too |error|uncertain by")
+MODELS = "what an assumption leaves out, by a rule that is tested beside its module; no error of a number"
+TOLERANCE = "the tolerance of a march or a table, which tests of its convergence hold"
+RECOMPUTED = "the difference of two numbers that are both at hand"
+DISTANCES = "distances from the exact theory in a table, which its tests recompute"
+NOTES = {
+    "exporting.targets.single": (1, "measured along the trace that it names; tests of programs hold it tenfold"),
+    "fitting.examined.over_depth": (1, MEASURED),
+    "fitting.holds.held_contacts": (1, MEASURED),
+    "fitting.layered.notes": (2, "of the cells; the estimate is that of relaxing_layers"),
+    "fitting.nanoindentation.notes": (3, MEASURED),
+    "fitting.several.assembling": (1, MEASURED),
+    "fitting.unloading.unloading_notes": (3, MEASURED),
+    "fitting.validity": (2, MODELS),
+    "fitting.viscoelastic.doubts": (1, RECOMPUTED),
+    "foundation.measured": (1, MEASURED),
+    "media.layered.depth_graded": (1, TOLERANCE),
+    "problems.adhesion.model_choice": (4, COMPARED),
+    "problems.assumptions.direction": (1, ELEMENTS),
+    "problems.friction.twisted_layers": (1, RECOMPUTED),
+    "problems.heating.fretting": (1, RECOMPUTED),
+    "problems.heating.transient": (2, MODELS),
+    "problems.heating.validity": (3, MODELS),
+    "problems.normal.single_contact": (1, "a count of turning points"),
+    "problems.poroelastic.held": (1, TOLERANCE),
+    "problems.pressed_maps.thermal_joint": (1, "the error of the area, of which elliptic_spot is the case"),
+    "problems.ring_slip.push_notes": (1, RECOMPUTED),
+    "problems.rolling.calibration": (1, "distances from the exact theory in a table, which its tests recompute"),
+    "problems.rolling.simplified_validity": (
+        2,
+        "distances from the exact theory in a table, which its tests recompute",
+    ),
+    "problems.rough.mapped_medium": (1, MODELS),
+    "problems.rough.reduce": (1, "the misfit at contacts between those it is made of, tested in test_reduce"),
+    "problems.surface_current.notes": (1, MODELS),
+    "problems.surface_friction.joint_solution": (1, COMPARED),
+    "problems.surface_heating.rolling": (1, MODELS),
+    "problems.surface_wear.notes": (1, TOLERANCE),
+    "problems.wear.validity": (1, TOLERANCE),
+    "profiles.designed": (1, RECOMPUTED),
+    "profiles.pyramids.rounded_pyramid": (1, "two limits beside a table, which its tests recompute"),
+}
+"""Modules whose sentences state an error without a case: how many of them, and why."""
+PROGRAMS = {"exporting.targets.c_example", "exporting.targets.fortran_law", "exporting.targets.one_export"}
+
+
+def sentences(node):
+    """Yield the texts of a module in which numbers are put, as {}, but for those of refusals."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Raise):
+            continue
+        if isinstance(child, ast.JoinedStr):
+            yield "".join(part.value if isinstance(part, ast.Constant) else "{}" for part in child.values)
+        yield from sentences(child)
+
+
+def test_each_note_with_an_error_has_a_case_or_a_reason():
+    found = {}
+    for name, text in texts("exporting", "fitting", "foundation", "materials", "media", "problems", "profiles"):
+        if 'f"' in text and WORDS.search(text) and name not in PROGRAMS:
+            said = sum(bool(SAID.search(sentence)) for sentence in sentences(ast.parse(text)))
+            found.update({name: said} if said else {})
+    assert {name: said for name, said in found.items() if name not in ANSWERS} == {
+        name: said for name, (said, _) in NOTES.items()
+    }
+    assert {name for name in ANSWERS if name[0].islower()} <= set(found)

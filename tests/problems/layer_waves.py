@@ -24,7 +24,12 @@ def _plane(poisson):
     )
 
 
-def _base(on):
+def crossed(poisson, depth):
+    """Return what carries (U, W, T, S) from the lower face of a layer to its upper one, `depth` in xi h."""
+    return expm(-_plane(poisson) * depth[:, None, None])
+
+
+def base(on):
     """Two fields (U, W, T, S) at the upper face of a rigid base, or of a half-space: those that decay."""
     if on is None:
         return np.eye(4)[:, 2:]
@@ -34,11 +39,11 @@ def _base(on):
 
 def compliances(layers, on, xi):
     """C_L and C_T times xi at wave numbers, of layers (shear, poisson, thickness) on (shear, poisson) or None."""
-    fields = np.broadcast_to(_base(on), (xi.size, 4, 2))
+    fields = np.broadcast_to(base(on), (xi.size, 4, 2))
     around = np.full(xi.size, 0.0 if on is None else 1.0 / on[0])
     for shear, poisson, thickness in reversed(layers):
         scale = np.array([1.0, 1.0, shear, shear])[:, None]
-        fields = scale * (expm(-_plane(poisson) * (xi * thickness)[:, None, None]) @ (fields / scale))
+        fields = scale * (crossed(poisson, xi * thickness) @ (fields / scale))
         fields = fields / np.max(np.abs(fields), axis=(1, 2), keepdims=True)
         fall = np.tanh(xi * thickness)
         around = (shear * around + fall) / (1.0 + shear * around * fall) / shear

@@ -216,10 +216,25 @@ def _entries(kinds: tuple[Any, ...], argument: Argument) -> Check | None:
         if type(content) is not tuple or not (many or len(content) == len(checks)):
             count = "entries" if many else f"{len(checks)} entries"
             raise argument.refused(f"is {as_text(content)}", f"give a list of {count}")
-        each = checks * len(content) if many else checks
-        return tuple(part if check is None else check(part) for check, part in zip(each, content, strict=True))
+        if not many:
+            return tuple(part if check is None else check(part) for check, part in zip(checks, content, strict=True))
+        check = checks[0]
+        return content if check is None else tuple(entry(check, part, place) for place, part in enumerate(content))
+
+    def entry(check: Check, part: Any, place: int) -> Any:
+        try:
+            return check(part)
+        except InvalidInput:
+            again = _check_of(kinds[0], _at(argument, part, place))
+        return part if again is None else again(part)  # refused once more, with its place
 
     return checked
+
+
+def _at(argument: Argument, part: Any, place: int) -> Argument:
+    """Return an argument that names a part of a list: a pair of a name and what it stands for by the name."""
+    named = type(part) is tuple and part and type(part[0]) is str
+    return argument._replace(where=f"{argument.where}[{repr(part[0]) if named else place}]")
 
 
 def _parts(kinds: tuple[type, ...], many: bool, argument: Argument) -> Check:

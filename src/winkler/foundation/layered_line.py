@@ -1,5 +1,7 @@
 r"""The bed of a line contact on layers: a two-dimensional profile on a coated half-plane or a strip on a rigid base.
 
+The layers are isotropic or transversely isotropic, bonded or sliding: only their responses count.
+
 The uppermost layer's half-plane carries :math:`E^*w(a)` as it does without layers; what the others add is the
 correction :math:`\beta` of `winkler.numerics.transforms.strip_equation`, with which
 
@@ -7,7 +9,8 @@ correction :math:`\beta` of `winkler.numerics.transforms.strip_equation`, with w
           \frac{\mathrm dP}{\mathrm da} = E^*\,\frac{w'(a) - \frac2a\sum n^2\beta_n}{\sum\pi_n} ;
 
 :math:`\pi` are the modes of a flat punch that bears a load of one: as the strip widens by da it adds a flat punch whose
-edge is as steep as the pressure falls there.
+edge is as steep as the pressure falls there.  A traction moves the surface along as a pressure sinks it, with the
+response to shear along the wave for that to pressures.
 """
 
 from __future__ import annotations
@@ -22,11 +25,14 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.strip_waves import smooth_modes, transforms
-from winkler.materials.elastic import Elastic
-from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.plane_interior import PlaneLayers
+from winkler.media.layered.wave_constants import Body
 from winkler.media.stacked.sliding_film import SlidingFilm
-from winkler.numerics.transforms.strip_equation import StripResponse, octaves, strip_responses, waves
+from winkler.media.stacked.stacked import StackedHalfSpace
+from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.numerics.panels.chebyshev import fit_panels
+from winkler.numerics.transforms.strip_equation import StripResponse, Waves, octaves, strip_responses, waves
 from winkler.numerics.transforms.strip_modes import (
     along_surface,
     bessel_rows,
@@ -44,6 +50,8 @@ __all__ = ["Carried", "LayeredLineFoundation"]
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 PAIRS_PER_CHUNK = 1_000_000
+KERNEL_TOLERANCE = 1e-12
+"""Error of what the layers add to the displacement of an element, over its greatest value."""
 MOST_KEPT = 4096
 """Half-widths whose modes are kept of one bed."""
 MOST_EXAMINED = 16
@@ -91,8 +99,9 @@ class LayeredLineFoundation(LineBed):
     ----------
     profile : Profile
         The gap f between the undeformed bodies, as of `LineFoundation`.
-    medium : CoatedHalfSpace or SlidingFilm
-        Bonded layers, or a film that slides on its base, on a half-plane or a rigid base, against a homogeneous body.
+    medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm or PlaneLayers
+        Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, against a
+        homogeneous body.
 
     References
     ----------
@@ -101,7 +110,10 @@ class LayeredLineFoundation(LineBed):
     """
 
     profile: Profile
-    medium: Annotated[CoatedHalfSpace | SlidingFilm, Advice("homogeneous bodies go into a LineFoundation")]
+    medium: Annotated[
+        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | PlaneLayers,
+        Advice("homogeneous bodies go into a LineFoundation"),
+    ]
 
     search_step: ClassVar[float] = 1.5
     punches_push: ClassVar[bool] = False
@@ -113,8 +125,17 @@ class LayeredLineFoundation(LineBed):
     def half_plane(self) -> LineFoundation:
         """The same profile on a half-plane of the uppermost layer."""
         top = self.medium.layers[0].solid
-        plain = HalfSpace(Elastic(top.young, top.poisson), self.medium.second)
-        return LineFoundation(self.profile, plain)
+        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(top, self.medium.second))
+
+    def refuse_dragged(self, friction: float) -> None:
+        """Refuse friction [-] where a layer slides on what lies below it."""
+        if friction != 0.0:
+            _ = self.medium.along_modulus
+
+    @property
+    def strained(self) -> Body:
+        """What carries the layers, which a bulk stress strains together with them."""
+        return self.medium.on
 
     @property
     def trial(self) -> float:
@@ -166,6 +187,37 @@ class LayeredLineFoundation(LineBed):
         if carried.own is None:
             found = found + self.half_plane.pressure(x, half_width, 0.0)
         return np.asarray(found)
+
+    def mean_pressures(self, edges: Array, half_width: float, rim_load: float) -> Array:
+        """Return the mean pressure [Pa] between places, as of `LineBed.mean_pressures`."""
+        carried = self.carried(half_width, rim_load)
+        if carried.own is None:
+            return LineBed.mean_pressures(self, edges, half_width, rim_load)
+        angle = np.arcsin(np.minimum(edges / half_width, 1.0))
+        order = 2.0 * np.arange(1, carried.modes.size)
+        borne = carried.modes[0] * angle + (signs(order.size + 1)[1:] * carried.modes[1:] / order) @ np.sin(
+            np.outer(order, angle)
+        )
+        return np.asarray(self.medium.modulus / np.pi * np.diff(borne) / np.diff(edges))
+
+    def shear_compliance(self, edges: Array) -> Array:
+        """Return how far tractions move the middles of elements along, as of `LineBed.shear_compliance`."""
+        far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
+        unit = float(edges[-1])
+        found = waves(self.medium.along_response, int(octaves(self.medium.along_response, np.array([unit]))[0]))
+        turns = fit_panels(lambda t: _turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+        lifted = np.sign(far) * turns(np.abs(far) / unit)
+        added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
+        return LineBed.shear_compliance(self, edges) + added
+
+    def stuck_compliance(self, half_width: float, unit: float) -> float:
+        """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`."""
+        response, one = self.medium.along_response, np.array([half_width])
+        found = waves(response, int(octaves(response, one)[0]))
+        punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size))).punch[0]
+        rows = bessel_rows(found.k * half_width, punch.size)
+        felt = float(((punch * signs(punch.size)) @ rows * rows[0] - 1.0) @ found.weights)
+        return LineBed.stuck_compliance(self, half_width, unit) + 2.0 / np.pi * self.along_share * felt
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a, by small differences."""
@@ -238,6 +290,13 @@ class LayeredLineFoundation(LineBed):
         step = max(1, PAIRS_PER_CHUNK // found.k.size)
         parts = [np.cos(np.outer(x[i : i + step], found.k)) @ weights for i in range(0, x.size, step)]
         return np.asarray(at_edge - np.concatenate(parts))
+
+
+def _turns(found: Waves, x: Array) -> Array:
+    """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
+    step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
+    rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
+    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights))
 
 
 @functools.lru_cache(maxsize=16)

@@ -9,14 +9,19 @@ A growing contact is a pile of flat punches of half-widths c, each of which adds
 whose equivalent plane profile is w: the transforms of `winkler.numerics.transforms` serve both.  A rim at b bears the
 rest of the load as a flat punch.  Beside the contact the distance of the surfaces opens with the slope
 
-.. math:: h'(x) = \frac2\pi\int_a^x\frac{w'(c)}{\sqrt{x^2-c^2}}\,\mathrm dc .
+.. math:: h'(x) = \frac2\pi\int_a^x\frac{w'(c)}{\sqrt{x^2-c^2}}\,\mathrm dc , \qquad
+          h(x) = \frac2\pi\int_a^x w'(c)\,\mathrm{arcosh}\frac xc\,\mathrm dc ,
+
+from one place where w' is not smooth to the next; with :math:`c^2 = b^2 + y^2` above each, and y over its greatest
+value a sine, both square roots at the ends of the second integral are gone.  A parabolic cylinder has closed forms.
 """
 
 from __future__ import annotations
 
 import functools
+import math
 from itertools import pairwise
-from typing import Annotated
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -25,8 +30,10 @@ from winkler.errors import InvalidInput
 from winkler.foundation.line_bed import LineBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.half_plane import Pile, potential
+from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
+from winkler.numerics.transforms.abel_intervals import noise
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.flat import CappedCylinder
@@ -77,6 +84,28 @@ class LineFoundation(LineBed):
                 "section along the strip, such as Paraboloid, RoundedPunch or Measured."
             )
 
+    sheared_as_pressed: ClassVar[bool] = True
+
+    @property
+    def hertz_radius(self) -> float:
+        """R of a parabolic cylinder [m]; infinite for other profiles."""
+        return self.profile.curvature_radius if isinstance(self.profile, Paraboloid) else math.inf
+
+    @property
+    def _round(self) -> float:
+        """R of a parabolic cylinder [m], whose closed forms hold; infinite for other profiles."""
+        shape = self.profile.cap if isinstance(self.profile, CappedCylinder) else self.profile
+        return shape.curvature_radius if isinstance(shape, Paraboloid) else math.inf
+
+    @property
+    def strained(self) -> Any:
+        """The first body, which a bulk stress strains."""
+        return self.medium.first  # type: ignore[attr-defined]
+
+    def half_width(self, load: Array) -> Array | None:
+        """Return the half-widths [m] under loads per length over E* [m], of a parabolic cylinder."""
+        return np.sqrt(4.0 * self._round * load / math.pi) if self.hertzian else None
+
     def load_profile(self, half_width: Array) -> Array:
         """w(a) [m], the load per length over E*."""
         return line_load(self.profile, half_width)
@@ -106,10 +135,34 @@ class LineFoundation(LineBed):
         ndarray
             p [Pa]; zero outside; infinite at a rim, a kink and a sharp tip.
         """
+        if math.isfinite(self._round) and rim_load == 0.0:
+            root = np.sqrt(np.maximum((half_width - x) * (half_width + x), 0.0))
+            return np.asarray(self.medium.modulus / (2.0 * self._round) * root)
         part = abel.pressure(
             lambda c: -self.load_profile_slope(c), self._kinks_to(half_width), rim_load, half_width, np.abs(x)
         )
         return np.asarray(self.medium.modulus * part)
+
+    def mean_pressures(self, edges: Array, half_width: float, rim_load: float) -> Array:
+        """Return the mean pressure [Pa] between places, as of `LineBed.mean_pressures`."""
+        if not self.hertzian:
+            return LineBed.mean_pressures(self, edges, half_width, rim_load)
+        angles = np.arcsin(np.minimum(edges / half_width, 1.0))
+        share = self.medium.modulus * half_width**2 / (4.0 * self._round)
+        return np.asarray(share * np.diff(0.5 * np.sin(2.0 * angles) + angles) / np.diff(edges))
+
+    def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
+        beside = np.maximum(np.ravel(np.asarray(x, dtype=float)), half_width)
+        if half_width == 0.0:
+            return np.asarray(self.profile.height(x))
+        root = abel.root_difference(beside, half_width)
+        if self.hertzian:
+            apart = (beside * root - half_width**2 * np.arcsinh(root / half_width)) / (2.0 * self._round)
+        else:
+            apart = _beside(self, half_width, beside)
+        logarithm = np.log1p((beside - half_width + root) / half_width) if rim_load else 0.0
+        return np.asarray((apart - 2.0 / math.pi * rim_load * logarithm).reshape(np.shape(x)))
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""
@@ -139,9 +192,8 @@ class LineFoundation(LineBed):
         """
         zeta = x + 1j * z
         root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)
-        shape = self.profile.cap if isinstance(self.profile, CappedCylinder) else self.profile
-        if isinstance(shape, Paraboloid):  # McEwen
-            share = half_width / (2.0 * shape.curvature_radius)
+        if math.isfinite(self._round):  # McEwen
+            share = half_width / (2.0 * self._round)
             whole = share * half_width / (zeta + root)
             slope = -whole / root
         else:
@@ -176,3 +228,33 @@ def _density(bed: LineFoundation, low: float, high: float) -> Curve:
         return np.asarray(bed.load_profile_slope(c) * (abel.root_difference(c, low) / c if low > 0.0 else 1.0))
 
     return density
+
+
+def _beside(bed: LineFoundation, half_width: float, x: Array) -> Array:
+    """Return the distance of the surfaces [m] beside a strip that no rim pins, at places x >= a."""
+    total = np.zeros(x.size)
+    for low, high in pairwise([half_width, *(b for b, _ in bed.kinks if b > half_width), math.inf]):
+        (active,) = np.nonzero(x > low)
+        if active.size:
+            total[active] += _between(bed, low, high, x[active])
+    return 2.0 / math.pi * total
+
+
+def _between(bed: LineFoundation, low: float, high: float, x: Array) -> Array:
+    span = abel.root_difference(x, low)
+    width = np.full(x.shape, 0.5 * math.pi)
+    if high < math.inf:
+        last = np.arctan2(abel.root_difference(np.asarray(high), low), abel.root_difference(x, high))
+        width = np.where(x <= high, width, last)
+    first = np.nextafter(low, math.inf)
+
+    def integrand(node: Array, index: Array) -> Array:
+        angle = width[index, None] * node
+        reach = span[index, None]
+        y, rest = reach * np.sin(angle), reach * np.cos(angle)
+        c = np.clip(np.hypot(low, y), first, np.minimum(x[index, None], high))
+        slope = bed.load_profile_slope(c.ravel()).reshape(c.shape)
+        grown: Array = slope * np.arcsinh(rest / c) * (y / c) * rest * width[index, None]
+        return grown
+
+    return settled(integrand, x.size, "the distance beside a strip", noise(x, low))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar, Protocol
 
 import numpy as np
 
-from winkler.numerics.transforms import abel
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.media.layered.wave_constants import constants_of
+from winkler.numerics.surfaces.strip_elements import element_compliance
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
@@ -18,12 +21,20 @@ PLACES_BESIDE = 513
 """Places at which the slope of the distance beside a strip is added up."""
 
 
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(6)
+
+
 class PressedPair(Protocol):
     """The bodies of a line contact."""
 
     @property
     def modulus(self) -> float:
         """E* of both surfaces [Pa]."""
+        ...
+
+    @property
+    def along_modulus(self) -> float:
+        """m_L of both surfaces [Pa], of shear along the strip's width; refused where shear does not reach the base."""
         ...
 
 
@@ -38,6 +49,41 @@ class LineBed:
 
     punches_push: ClassVar[bool] = True
     """Whether flat punches nowhere pull, and leave the surface beside them below: no contact whose load grows parts."""
+
+    sheared_as_pressed: ClassVar[bool] = False
+    """Whether tractions move the surfaces along as pressures sink them, but for the factor `along_share`."""
+
+    @property
+    def hertz_radius(self) -> float:
+        """R of a parabolic cylinder on half-planes [m], whose pressure is Hertz's under every load; else infinite."""
+        return math.inf
+
+    @property
+    def hertzian(self) -> bool:
+        """Whether the pressure is Hertz's under every load, so that all contacts are similar."""
+        return math.isfinite(self.hertz_radius)
+
+    @property
+    def along_share(self) -> float:
+        """E* / m_L [-]: over how far a pressure sinks the surfaces, how far a traction moves them along."""
+        return self.medium.modulus / self.medium.along_modulus
+
+    def refuse_dragged(self, friction: float) -> None:
+        """Refuse friction [-] where a layer slides on what lies below it: it would be dragged away."""
+
+    @property
+    def strained(self) -> Elastic | TransverselyIsotropic | Rigid:
+        """The solid of the first body far below the contact, which a bulk stress strains."""
+        raise NotImplementedError
+
+    @property
+    def strain_per_stress(self) -> float:
+        """Strain of the first surface along x over the bulk stress, in plane strain [1/Pa]; zero if it is rigid."""
+        solid = self.strained
+        if isinstance(solid, Rigid):
+            return 0.0
+        constants = constants_of(solid)
+        return 1.0 / (constants.plane * constants.shear)
 
     @property
     def reach(self) -> float:
@@ -111,6 +157,49 @@ class LineBed:
         """
         raise NotImplementedError
 
+    def half_width(self, load: Array) -> Array | None:
+        """Return the half-widths [m] under loads per length over E* [m], where they are known in closed form."""
+        return None
+
+    def mean_pressures(self, edges: Array, half_width: float, rim_load: float) -> Array:
+        """Return the mean pressure [Pa] between places, ascending from the middle [m]; zero beyond the strip.
+
+        Parameters
+        ----------
+        edges : ndarray, (n + 1,)
+        half_width, rim_load : float
+            As of `pressure`.
+        """
+        angles = np.arcsin(np.minimum(edges / half_width, 1.0))
+        half = 0.5 * np.diff(angles)[:, None]
+        angle = 0.5 * (angles[1:] + angles[:-1])[:, None] + half * NODES
+        places = half_width * np.sin(angle)
+        pressure = self.pressure(places.ravel(), half_width, rim_load).reshape(places.shape)
+        borne = np.sum(half * WEIGHTS * np.where(half > 0.0, pressure * np.cos(angle), 0.0), axis=1)
+        return np.asarray(half_width * borne / np.diff(edges))
+
+    def shear_compliance(self, edges: Array) -> Array:
+        """Return how far tractions of E*, each on one element, move the middles along ``(n, n)``, over the last edge.
+
+        Parameters
+        ----------
+        edges : ndarray, (n + 1,)
+            Ascending, symmetric about the middle [m]; displacements are counted from the distance of the last one.
+        """
+        return self.along_share * element_compliance(edges / edges[-1])
+
+    def stuck_compliance(self, half_width: float, unit: float) -> float:
+        """Return the displacement of a strip that sticks, over the shear force per length over E* [-].
+
+        Parameters
+        ----------
+        half_width : float
+            a [m].
+        unit : float
+            The distance from which displacements are counted [m].
+        """
+        return -2.0 / math.pi * self.along_share * math.log(0.5 * half_width / unit)
+
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""
         raise NotImplementedError
@@ -125,17 +214,7 @@ class LineBed:
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
-        if half_width == 0.0:
-            return np.asarray(self.profile.height(x))
-        edges = [half_width, *(b for b, _ in self.kinks if b > half_width)]
-
-        def opening(x: Array) -> Array:
-            beyond = np.maximum(x, np.nextafter(half_width, np.inf))
-            return np.where(x > half_width, self.opening(beyond, half_width), 0.0)
-
-        beside = np.maximum(x, half_width)
-        logarithm = np.log1p((beside - half_width + abel.root_difference(beside, half_width)) / half_width)
-        return np.asarray(abel.integral(opening, edges, x) - 2.0 / np.pi * rim_load * logarithm)
+        raise NotImplementedError
 
     def examined(self, half_width: Array) -> Array:
         """Return those of many half-widths, ascending [m], whose contacts are to be examined: all."""

@@ -46,6 +46,11 @@ class ZonedBed(LineFoundation):
     outer: Positive
 
     @property
+    def hertz_radius(self) -> float:
+        """Infinite: the attraction alters the pressure."""
+        return math.inf
+
+    @property
     def span(self) -> float:
         """l = sqrt(c^2 - a^2) [m]."""
         return math.sqrt((self.outer - self.contact) * (self.outer + self.contact))

@@ -27,6 +27,8 @@ __all__ = ["FractionalZener", "PowerLawSolid"]
 TERM_SPACINGS = (1.6, 1.2, 0.9, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12)
 """Distances of the terms in ln s, tried one after the other."""
 SPAN_SAMPLES = 400
+ROUNDING, NEARLY_GREATEST, ZOOMS, ZOOMED = 1e-14, 0.8, 5, 9
+"""Of the sums, relative; part of the greatest sampled error from which a top is looked at closely, and how closely."""
 REFERENCE_SPACING = 0.06
 """Distance in ln s of the sums that the series are measured by; their own error is of the order of 1e-13."""
 SLOW_MARGIN, FAST_MARGIN = 46.0, 5.0
@@ -63,11 +65,21 @@ class _FractionalSolid(FittedSolid):
         """Return the spectrum per ln s."""
         raise NotImplementedError
 
-    def _summed(self, target: Callable[[Array], Array], relaxed: float = 0.0) -> tuple[RelaxationSeries, float]:
-        """Return the shortest series within the tolerance, and its error; `target` is the relaxation itself."""
+    def _itself(self, t: Array) -> Array:
+        """Return G(t) [Pa] of the solid itself."""
+        raise NotImplementedError
+
+    @property
+    def series_error(self) -> float:
+        """Greatest relative error of the series within the span [-]."""
+        series = self.series
+        return _greatest(lambda t: np.abs(series.at(t) / self._itself(t) - 1.0), np.geomspace(*self.span, SPAN_SAMPLES))
+
+    def _summed(self, relaxed: float = 0.0) -> tuple[RelaxationSeries, float]:
+        """Return the shortest series within the tolerance, and its greatest sampled error."""
         shortest, longest = self.span
         t = np.geomspace(shortest, longest, SPAN_SAMPLES)
-        goal = target(t)
+        goal = self._itself(t)
         little = math.log(1.0 / self.tolerance)
         for spacing in TERM_SPACINGS:
             # slower than this, a rate changes nothing within the span; faster, it is over when the span begins
@@ -88,6 +100,23 @@ class _FractionalSolid(FittedSolid):
         """Return the sum of all terms below a ln s; they fall with its exponent."""
         count = math.ceil(40.0 / (self.exponent * spacing))
         return float(spacing * np.sum(self._density(low - spacing * np.arange(count, 0, -1))))
+
+
+def _greatest(error: Callable[[Array], Array], t: Array) -> float:
+    """Return the greatest error, which lies between samples at these times: many tops are all but alike."""
+    sampled = error(t)
+    padded = np.pad(sampled, 1)
+    tops = np.flatnonzero(
+        (sampled >= padded[:-2]) & (sampled >= padded[2:]) & (sampled >= NEARLY_GREATEST * np.max(sampled))
+    )
+    y = np.log(t)
+    low, high, every = y[np.maximum(tops - 1, 0)], y[np.minimum(tops + 1, t.size - 1)], np.arange(tops.size)
+    for _ in range(ZOOMS):
+        places = low + np.linspace(0.0, 1.0, ZOOMED)[:, None] * (high - low)
+        values = error(np.exp(places.ravel())).reshape(places.shape)
+        best = np.argmax(values, axis=0)
+        low, high = places[np.maximum(best - 1, 0), every], places[np.minimum(best + 1, ZOOMED - 1), every]
+    return float(np.max(values)) + ROUNDING
 
 
 @value
@@ -138,12 +167,12 @@ class PowerLawSolid(_FractionalSolid):
         factor = self.shear * self.time_scale**alpha / math.gamma(alpha)
         return np.asarray(factor * np.exp(alpha * y))
 
+    def _itself(self, t: Array) -> Array:
+        return np.asarray(self.shear * (t / self.time_scale) ** -self.exponent)
+
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
-        def target(t: Array) -> Array:
-            return np.asarray(self.shear * (t / self.time_scale) ** -self.exponent)
-
-        return self._summed(target)
+        return self._summed()
 
 
 @value
@@ -203,14 +232,12 @@ class FractionalZener(_FractionalSolid):
             self.shear / math.pi * math.sin(turn) * small / (1.0 + 2.0 * math.cos(turn) * small + small**2)
         )
 
+    def _itself(self, t: Array) -> Array:
+        y = np.arange(-math.log(self.longest) - SLOW_MARGIN, -math.log(self.shortest) + FAST_MARGIN, REFERENCE_SPACING)
+        slow = self._slower(y[0], REFERENCE_SPACING)
+        terms = np.exp(-np.exp(y) * t[:, None])
+        return np.asarray(self.relaxed_shear + slow + REFERENCE_SPACING * terms @ self._density(y))
+
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
-        def target(t: Array) -> Array:
-            y = np.arange(
-                -math.log(self.longest) - SLOW_MARGIN, -math.log(self.shortest) + FAST_MARGIN, REFERENCE_SPACING
-            )
-            slow = self._slower(y[0], REFERENCE_SPACING)
-            terms = np.exp(-np.exp(y) * t[:, None])
-            return np.asarray(self.relaxed_shear + slow + REFERENCE_SPACING * terms @ self._density(y))
-
-        return self._summed(target, self.relaxed_shear)
+        return self._summed(self.relaxed_shear)

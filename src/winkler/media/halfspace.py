@@ -50,6 +50,11 @@ class HomogeneousMedium(TwistedMedium):
         raise NotImplementedError
 
     @property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of shear along a wave, as in plane strain."""
+        raise NotImplementedError
+
+    @property
     def notes(self) -> tuple[Note, ...]:
         """What is assumed."""
         raise NotImplementedError
@@ -167,6 +172,11 @@ class HalfSpace(HomogeneousMedium):
     def torsional_modulus(self) -> float:
         """G_t [Pa], 1/G_t = sum of 1/G."""
         return 1.0 / sum(1.0 / body.shear for body in self._elastic)
+
+    @property
+    def along_modulus(self) -> float:
+        """m_L [Pa]: E*."""
+        return self.modulus
 
     @property
     def mismatch(self) -> float:

@@ -14,6 +14,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import twist_constants
+from winkler.media.layered.wave_constants import along_compliance
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
@@ -83,6 +84,11 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     def shear_modulus(self) -> float:
         """G* [Pa]."""
         return 1.0 / (_compliances(self.first)[1] + _compliances(self.second)[1])
+
+    @functools.cached_property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of shear along a wave, as in plane strain."""
+        return 1.0 / (along_compliance(self.first) + along_compliance(self.second))
 
     @functools.cached_property
     def torsional_modulus(self) -> float:

@@ -237,8 +237,8 @@ def _area_pieces(profile: AreaFunction) -> _AreaPieces:
         math.inf if h == math.inf else math.sqrt(profile._derivatives(np.array([h]))[0][0] / math.pi)
         for h in (LEAST_HEIGHT, top)
     )
-    # at the reach g is singular: tables end an octave before
-    unit, high = (profile._unit, math.inf) if reach == math.inf else (0.5 * reach, 0.5 * reach)
+    # at the reach g is singular: tables end an octave before; a power of two rounds no place of a blunt tip
+    unit, high = (0.5 * reach,) * 2 if reach < math.inf else (2.0 ** round(math.log2(profile._unit)), math.inf)
     tables = (Octaves(function, unit, 1.2 * blunt, high) for function in (profile._gap, profile._gap_integral))
     return _AreaPieces(reach, blunt, *tables)
 

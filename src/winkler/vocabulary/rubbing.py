@@ -150,7 +150,7 @@ RUBBING: dict[str, Word] = {
     "greenwood": Word("R_G", "ohm", "resistance if the currents were in proportion to the radii"),
     "alone": Word("R_s", "ohm", "resistance if the spots were far from each other"),
     "shares": Word("I_i/I", "", "part of the current that goes through every spot"),
-    "uncertainty": Word(r"\epsilon", "", "relative change in the last refinement"),
+    "uncertainty": Word(r"\epsilon", "", "estimate of the relative error"),
     "holm_radius": Word(r"\alpha_H", "m", "radius of the disc that resists as much as the crowding of the spots"),
     "roughness": Word("s", "m", "height from the lowest valley to the highest peak"),
     "least_stiffness": Word(r"k_{min}", "N/m", "lower bound of the stiffness"),

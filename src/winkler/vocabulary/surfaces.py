@@ -58,7 +58,7 @@ SURFACES: dict[str, Word] = {
     "patch_count": Word("n", "", "number of patches of contact"),
     "largest_patch": Word("A_1", "m^2", "area of the largest patch of contact"),
     "leak_rate": Word("Q", "m^3/s", "volume of fluid per time that flows along x"),
-    "leak_rate_error": Word(r"\Delta Q", "m^3/s", "change of the leak rate from every second point of the map"),
+    "leak_rate_error": Word(r"\Delta Q", "m^3/s", "greatest difference of leak rates on second points of the map"),
     "lateral_leak_rate": Word("Q_y", "m^3/s", "volume of fluid per time under the same pressure along y"),
     "medium_leak_rate": Word("Q_e", "m^3/s", "leak rate along x by Bruggeman's effective medium"),
     "flow_factor": Word(r"\phi_x", "", "flow along x over that of the mean gap"),

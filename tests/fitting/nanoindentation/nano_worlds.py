@@ -83,10 +83,14 @@ class Truth:
 
 
 def indentation(machine, sample, seed, *, peak=10e-3, levels=5, leg=10.0, hold=10.0, creep=0.02, low_hold=60.0,
-                origin=300e-9, free=5.0, unload_to=0.3):  # fmt: skip
-    """Return a curve with `levels` unloadings of growing peaks, and the true numbers at the end of each hold."""
+                origin=300e-9, free=5.0, unload_to=0.3, peaks=()):  # fmt: skip
+    """Return a curve with `levels` unloadings of growing peaks, and the true numbers at the end of each hold.
+
+    `peaks` [N] are given in place of the greatest and their number.
+    """
     random, rate = np.random.default_rng(seed), machine.rate
-    peaks = peak * np.linspace(0.0, 1.0, levels + 1)[1:] ** 2 if levels > 1 else np.array([peak])
+    if not len(peaks):
+        peaks = peak * np.linspace(0.0, 1.0, levels + 1)[1:] ** 2 if levels > 1 else np.array([peak])
 
     def contact(force):
         return machine.contact_depth(np.maximum(force, 0.0), sample)

@@ -6,10 +6,14 @@ import dataclasses
 
 import numpy as np
 import pytest
+from nano_worlds import Machine, Sample, indentation
+from scipy.stats import binom
 
 from winkler.fitting.nanoindentation.area_fit import ReferenceReadings, fitted_area
+from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
+from winkler.fitting.nanoindentation.measurement import Nanoindentation
 from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by, readings_of
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.nanoindentation.repetition import RepeatedMean
@@ -43,11 +47,12 @@ def peaks(force, young, poisson, hardness, frame, coefficients):
 
 
 def silica(random, count, frame, coefficients, noise=1.0):
-    """Readings of `count` curves with noise of depth and compliance, and a zero point each."""
+    """Readings of `count` curves with noise of depth and compliance, and zero points that share a quarter of it."""
     columns, blocks = [], []
+    shared = 0.5 * random.standard_normal()
     for number in range(count):
         force, depth, compliance = peaks(FORCES, 72e9, 0.17, 9.3e9, frame, coefficients)
-        depth = depth + noise * ZERO_NOISE * random.standard_normal()
+        depth = depth + noise * ZERO_NOISE * (shared + np.sqrt(0.75) * random.standard_normal())
         depth = depth + noise * DEPTH_NOISE * random.standard_normal(force.size)
         compliance = compliance * (1.0 + noise * COMPLIANCE_NOISE * random.standard_normal(force.size))
 
@@ -128,23 +133,86 @@ def test_no_interval_of_a_mean_is_below_zero():
     assert high == pytest.approx(210e9 * np.exp(1.959964 * 400.0 / 210.0), rel=1e-4)
 
 
-@pytest.mark.slow
-def test_intervals_hold_in_drawn_worlds():
-    """Frames up to 2 um/N and tips of two to four coefficients, three curves each; too few and too many are caught."""
-    held = np.zeros(3)
-    worlds = 100
-    for seed in range(1000, 1000 + worlds):
-        random = np.random.default_rng(seed)
-        frame, blunt = random.uniform(0.0, 2e-6), random.uniform(2e-7, 1.5e-6)
-        higher = [random.uniform(0.0, 0.5) * blunt * 2e-7**0.5, random.uniform(0.0, 0.3) * blunt * 2e-7**0.75]
-        tip = (random.uniform(22.0, 26.0), blunt, *higher[: random.integers(3)])
-        found = calibrated(silica(random, 3, frame, tip))
+BLUNTER = (24.5, 800e-9, 2e-10)
+"""A tip with a term in h^(1/2), a tenth of the others at 150 nm."""
+COVERED = (0.92, 0.98)
+
+
+def drawn_tip(random):
+    """Tips of two to four coefficients."""
+    blunt = random.uniform(2e-7, 1.5e-6)
+    higher = [random.uniform(0.0, 0.5) * blunt * 2e-7**0.5, random.uniform(0.0, 0.3) * blunt * 2e-7**0.75]
+    return (random.uniform(22.0, 26.0), blunt, *higher[: random.integers(3)])
+
+
+def errors_in_worlds(count, worlds, tip_of):
+    """Errors of frame, ln E and ln H in standard uncertainties, (worlds, 3); frames are drawn up to 2 um/N."""
+    apart = np.zeros((worlds, 3))
+    for seed in range(worlds):
+        random = np.random.default_rng([37, count, seed])
+        frame, tip = random.uniform(0.0, 2e-6), tip_of(random)
+        found = calibrated(silica(random, count, frame, tip))
         young, hardness, young_error, hardness_error = of_steel(found.indenter, frame, tip)
-        apart = np.array([
+        apart[seed] = (
             (found.frame_compliance - frame) / found.frame_compliance_error,
             np.log(young / STEEL) * young / young_error,
             np.log(hardness / STEEL_HARDNESS) * hardness / hardness_error,
-        ])  # fmt: skip
-        held += np.abs(apart) < 1.96
-    assert np.all(held >= 0.92 * worlds)
-    assert np.all(held <= 0.98 * worlds)
+        )
+    return apart
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [1, 3, 10])
+def test_intervals_hold_in_drawn_worlds(count):
+    """Coverage within the scatter of so many worlds about the goal; errors as large as stated, within a fourth."""
+    worlds = 100
+    apart = errors_in_worlds(count, worlds, drawn_tip)
+    held = np.count_nonzero(np.abs(apart) < 1.96, axis=0)
+    assert np.all(held >= binom.ppf(0.005, worlds, COVERED[0]))
+    assert held.mean() <= binom.ppf(0.995, 3 * worlds, COVERED[1]) / 3.0
+    assert np.all(np.abs(np.sqrt(np.mean(apart**2, axis=0)) - 1.0) < 0.25)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
+@pytest.mark.parametrize("count", [1, 10])
+def test_intervals_hold_for_two_tips(count, tip):
+    """Bounds at zero leave a range of frames for the blunter tip, which holds more than its share: no upper limit."""
+    worlds = 40
+    apart = errors_in_worlds(count, worlds, lambda _: tip)
+    assert np.all(np.count_nonzero(np.abs(apart) < 1.96, axis=0) >= binom.ppf(0.005, worlds, COVERED[0]))
+    assert np.all(np.sqrt(np.mean(apart**2, axis=0)) > 0.5)
+
+
+@pytest.mark.slow
+def test_the_noise_of_many_curves_does_not_make_the_frame_stiff():
+    """With one covariance for all frames 1.5 um/N was missed by 2.15 standard uncertainties in the mean."""
+    frame = 1.5e-6
+    found = [calibrated(silica(np.random.default_rng([38, seed]), 10, frame, BLUNTER)) for seed in range(10)]
+    assert abs(np.mean([(one.frame_compliance - frame) / one.frame_compliance_error for one in found])) < 1.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seeds", [(0, 1, 2), (3, 4, 10)])
+def test_whole_curves_of_the_six_seeds_hold(seeds):
+    """Six unloadings of 2 to 8 mN with holds of 30 s that creep 2.8 nm.
+
+    Of the seeds 0 to 29 version 0.2 missed most at 10: C_f 1.28 um/N, E 254 GPa [172, 336].
+    """
+    machine, forces = Machine(AREA, FRAME), {"peaks": FORCES, "hold": 30.0, "creep": 0.0163}
+    held = []
+    for seed in seeds:
+        curve, truth = indentation(machine, Sample(), seed, **forces)
+        assert truth.contact_depth[-1] - truth.contact_depth[-1] / 1.0163 == pytest.approx(2.8e-9, rel=0.02)
+        found = calibrate_indenter([(curve, SILICA)])
+        assert found.validity[0].standing is Standing.APPROXIMATE
+        assert "hardly told apart" in found.validity[0].statement
+        assert abs(found.frame_compliance - FRAME) < 1.96 * found.frame_compliance_error
+        steel, _ = indentation(machine, Sample(STEEL, STEEL_POISSON, STEEL_HARDNESS), 1000 + seed, **forces)
+        solution = Nanoindentation(steel, found.indenter, STEEL_POISSON).solve()
+        for name, true in (("young", STEEL), ("hardness", STEEL_HARDNESS)):
+            low, high = (float(end[solution.deepest]) for end in solution.interval(name))
+            held.append(low < true < high)
+            assert 0.5 * true < low
+            assert high < 1.6 * true
+    assert np.count_nonzero(held) >= len(held) - 1

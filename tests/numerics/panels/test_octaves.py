@@ -22,6 +22,14 @@ def test_a_sum_of_powers(unit):
         assert table(np.array([place]))[0] == pytest.approx(function(place), rel=4e-14)
 
 
+def test_a_high_power_is_rounded_once():
+    """x^256, of 1e-300 to 1e300: the exponential of a logarithm would be off by 256 roundings."""
+
+    table = Octaves(lambda x: x**256.0, 1.0, 0.0, math.inf)
+    x = np.arange(6, 100) / 64.0 * np.array([[1.0], [8.0]])
+    np.testing.assert_allclose(table(x.ravel()), (x**256.0).ravel(), rtol=2e-14)
+
+
 def test_few_evaluations_for_many_places():
     requested = []
 

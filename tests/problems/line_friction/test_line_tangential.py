@@ -380,11 +380,33 @@ def test_what_cannot_be_is_refused(profile, path, sentence):
 
 
 def test_bodies_of_which_slip_or_bulk_stress_is_not_known_are_refused():
-    wood = wk.TransverselyIsotropicHalfSpace(wk.TransverselyIsotropic(11e9, 4e9, 4e9, 20e9, 3e9))
-    with pytest.raises(wk.InvalidInput, match="give a HalfSpace"):
-        sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4]), wood)
+    relaxing = wk.ViscoelasticHalfSpace(wk.StandardSolid(1e9, 1e8, 0.01, 0.4))
+    with pytest.raises(wk.OutsideValidity, match="changes in time.* or an elastic medium"):
+        sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4]), relaxing)
     with pytest.raises(wk.InvalidInput, match="first body is rigid"):
         sheared(wk.Paraboloid(10e-3), wk.LinePath(1e5, [0.0, 1e4], bulk_stress=1e6), wk.HalfSpace(wk.Rigid(), STEEL))
+
+
+def test_anisotropic_bodies_move_along_by_another_factor_than_they_sink():
+    """What slips is sqrt(C33 / C11) times that of an isotropic pair with the same E* (Elliott)."""
+    wood = wk.TransverselyIsotropic(11e9, 4e9, 4e9, 20e9, 3e9)
+    medium = wk.TransverselyIsotropicHalfSpace(wood)
+    alike = wk.HalfSpace(wk.Elastic(medium.modulus, 0.0))
+    path = wk.LinePath([1e5, 1e5, 1.2e5], [0.0, 2e4, -1e4])
+    found, plain = (sheared(wk.Paraboloid(10e-3), path, each) for each in (medium, alike))
+    ratio = np.sqrt(20.0 / 11.0)
+    np.testing.assert_allclose(found.half_width, plain.half_width, rtol=1e-13)
+    np.testing.assert_allclose(found.stick_half_width, plain.stick_half_width, rtol=1e-12)
+    np.testing.assert_allclose(found.dissipation_per_length, ratio * plain.dissipation_per_length, rtol=1e-12)
+    np.testing.assert_allclose(found.slip_shift, ratio * plain.slip_shift, rtol=1e-12)
+    x = np.linspace(0.0, 1.0, 9) * found.half_width[1]
+    np.testing.assert_allclose(found.at(1).slip(x), ratio * plain.at(1).slip(x), rtol=1e-12)
+    pulled = wk.LinePath(1e5, [0.0, 2e4, -1e4], bulk_stress=2e6)
+    found = sheared(wk.Paraboloid(10e-3), pulled, medium)
+    out_of_phase = wk.LinePath(1e5, [0.0, 2e4, -1e4], bulk_stress=[0.0, 2e6, -1.0001e6])
+    marched = sheared(wk.Paraboloid(10e-3), out_of_phase, medium)
+    np.testing.assert_allclose(marched.stick_middle, found.stick_middle, atol=1e-3 * found.half_width[0])
+    np.testing.assert_allclose(marched.dissipation_per_length[1:], found.dissipation_per_length[1:], rtol=1e-3)
 
 
 def test_a_bulk_stress_beside_hardly_any_shear_force_is_that_of_the_bulk_stress_alone():

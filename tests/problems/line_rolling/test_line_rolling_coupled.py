@@ -120,6 +120,21 @@ def test_what_coupled_bodies_lose_is_what_drives_them(used):
     assert strip.loss == pytest.approx(strip.creepage * strip.force + 0.01 * moment, rel=1e-4)
 
 
+@pytest.mark.parametrize(("mu", "drive"), [(0.05, wk.LineShearForce(0.0)), (0.3, wk.LineShearForce([2000.0, -900.0]))])
+def test_the_stated_error_of_the_loss_holds_against_what_drives_the_rollers(mu, drive):
+    """The moment of the pressure and the creepage times the force, by both integral equations."""
+    found = rolled(mu, drive)
+    modulus, a = found.problem.bed.medium.modulus, float(found.contact.half_width)
+    turned = [modulus * a * a / 25e-3 * np.trapezoid(strip.pressure * strip.x, strip.x) for strip in found.strips]
+    driven = np.asarray(found.longitudinal_creepage) * np.asarray(found.shear_force_per_length) + turned
+    assert np.shape(found.loss_error) == np.shape(found.loss_per_area)
+    assert np.all(np.abs(np.asarray(found.loss_per_area) - driven) <= found.loss_error)
+    assert np.all(np.asarray(found.loss_error) < 0.02 * np.asarray(found.loss_per_area))
+    assert any("The loss is within" in note.statement for note in found.validity)
+    assert any("too small for these elements" in note.statement for note in rolled(0.3).validity)
+    assert rolled(mu, drive, coupled=False).loss_error == pytest.approx(0.0, abs=0.0)
+
+
 def test_similar_bodies_are_not_coupled():
     similar = rolled(0.3, wk.LineShearForce(1000.0), pair=(STEEL, STEEL))
     assert similar.strips == ()

@@ -277,3 +277,20 @@ def test_friction_that_falls_with_the_velocity_of_slip():
         wk.ProfilePairRolling(partly, falling)
     with pytest.raises(wk.OutsideValidity, match="what sticks is not determined; give a lower speed"):
         wk.ProfilePairRolling(partly, falling, speed=1e6).solve()
+
+
+def test_few_pixels_state_an_error():
+    """With 16 pixels along a side there is no coarser grid: the error came out as zero."""
+    y = np.linspace(-4e-3, 4e-3, 81)
+    flat, barrel = wk.CrossProfile(y, 0.0 * y), wk.CrossProfile(y, y**2 / 30e-3)
+    steel = wk.HalfSpace.between(wk.Elastic(210e9, 0.28), wk.Elastic(210e9, 0.28))
+    rough, fine = (
+        wk.ProfilePairRolling(
+            wk.ProfilePair(
+                flat, barrel, steel, wk.Force(100.0), second_radius=20e-3, rolled_radius=20.02e-3, pixels=pixels
+            ),
+            MU,
+        ).solve()
+        for pixels in (16, 64)
+    )
+    assert 0.0 < abs(rough.x_force - fine.x_force) / 30.0 <= rough.grid_error

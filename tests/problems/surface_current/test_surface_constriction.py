@@ -84,6 +84,9 @@ def test_spots_are_those_of_a_dense_matrix(first, second, film):
     assert found.film == pytest.approx(lost, rel=1e-12)
     expected = (1.0 / current - lost) * falls / np.sum(falls)
     assert [found.first, found.second] == pytest.approx(expected, rel=1e-3)
+    over = np.array([part @ flux for part in voltages])
+    shares = over[0] / np.sum(over, axis=0)
+    assert [found.least_share, found.greatest_share] == pytest.approx([np.min(shares), np.max(shares)], abs=2e-4)
 
 
 def disc(count, radius, width):
@@ -188,6 +191,25 @@ def test_temperatures_follow_from_the_voltage():
         assert voltage == pytest.approx(2.0 * np.sqrt(2.44e-8 * (reached**2 - 293.15**2)), rel=1e-12)
         assert current == pytest.approx(voltage / found.cold_resistance, rel=1e-12)
     assert found.heat_rate == pytest.approx(found.voltage * found.current, rel=1e-14)
+
+
+def test_a_spot_between_unlike_platings_states_the_spread_of_its_temperature():
+    """A disc of 5 um as pixels: 614.99 K on the axis and 600.21 K at the edge, which the outermost pixels average."""
+    good, bad = wk.ElectricalConductor(2e-8), wk.ElectricalConductor(1e-6)
+    unlike = wk.ElectricalConductors(wk.Plated(bad, 2e-6, on=good), wk.Plated(good, 2e-6, on=bad))
+    ball = wk.SampledProfile([16e-6, 16e-6], wk.Paraboloid(2e-3), (65, 65))
+    contact = wk.SurfaceContact(ball, METAL, wk.Depth(12.5e-9))
+    hot = wk.SurfaceConstriction(contact, unlike, wk.Voltage(0.2)).solve()
+    assert hot.area == pytest.approx(np.pi * 25e-12, rel=2e-2)
+    assert hot.hottest_contact_temperature == pytest.approx(614.99, abs=0.5)
+    assert hot.coldest_contact_temperature == pytest.approx(600.21, abs=2.0)
+    assert hot.coldest_contact_temperature < hot.contact_temperature < hot.hottest_contact_temperature
+    spread = next(note for note in hot.validity if "no single temperature" in note.statement)
+    assert f"{hot.coldest_contact_temperature:.5g} to {hot.hottest_contact_temperature:.5g} K" in spread.statement
+    alike = wk.ElectricalConductors(unlike.first, unlike.first)
+    even = wk.SurfaceConstriction(contact, alike, wk.Voltage(0.2)).solve()
+    assert even.coldest_contact_temperature == even.hottest_contact_temperature == even.contact_temperature
+    assert not any("no single temperature" in note.statement for note in even.validity)
 
 
 def test_a_film_takes_a_share_of_the_voltage():

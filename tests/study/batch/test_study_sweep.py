@@ -26,6 +26,7 @@ from winkler.study.language.designs import Zipped
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Fields, Places, Study
 from winkler.study.language.writing import study_text
+from winkler.study.report.describe import in_words, setting_text
 from winkler.validity import Standing
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
@@ -106,9 +107,37 @@ depth = ["-20 um", "-20 um"]
         alone = dataclasses.replace(study.problem, path=wk.Depth(depths)).solve()
         assert dict(point.found)["force"] == pytest.approx(np.asarray(alone.force), rel=1e-14)
     (column, *_) = outcome.table()
-    assert column.content[0] == "-2e-05, 2e-05, -2e-05 (SI)"
+    assert list(dict.fromkeys(column.content.tolist())) == ["-20, 20, -20 µm", "-20, 20, -20, 40 µm"]
+    assert setting_text(study, study.axes[0], study.axes[0].values[0]) == "depth: -20, 20, -20 µm"
+    assert "path.depth = -20, 20, -20 µm; -20, 20, -20, 40 µm." in in_words(study)
     with pytest.raises(InvalidInput, match="is a list; give one quantity"):
         parse_study(text.replace('path.depth" = [[', 'bed.profile.curvature_radius" = [['))
+
+
+def test_a_swept_list_that_does_not_fit_its_path_is_named():
+    """A loop of two turning points where the normal load and the times have three."""
+    text = """
+[problem]
+kind = "tangential"
+law = { kind = "coulomb", coefficient = 0.3 }
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "10 mm" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 MPa", poisson = 0.5 } }
+[problem.path]
+kind = "path"
+time = ["0 s", "1 s", "2 s"]
+normal = { kind = "force", force = "1 N" }
+lateral = { kind = "shear_force", shear_force = ["0 N", "0.1 N", "-0.1 N"] }
+[sweep]
+"problem.path.lateral.shear_force" = [["0 N", "0.1 N", "-0.1 N"], ["0 N", "0.2 N"]]
+"""
+    with pytest.raises(InvalidInput) as refusal:
+        run(parse_study(text))
+    (sentence,) = str(refusal.value).splitlines()
+    assert sentence.startswith(
+        "sweep: at problem.path.lateral.shear_force = 0, 200 mN: Path: lateral has the shape (2,)"
+    )
 
 
 def test_the_table_has_a_row_for_every_point_and_load():

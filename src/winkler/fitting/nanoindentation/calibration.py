@@ -8,8 +8,10 @@ Every unloading of a reference of known modulus :math:`E_r` gives the measured c
 Compliance and depth are corrected with the same :math:`C_f`, which the fit and the power laws of the unloadings share:
 the power laws, and the touch of each curve by the area found so far, are fitted again until the compliance stays.
 Residuals in the logarithm of the contact's compliance have the covariance of noise, zero point and drift, those of one
-curve being correlated, times a factor by which the scatter exceeds it.  Frame compliance and coefficients are means
-over all frames and numbers of coefficients, each by its likelihood, and their covariance contains how these differ.
+curve being correlated, times a factor by which the scatter exceeds it.  The covariance belongs to each frame: the
+noise of c is larger in parts of a smaller c - C_f, and one covariance for all frames prefers stiff ones.  Frame
+compliance and coefficients are middles of central intervals of 95 % over all frames and numbers of coefficients, each
+by its greatest likelihood; their covariance has the widths of these intervals, and contains how coefficients differ.
 
 References
 ----------
@@ -66,7 +68,7 @@ def calibrate_indenter(
         Indentations, best with partial unloadings over the depths that are wanted, each with its reference.  The
         compliance of the frame is found in addition to that of the curves.
     terms : int, optional
-        Number of coefficients; the mean over one to four unless given.
+        Number of coefficients; one to four, equally probable before, unless given.
     solid : Elastic, optional
         Of the tip; diamond unless given.
     shape_factor : float, optional

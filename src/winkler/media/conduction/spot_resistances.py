@@ -39,12 +39,17 @@ class SpotResistances(NamedTuple):
         Its area resistance over the area of the contact; that it spreads the current is counted in the constriction.
     bare
         Constriction in both bodies without platings, and without the film.
+    least_share, greatest_share
+        Of the first body in the voltage over both constrictions, over all pixels [-]; they differ between bodies whose
+        platings respond differently.
     """
 
     first: float
     second: float
     film: float
     bare: float
+    least_share: float
+    greatest_share: float
 
 
 def spot_resistances(
@@ -80,7 +85,7 @@ def spot_resistances(
     """
     patch = pixel[0] * pixel[1]
     if periodic and touching.all():
-        return SpotResistances(0.0, 0.0, area_resistance / (patch * touching.size), 0.0)
+        return SpotResistances(0.0, 0.0, area_resistance / (patch * touching.size), 0.0, 0.5, 0.5)
     rho = [resistivity_of(surface_of(body)) for body in bodies]
     both, film = sum(rho), 2.0 * area_resistance / sum(rho)
     layers = plated_surface(*bodies)
@@ -94,13 +99,17 @@ def spot_resistances(
     total = float(np.sum(flow))
     whole = both / (2.0 * patch * total)
     lost = area_resistance / (patch * float(np.count_nonzero(touching)))
-    falls = [
-        part * _fall(flow, pixel, plated_surface(body, body), periodic) for part, body in zip(rho, bodies, strict=True)
+    voltages = [
+        part * _voltages(flow, pixel, plated_surface(body, body), periodic)[touching]
+        for part, body in zip(rho, bodies, strict=True)
     ]
+    falls = [float(np.sum(flow[touching] * part)) for part in voltages]
     parts = [(whole - lost) * fall / sum(falls) for fall in falls]
+    shares = voltages[0] / (voltages[0] + voltages[1])
     bare = flow if layers is None and film == 0.0 else flux(None, 0.0)
     under = sum(resistivity_of(parts_of(body)[-1]) for body in bodies)
-    return SpotResistances(parts[0], parts[1], lost, under / (2.0 * patch * float(np.sum(bare))))
+    uncovered = under / (2.0 * patch * float(np.sum(bare)))
+    return SpotResistances(parts[0], parts[1], lost, uncovered, float(np.min(shares)), float(np.max(shares)))
 
 
 def plated_surface(first: ConductingBody, second: ConductingBody) -> LayeredSurface | None:
@@ -123,9 +132,9 @@ def plated_surface(first: ConductingBody, second: ConductingBody) -> LayeredSurf
     return LayeredSurface(PlatedResponse(scaled(first), scaled(second)), unit)
 
 
-def _fall(flow: Array, pixel: tuple[float, float], layers: LayeredSurface | None, periodic: bool) -> float:
-    """Return the mean voltage over one body, weighted with the flux, in units that are the same for both bodies."""
+def _voltages(flow: Array, pixel: tuple[float, float], layers: LayeredSurface | None, periodic: bool) -> Array:
+    """Return the voltage over one body at each pixel, in units that are the same for both bodies."""
     shape = (flow.shape[0], flow.shape[1])
     below = layers.in_units_of(pixel[0]) if layers else None
     grid = SurfaceGrid.of(shape, (1.0, pixel[1] / pixel[0]), periodic=periodic, layers=below)
-    return float(np.sum(flow * grid.displaced(flow)))
+    return np.asarray(grid.displaced(flow))

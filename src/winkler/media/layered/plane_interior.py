@@ -7,7 +7,10 @@ For each wave number the plane wave :math:`\hat p\cos kx` decays through the lay
 .. math:: \sigma_z = \frac1\pi\int S\,\hat p\cos kx\,\mathrm dk , \quad
           \tau_{xz} = \frac1\pi\int T\,\hat p\sin kx\,\mathrm dk , \quad
           \sigma_x = \frac1\pi\int\frac{2G\,kU + \nu S}{1-\nu}\,\hat p\cos kx\,\mathrm dk ,
-          \quad \sigma_y = \nu(\sigma_x+\sigma_z) .
+          \quad \sigma_y = \sigma_x - 2C_{66}\,\varepsilon_x ,
+
+with :math:`C_{11}-C_{13}^2/C_{33}` and :math:`C_{13}/C_{33}` for :math:`2G/(1-\nu)` and :math:`\nu/(1-\nu)` in a
+transversely isotropic layer.
 
 A traction along x is the same wave a quarter of its length ahead: :math:`-\sin kx, \cos kx` stand for
 :math:`\cos kx, \sin kx`.  In the uppermost layer they are what the interfaces add to the field of a half-plane.
@@ -20,15 +23,17 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from winkler.checks.contract import offered
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.elastic import Rigid
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.coated_interior import WaveState, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
+from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["PlaneWaves", "PressedLayers", "added_stresses", "plane_waves"]
+__all__ = ["PlaneLayers", "PlaneWaves", "added_stresses", "plane_waves"]
 
 FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
@@ -37,24 +42,59 @@ MOST_WAVES = 200_000
 PAIRS_PER_CHUNK = 1_000_000
 
 
-class PressedLayers(Protocol):
-    """Isotropic layers on a half-plane or a rigid base, bonded or sliding on each other."""
+@offered("a medium of layers, such as CoatedHalfSpace(layers, on) or StackedHalfSpace(layers, on)")
+class PlaneLayers(Protocol):
+    """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
 
     @property
-    def layers(self) -> tuple[Layer, ...]:
+    def layers(self) -> tuple[Layer | StackLayer, ...]:
         """From the surface down."""
+        ...
 
     @property
     def stack(self) -> tuple[Layer | StackLayer, ...]:
         """The same, with what they are bonded to."""
+        ...
 
     @property
-    def on(self) -> Solid:
+    def on(self) -> Body:
         """What carries them."""
+        ...
+
+    @property
+    def second(self) -> Body:
+        """The other body."""
+        ...
+
+    @property
+    def thickness(self) -> float:
+        """Of all layers together [m]."""
+        ...
+
+    @property
+    def spans(self) -> tuple[tuple[float, float], ...]:
+        """Depths between which each layer lies, and what carries them if it deforms [m]."""
+        ...
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the other body."""
+        ...
+
+    @property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
+        ...
 
     @property
     def response(self) -> SurfaceResponse:
         """Of the pair to a pressure."""
+        ...
+
+    @property
+    def along_response(self) -> SurfaceResponse:
+        """Of the pair to shear along its wave; refused where it does not reach the base."""
+        ...
 
 
 class PlaneWaves(NamedTuple):
@@ -65,13 +105,13 @@ class PlaneWaves(NamedTuple):
 
 
 def plane_waves(
-    medium: PressedLayers, half_width: float, farthest: float, transform: Callable[[Array], Array]
+    medium: PlaneLayers, half_width: float, farthest: float, transform: Callable[[Array], Array]
 ) -> PlaneWaves:
     """Return the pressure of a strip as waves, for places up to a distance from the middle.
 
     Parameters
     ----------
-    medium : CoatedHalfSpace or SlidingFilm
+    medium : PlaneLayers
     half_width, farthest : float
         [m].
     transform
@@ -94,12 +134,12 @@ def plane_waves(
     return PlaneWaves(k, weights * fading(k, response.length, half_width) * transform(k) / np.pi)
 
 
-def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array, *, dragged: bool = False) -> Array:
+def added_stresses(medium: PlaneLayers, waves: PlaneWaves, x: Array, z: Array, *, dragged: bool = False) -> Array:
     """Return sigma_x, sigma_y, sigma_z and tau_xz [Pa] ``(4, m)``, in the uppermost layer without the half-plane's.
 
     Parameters
     ----------
-    medium : CoatedHalfSpace or SlidingFilm
+    medium : PlaneLayers
     waves : PlaneWaves
     x, z : ndarray, (m,)
         Places [m]; a point on an interface belongs to the upper layer.
@@ -112,7 +152,7 @@ def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array,
         If a point lies in a rigid base.
     """
     bottoms = np.cumsum([layer.thickness for layer in medium.layers])
-    if not isinstance(medium.on, Elastic) and np.any(z > bottoms[-1]):
+    if isinstance(medium.on, Rigid) and np.any(z > bottoms[-1]):
         raise OutsideValidity(
             f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request places in them."
         )
@@ -124,12 +164,11 @@ def added_stresses(medium: PressedLayers, waves: PlaneWaves, x: Array, z: Array,
 
 
 def _superposed(state: WaveState, waves: PlaneWaves, x: Array, dragged: bool) -> Array:
-    assert isinstance(state.solid, Elastic)
-    end, poisson = waves.k.size, state.solid.poisson
-    strain = 2.0 * state.solid.shear * state.moved[:end, 0] * waves.weights
+    end, solid = waves.k.size, constants_of(state.solid)
+    strain = solid.shear * state.moved[:end, 0] * waves.weights
     shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
-    along = (strain + poisson * axial) / (1.0 - poisson)
-    even = np.stack([along, poisson * (along + axial), axial])
+    along = solid.plane * strain + solid.lateral * axial
+    even = np.stack([along, along - 2.0 * solid.twist * strain, axial])
     result = np.empty((4, x.size))
     step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, x.size, step):

@@ -53,6 +53,11 @@ class ShearedLayers:
         return self.tangential_response.modulus
 
     @property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of the uppermost layer and the other body, of shear along a wave, as in plane strain."""
+        return self.along_response.modulus
+
+    @property
     def torsional_modulus(self) -> float:
         """G_t [Pa] of the uppermost layer and the other body."""
         return 0.5 * self.across_response.modulus

@@ -2,6 +2,10 @@ r"""Positive functions of a positive variable that are nearly powers of it, tabu
 
 Over :math:`\ln x` the logarithm of such a function is nearly straight: blocks of a few octaves of x are fitted by
 `fit_panels` when one of their places is evaluated first, and serve from then on.
+
+What is fitted is the logarithm of the function over :math:`s\,(x/m)^p`, with the power p of the block.  It stays small
+where p is large, as of the gap of a very blunt tip, :math:`x^{256}`: its rounding is not that of :math:`p\ln(x/m)`.
+Where the unit is a power of two, so are the middles m, and x/m is not rounded.
 """
 
 from __future__ import annotations
@@ -26,11 +30,12 @@ MOST_PANELS = 64
 
 
 class _Block(NamedTuple):
-    """ln(f / scale) over ln(x / middle), or nothing where that is not smooth."""
+    """ln(f / (scale (x / middle)^power)) over ln(x / middle), or nothing where that is not smooth."""
 
     middle: float
-    scale: float
-    panels: Panels | None
+    scale: float = 1.0
+    power: float = 0.0
+    panels: Panels | None = None
 
 
 class Octaves:
@@ -67,24 +72,28 @@ class Octaves:
             block = self._blocks[number] = self._block(number)
         if block.panels is None:
             return self.function(x)
-        return np.asarray(block.scale * np.exp(block.panels(np.log(x / block.middle))))
+        along = x / block.middle
+        return np.asarray(block.scale * along**block.power * np.exp(block.panels(np.log(along))))
 
     def _block(self, number: int) -> _Block:
         """Return the table of a block."""
         start = self.unit * 2.0 ** (OCTAVES_PER_BLOCK * number)
         middle = start * 2.0 ** (OCTAVES_PER_BLOCK / 2)
         if not (self.low <= start and start * 2.0**OCTAVES_PER_BLOCK <= self.high):
-            return _Block(middle, 1.0, None)
+            return _Block(middle)
+        half = 2.0 ** (OCTAVES_PER_BLOCK / 2)
         edges = (np.arange(OCTAVES_PER_BLOCK + 1) - OCTAVES_PER_BLOCK / 2) * math.log(2.0)
         try:
             with np.errstate(all="ignore"):
-                scale = float(self.function(np.array([middle]))[0])
-                panels = fit_panels(
-                    lambda u: np.log(self.function(middle * np.exp(u.ravel())) / scale).reshape(u.shape),
-                    edges,
-                    RELATIVE_TOLERANCE,
-                    MOST_PANELS,
-                )
-        except NotConverged:
-            return _Block(middle, 1.0, None)
-        return _Block(middle, scale, panels if np.all(np.isfinite(panels.coefficients)) else None)
+                low, scale, high = self.function(middle * np.array([1.0 / half, 1.0, half])).tolist()
+                power = math.log2(high / scale * (scale / low)) / OCTAVES_PER_BLOCK
+
+                def bent(u: Array) -> Array:
+                    along = np.exp(u.ravel())
+                    return np.asarray(np.log(self.function(middle * along) / scale * along**-power).reshape(u.shape))
+
+                rounded = 2.0 * np.finfo(float).eps * abs(power)  # of the function, by the rounding of its places
+                panels = fit_panels(bent, edges, max(RELATIVE_TOLERANCE, rounded), MOST_PANELS)
+        except (NotConverged, ArithmeticError, ValueError):
+            return _Block(middle)
+        return _Block(middle, scale, power, panels if np.all(np.isfinite(panels.coefficients)) else None)

@@ -129,7 +129,8 @@ class ElementStrips(NamedTuple):
     pressed
         Pressures over E*/2, and gaps [m].
     error
-        The greatest relative change of contact length and greatest pressure from half as many elements.
+        The greatest relative change of contact length and greatest pressure from half as many elements, or an element
+        of every strip over all that touch, if that is greater.
     """
 
     modulus: float

@@ -20,6 +20,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.materials.conductor import ElectricalConductor
@@ -43,7 +44,7 @@ class LineConstriction:
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     conductors : ElectricalConductors
         Two bodies of ElectricalConductor, and the film between them.
@@ -81,7 +82,7 @@ class LineConstriction:
         second_depth=("d_2", "m", "depth in the second body up to which the resistance is counted"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     conductors: ElectricalConductors
     load: LineForce | HalfWidth | MeanPressure
     first_depth: Positive

@@ -29,6 +29,8 @@ __all__ = ["SpotCluster", "SpotClusterSolution"]
 
 EXPANSION_DEGREES = ((40, 6), (120, 4), (400, 2))
 """Up to how many spots their fluxes are expanded to which degree."""
+LEFT = 2.0
+"""Error that is left over the last change, at most: 1.6 of random clusters whose spots nearly touch."""
 GREENWOOD = (
     "J. A. Greenwood, Constriction resistance and the real area of contact, Brit. J. Appl. Phys. 17 (1966) 1621-1632, "
     "doi:10.1088/0508-3443/17/12/310"
@@ -127,7 +129,7 @@ class SpotCluster:
             greenwood=greenwood,
             alone=own,
             shares=charges / np.sum(charges),
-            uncertainty=abs(float(np.sum(charges)) / float(np.sum(coarse)) - 1.0),
+            uncertainty=LEFT * abs(float(np.sum(charges)) / float(np.sum(coarse)) - 1.0),
         )
 
 
@@ -148,8 +150,7 @@ class SpotClusterSolution:
     shares : ndarray, (n,)
         Part of the current that goes through every spot [-].
     uncertainty : float
-        By how much the resistance changed, relatively, in the last refinement; its error is below that, or of its
-        order if spots nearly touch.
+        Estimate of the relative error of the resistance: twice its change in the last refinement.
     """
 
     problem: SpotCluster
@@ -178,8 +179,8 @@ class SpotClusterSolution:
             Note(
                 Assumption.RESOLUTION,
                 standing_left(self.uncertainty),
-                f"All spots have one voltage; the last refinement changed the resistance by {self.uncertainty:.1g} of "
-                "itself.",
+                f"All spots have one voltage; the resistance is within {self.uncertainty:.1g} of itself, twice the "
+                "change in the last refinement.",
                 "W. Wolfe's eigenfunctions of the disc, Galerkin's method",
             ),
             Note(

@@ -8,13 +8,12 @@ import math
 import numpy as np
 
 from winkler.checks.number_checks import PositiveQuantity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.fields.band_source import BandSource
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
-from winkler.profiles.power import Paraboloid
 from winkler.values import value
 
 __all__ = ["EvenBand", "HeatedLine", "band_sources"]
@@ -41,18 +40,18 @@ HeatedLine = LineSolution | EvenBand
 
 
 @functools.lru_cache(maxsize=64)
-def band_source(bed: LineFoundation, force: float, half_width: float) -> BandSource:
+def band_source(bed: LineBed, force: float, half_width: float) -> BandSource:
     """Return the source of a line contact.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     force : float
         P [N/m], positive.
     half_width : float
         a [m].
     """
-    if isinstance(bed.profile, Paraboloid):
+    if bed.hertzian:
         return BandSource(half_width, (), lambda angle: 2.0 / math.pi * np.cos(angle) ** 2)
     on_rim = rim_load(bed, force, half_width) * bed.medium.modulus / (math.pi * force)
     kinks = tuple(math.asin(b / half_width) for b, _ in bed.kinks if 0.0 < b < half_width)

@@ -18,6 +18,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import FiniteQuantity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
@@ -29,7 +30,6 @@ from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.strip_heating import StripHeating, StripTemperatures
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -42,7 +42,7 @@ class LineFrictionHeating(StripHeating):
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction, with a finite coefficient.
@@ -60,6 +60,8 @@ class LineFrictionHeating(StripHeating):
 
     Raises
     ------
+    OutsideValidity
+        If a layer slides on what lies below it: friction would drag it away.
     InvalidInput
         If a body that takes heat rests against the contact, a conductor is none, a speed is not finite, or speeds and
         load do not broadcast.
@@ -92,7 +94,7 @@ class LineFrictionHeating(StripHeating):
         load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: Overcome
     load: LineForce | HalfWidth | MeanPressure
     conductors: HeatConductors
@@ -105,6 +107,7 @@ class LineFrictionHeating(StripHeating):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        self.bed.refuse_dragged(self.law.coefficient)
         given = dataclasses.astuple(self.load)[0]
         self._check_speeds(load=given)
 
@@ -194,9 +197,9 @@ class LineFrictionHeatingSolution(StripTemperatures):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        bed, contact, friction = self.problem.bed, self.contact, self.problem.law.coefficient
+        friction = self.problem.law.coefficient
         return (
-            *line_contact_notes(bed, contact.force_per_length, contact.half_width, friction),
-            sliding_note(bed.medium, friction),  # type: ignore[arg-type]
+            *self.contact.dragged_notes(friction),
+            sliding_note(self.problem.bed.medium, friction),  # type: ignore[arg-type]
             *self._notes(),
         )

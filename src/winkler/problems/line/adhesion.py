@@ -31,7 +31,6 @@ from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.one_load import one_of, single
-from winkler.profiles.profile import Sum
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -260,4 +259,4 @@ class LineAdhesionSolution(OfStrip):
             return bed
         a, outer = float(self.half_width), float(np.asarray(self.outer_half_width))
         # a sum of one profile, so that no closed form of the profile alone is taken for that of the bed
-        return ZonedBed(Sum((bed.profile,)), bed.medium, law.strength, a, outer)
+        return ZonedBed(bed.profile, bed.medium, law.strength, a, outer)

@@ -17,7 +17,6 @@ from winkler.problems.line.greatest_stress import Measure, Placed, greatest
 from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.stress import LineContact
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.profiles.power import Paraboloid
 
 __all__ = ["at_strength", "first_at_strength", "refuse_sharp", "refuse_without_strength"]
 
@@ -91,8 +90,8 @@ def _half_width(contact: LineContact, measure: Measure, strength: float, name: s
     def mean(beside: Array) -> Array:
         return np.asarray(0.5 * bed.load_profile(flat + beside) / (flat + beside))
 
-    if isinstance(bed.profile, Paraboloid):  # all stresses grow in proportion to a
-        start = bed.profile.curvature_radius * strength / bed.medium.modulus
+    if bed.hertzian:  # all stresses grow in proportion to a
+        start = bed.hertz_radius * strength / bed.medium.modulus
         a = start * strength / peak(start).value
         return a, peak(a)
     if math.isfinite(end):

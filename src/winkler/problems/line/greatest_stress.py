@@ -63,8 +63,8 @@ def greatest(contact: LineContact, measure: Measure) -> Placed:
     measure
         Takes the fields, returns what is compared [Pa].
     """
-    if isinstance(contact.bed.profile, Paraboloid):
-        level = contact.bed.medium.modulus * contact.half_width / contact.bed.profile.curvature_radius
+    if contact.bed.hertzian:
+        level = contact.bed.medium.modulus * contact.half_width / contact.bed.hertz_radius
         value, x, z = _of_cylinder(measure, contact.poisson, contact.friction)
         return Placed(level * value, contact.half_width * x, contact.half_width * z)
     return sought(contact, measure)

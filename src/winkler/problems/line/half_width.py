@@ -64,6 +64,9 @@ def widest_allowed(bed: LineBed, half_width: Array) -> None:
 
 def under_force(bed: LineBed, load: Array) -> Array:
     """Return the half-widths [m] under loads per length over E* ``(m,)`` [m], zero without load."""
+    known = bed.half_width(load)
+    if known is not None:
+        return known
 
     def curve(a: Array) -> tuple[Array, Array]:
         return bed.load_profile(a), bed.load_profile_slope(a)

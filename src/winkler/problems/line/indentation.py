@@ -24,8 +24,10 @@ from winkler.problems.line.half_width import refuse_unless_strips, under_force, 
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
 from winkler.problems.line.pressing_load import given_by, pressing
+from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.line.yield_statement import line_contact_notes
+from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -178,8 +180,28 @@ class LineSolution(OfStrip):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
-        assert isinstance(self.problem.bed, LineFoundation)
-        return line_contact_notes(self.problem.bed, self.force_per_length, self.half_width)
+        return self.dragged_notes(0.0)
+
+    def dragged_notes(self, friction: float) -> tuple[Note, ...]:
+        """Return the same where the contact slides everywhere.
+
+        Parameters
+        ----------
+        friction : float
+            Traction over pressure [-].
+        """
+        return line_contact_notes(self._bed, self.force_per_length, self.half_width, friction)
+
+    def part_stress(self, part: StrongPart, friction: float) -> Placed:
+        """Return the greatest von Mises stress [Pa] of a part under one load, and its place [m].
+
+        Parameters
+        ----------
+        part : StrongPart
+        friction : float
+            As of `stresses`.
+        """
+        return greatest(LineContact(self._bed, *self._strip("part_stress"), part.solid.poisson, friction), von_mises)
 
 
 @value

@@ -25,17 +25,15 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.strip_waves import averages
-from winkler.materials.elastic import Elastic
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.layered.coated_interior import wave_states
-from winkler.media.stacked.sliding_film import SlidingFilm
+from winkler.media.layered.plane_interior import PlaneLayers
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 
 __all__ = ["has_depth", "layered_approach"]
 
-OnBase = CoatedHalfSpace | SlidingFilm
 FIRST_WAVE_NUMBER, LARGEST_PHASE = 0.1, 12.0
 POINTS, POINTS_PER_RATIO = 64, 48
 WIDEST = 0.2
@@ -44,9 +42,7 @@ WIDEST = 0.2
 
 def has_depth(medium: object) -> bool:
     """Return whether a medium is layers on a rigid base under a rigid body, so that a depth needs no reference."""
-    if not isinstance(medium, OnBase):
-        return False
-    return not isinstance(medium.on, Elastic) and not isinstance(medium.second, Elastic)
+    return isinstance(getattr(medium, "on", None), Rigid) and isinstance(getattr(medium, "second", None), Rigid)
 
 
 def layered_approach(
@@ -69,8 +65,10 @@ def layered_approach(
         Depth [m] of the point in the other body, or a finite body; of a rigid one it is not used.
     """
     medium = bed.medium
-    below = _first_depth(medium, first) if isinstance(medium.on, Elastic) else math.inf
-    above, added = _second_depth(medium, second, half_width) if isinstance(medium.second, Elastic) else (math.inf, 0.0)
+    below = _first_depth(medium, first) if not isinstance(medium.on, Rigid) else math.inf
+    above, added = math.inf, 0.0
+    if not isinstance(medium.second, Rigid):
+        above, added = _second_depth(medium, second, half_width)
     if half_width == 0.0:
         return 0.0
     carried, response = bed.carried(half_width, rim_load), medium.response
@@ -98,7 +96,7 @@ def _logarithm(ratio: float) -> float:
     return float(np.mean(np.log(ratio + np.hypot(ratio, 2.0 * np.sin(0.5 * angle)))))
 
 
-def _first_depth(medium: OnBase, place: float | Reference | None) -> float:
+def _first_depth(medium: PlaneLayers, place: float | Reference | None) -> float:
     if not isinstance(place, Real) or not medium.thickness <= place < math.inf:
         raise InvalidInput(
             "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below "
@@ -108,10 +106,14 @@ def _first_depth(medium: OnBase, place: float | Reference | None) -> float:
     return float(place)
 
 
-def _second_depth(medium: OnBase, place: float | Reference | None, half_width: float) -> tuple[float, float]:
+def _second_depth(medium: PlaneLayers, place: float | Reference | None, half_width: float) -> tuple[float, float]:
     """Return the depth in the second body [m], and what its finite size adds over the load per E*."""
     body = medium.second
-    assert isinstance(body, Elastic)
+    if not isinstance(body, Elastic):
+        raise OutsideValidity(
+            "How far points inside a transversely isotropic second body move is not known to winkler; give an Elastic "
+            "or a Rigid one."
+        )
     finite = place if isinstance(place, RollerCentre | PlateBase) else None
     depth = finite.depth if finite is not None else place
     if not isinstance(depth, Real) or not 0.0 < depth < math.inf:
@@ -131,7 +133,7 @@ def _second_depth(medium: OnBase, place: float | Reference | None, half_width: f
     return float(depth), share * finite.added(body.poisson)
 
 
-def _moved_first(medium: OnBase, k: Array, depth: float) -> Array:
+def _moved_first(medium: PlaneLayers, k: Array, depth: float) -> Array:
     """Return displacements times k per pressure of 1 [1/Pa] in the body under the layers."""
     moved = np.zeros(k.size)
     if depth < math.inf:
@@ -142,7 +144,7 @@ def _moved_first(medium: OnBase, k: Array, depth: float) -> Array:
     return moved
 
 
-def _moved_second(medium: OnBase, k: Array, depth: float) -> Array:
+def _moved_second(medium: PlaneLayers, k: Array, depth: float) -> Array:
     """Return the same of the second body, a half-plane."""
     body = medium.second
     if depth == math.inf or not isinstance(body, Elastic):

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
-from winkler.media.stacked.sliding_film import SlidingFilm
 from winkler.problems.assumptions.film import film_note
+from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
 from winkler.problems.line.layered_stress import layered_fields
 from winkler.problems.line.peak_pressure import is_sharp
@@ -19,7 +19,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["layered_notes", "strip_notes"]
+__all__ = ["greatest_of_part", "layered_notes", "strip_notes"]
 
 WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"
 PLACES, DEPTHS = 33, 25
@@ -29,7 +29,9 @@ NEAR = 0.05
 """Distance from a sharp place at which the stress is read, over the half-width."""
 
 
-def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
+def layered_notes(
+    bed: LayeredLineFoundation, half_width: float, rim_load: float, friction: float = 0.0
+) -> tuple[Note, ...]:
     """Return the notes of the widest of several line contacts on layers.
 
     Parameters
@@ -39,22 +41,20 @@ def layered_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float
         a [m].
     rim_load : float
         Load per length over E* that a rim bears [m].
+    friction : float
+        Traction over pressure [-] of a contact that slides everywhere.
     """
-    return (*strip_notes(bed, half_width, rim_load), *_yield_notes(bed, half_width, rim_load))
+    return (*strip_notes(bed, half_width, rim_load), *_yield_notes(bed, half_width, rim_load, friction))
 
 
 def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
     """Return these notes but for that on yield."""
-    layers = (
-        "An isotropic, linear elastic film that slides on its base without friction and does not lift off,"
-        if isinstance(bed.medium, SlidingFilm)
-        else "Perfectly bonded, isotropic, linear elastic layers"
-    )
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        f"{layers} in plane strain under normal load: the Fourier response of the stack, solved in Chebyshev "
-        "modes; the ends of a body of finite length are not included.",
+        "Linear elastic layers in plane strain under normal load, each perfectly bonded to what lies below it or, as "
+        "given, sliding there without friction and gap: the Fourier response of the stack, solved in Chebyshev modes; "
+        "the ends of a body of finite length are not included.",
         WAVES,
     )
     notes = shape_notes(bed, half_width, response)
@@ -64,13 +64,13 @@ def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) 
     return notes
 
 
-def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
+def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float, friction: float) -> tuple[Note, ...]:
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
         return ()
     sharp = is_sharp(bed, half_width, rim_load)
-    found = [(_greatest(bed, Strip(half_width, rim_load), part, sharp), part) for part in parts]
-    (level, x, z), part = max(found, key=lambda one: one[0][0] / one[1].solid.strength)
+    found = [(greatest_of_part(bed, Strip(half_width, rim_load), part, friction), part) for part in parts]
+    (level, x, z), part = max(found, key=lambda one: one[0].value / one[1].solid.strength)
     share = level / part.solid.strength
     place = f"{share_of(share, part)}, at x = {x:.3g} m, z = {z if part.first else -z:.3g} m"
     if share >= 1.0:
@@ -83,10 +83,11 @@ def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float)
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
 
 
-def _greatest(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, sharp: bool) -> tuple[float, float, float]:
+def greatest_of_part(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, friction: float) -> Placed:
     """Return the greatest von Mises stress of a part at sampled places, and its place."""
-    a = strip.half_width
+    a, sharp = strip.half_width, is_sharp(bed, *strip)
     x = 2.0 * math.hypot(a, part.top) * np.linspace(0.0, 1.0, PLACES)  # as far as the load has spread
+    x = x if friction == 0.0 else np.concatenate([-x[:0:-1], x])
     bottom = min(part.bottom, part.top + DEEPEST * (a + part.top))
     z = part.top + (bottom - part.top) * np.linspace(0.0, 1.0, DEPTHS) ** 2
     if part.top > 0.0:
@@ -94,6 +95,6 @@ def _greatest(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, sharp:
     elif sharp:
         z = np.maximum(z, min(NEAR * a, 0.5 * bottom))
     signed = z if part.first else -z
-    level = layered_fields(bed, strip, x[:, None], signed[None, :], part.first).von_mises
+    level = layered_fields(bed, strip, x[:, None], signed[None, :], part.first, friction=friction).von_mises
     i, j = np.unravel_index(int(np.argmax(level)), level.shape)
-    return float(level[i, j]), float(x[i]), float(z[j])
+    return Placed(float(level[i, j]), float(x[i]), float(z[j]))

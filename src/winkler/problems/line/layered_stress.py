@@ -8,9 +8,9 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
-from winkler.materials.elastic import Elastic
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.layered.plane_interior import PlaneWaves, added_stresses, plane_waves
+from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
 from winkler.numerics.types import Array
 from winkler.problems.line.stress import LineContact, LineFields, stresses
@@ -22,7 +22,6 @@ __all__ = [
     "greatest_within",
     "layer_stresses",
     "layered_fields",
-    "refuse_dragged_film",
     "waves_below",
     "waves_for_search",
 ]
@@ -64,15 +63,6 @@ class LayerStress:
     z: float
     interface_shear: float
     interface_x: float
-
-
-def refuse_dragged_film(medium: object, friction: float) -> None:
-    """Refuse friction on a film that slides on its base."""
-    if friction != 0.0 and not isinstance(medium, CoatedHalfSpace):
-        raise OutsideValidity(
-            f"The layer of a {type(medium).__name__} slides on its base and bears no shear there, so that friction "
-            "would drag it away: leave friction at zero, or give a CoatedHalfSpace."
-        )
 
 
 def waves_below(bed: LayeredLineFoundation, strip: Strip, farthest: float) -> PlaneWaves:
@@ -120,17 +110,16 @@ def layered_fields(
         Traction on the body along x over the pressure [-].
     """
     medium = bed.medium
-    refuse_dragged_film(medium, friction)
-    body = medium.layers[0].solid if below else medium.second
-    if not isinstance(body, Elastic):
-        raise rigid_body(below)
+    bed.refuse_dragged(friction)
     x, z = np.broadcast_arrays(x, z)
     across, deep = x.ravel(), np.abs(z).ravel()
     top = medium.layers[0].thickness if below else math.inf
     parts = np.zeros((4, across.size))
     upper = deep <= top
-    own = stresses(LineContact(bed, *strip, body.poisson, friction), across[upper], deep[upper])
-    parts[:, upper] = own.xx_stress, own.yy_stress, own.zz_stress, own.xz_stress
+    if upper.any():
+        body = medium.layers[0].solid if below else medium.second
+        own = stresses(LineContact(bed, *strip, _isotropic(body, below), friction), across[upper], deep[upper])
+        parts[:, upper] = own.xx_stress, own.yy_stress, own.zz_stress, own.xz_stress
     if below and across.size:
         if waves is None:
             waves = waves_below(bed, strip, float(np.max(np.abs(across))))
@@ -138,6 +127,18 @@ def layered_fields(
         if friction != 0.0:
             parts += friction * added_stresses(medium, waves, across, deep, dragged=True)
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
+
+
+def _isotropic(body: Body, below: bool) -> float:
+    """Return Poisson's ratio of the body or layer that carries the surface; refuse one without stresses."""
+    if isinstance(body, Rigid):
+        raise rigid_body(below)
+    if not isinstance(body, Elastic):
+        raise OutsideValidity(
+            "The stresses inside a transversely isotropic uppermost layer or second body are not known to winkler; "
+            "request places in the layers below it."
+        )
+    return body.poisson
 
 
 def layer_stresses(bed: LayeredLineFoundation, strip: Strip, friction: float) -> tuple[LayerStress, ...]:

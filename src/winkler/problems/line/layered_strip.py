@@ -9,12 +9,13 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.numerics.types import ArrayLike, Quantity, shaped
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
-from winkler.problems.line.layered_notes import layered_notes
+from winkler.problems.line.layered_notes import greatest_of_part, layered_notes
 from winkler.problems.line.layered_stress import LayerStress, layer_stresses, layered_fields
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.which_body import in_first_body
 from winkler.validity import Note
 
@@ -135,12 +136,15 @@ class OnLayers(OfStrip):
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         return strip
 
-    @property
-    def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted: assumptions, slopes, size of the body, yield."""
+    def dragged_notes(self, friction: float) -> tuple[Note, ...]:
+        """Return how far the result can be trusted, as of `LineSolution.dragged_notes`."""
         widest = int(np.argmax(self.force_per_length))
         force, a = (float(np.ravel(part)[widest]) for part in (self.force_per_length, self.half_width))
-        return layered_notes(self.problem.bed, a, rim_load(self.problem.bed, force, a))
+        return layered_notes(self.problem.bed, a, rim_load(self.problem.bed, force, a), friction)
+
+    def part_stress(self, part: StrongPart, friction: float) -> Placed:
+        """Return the greatest von Mises stress [Pa] of a part, as of `LineSolution.part_stress`; sampled."""
+        return greatest_of_part(self.problem.bed, self._strip("part_stress"), part, friction)
 
 
 def _depth(bed: LayeredLineFoundation, force: float, half_width: float) -> float:

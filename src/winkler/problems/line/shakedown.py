@@ -25,7 +25,6 @@ from winkler.problems.line.at_strength import first_at_strength, refuse_without_
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yielding import FRICTIONLESS
-from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -111,7 +110,7 @@ class LineShakedownSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed; whether the limit is reached or only bounds what is."""
-        cylinder = isinstance(self.problem.bed.profile, Paraboloid)
+        cylinder = self.problem.bed.hertzian
         reached = "residual stresses exist with which the body shakes down at this load"
         bound = "it bounds the shakedown limit from above; that residual stresses exist which reach it was not shown"
         note = Note(

@@ -20,7 +20,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
-from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -106,7 +106,7 @@ def one_coefficient(owner: str, friction: Any) -> float:
     return float(number)
 
 
-def poisson_of(medium: HomogeneousMedium, below: bool) -> float:
+def poisson_of(medium: object, below: bool) -> float:
     """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
     if not isinstance(body, Elastic):

@@ -15,7 +15,6 @@ from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
-from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["line_contact_notes", "line_yield_notes"]
@@ -83,7 +82,7 @@ def line_yield_notes(
         return (Note(Assumption.ELASTIC, standing, f"{sharp}{beyond}.", MISES),)
     depth = place.z if part.first else -place.z
     where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
-    cylinder = isinstance(bed.profile, Paraboloid)
+    cylinder = bed.hertzian
     onset = bed.medium.modulus * float(bed.load_profile(np.array([half_width]))[0]) / share**2
     if share < 1.0:
         begins = f"yielding begins at {onset:.4g} N/m; " if cylinder else ""

@@ -22,7 +22,6 @@ from winkler.problems.line.at_strength import at_strength, refuse_sharp, refuse_
 from winkler.problems.line.greatest_stress import von_mises
 from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.layered_notes import strip_notes
-from winkler.problems.line.layered_stress import refuse_dragged_film
 from winkler.problems.line.layered_yield import at_strength_on_layers
 from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.onset.part_onset import NAME, PART, onset_note
@@ -76,7 +75,7 @@ class LineYieldOnset:
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `HalfSpace` or on bonded layers, of which at least one part was given a strength.
+        Profile and bodies, on a `HalfSpace` or on layers, of which at least one part was given a strength.
     friction : Coulomb, optional
         The contact slides everywhere, and drags each body by mu p; none unless given.
 
@@ -85,7 +84,7 @@ class LineYieldOnset:
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a film that slides on its base.
+        If there is friction on a layer that slides on what lies below it.
 
     References
     ----------
@@ -102,8 +101,7 @@ class LineYieldOnset:
 
     def __post_init__(self) -> None:
         refuse_without_strength(self.bed, "LineYieldOnset")
-        if isinstance(self.bed, LayeredLineFoundation):
-            refuse_dragged_film(self.bed.medium, self.friction.coefficient)
+        self.bed.refuse_dragged(self.friction.coefficient)
 
     def solve(self) -> LineYieldOnsetSolution:
         """Return the load, and where yielding begins.

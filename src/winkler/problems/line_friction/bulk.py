@@ -19,43 +19,36 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.line import LineFoundation
-from winkler.materials.elastic import Elastic
-from winkler.media.halfspace import HalfSpace
+from winkler.foundation.line_bed import LineBed
+from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.path import LinePath
-from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["bulk_note", "has_closed_form", "lean_of", "refuse_bulk", "strain_per_stress"]
+__all__ = ["bulk_note", "has_closed_form", "lean_of", "refuse_bulk"]
 
 NOWELL_HILLS = "D. Nowell, D. A. Hills, Int. J. Mech. Sci. 29 (1987) 355-365, doi:10.1016/0020-7403(87)90117-2"
 ROUNDING = 1e-12
 
 
-def refuse_bulk(bed: LineFoundation, path: LinePath) -> None:
+def refuse_bulk(bed: LineBed, path: LinePath) -> None:
     """Refuse a bulk stress in a rigid body.
 
     Raises
     ------
     InvalidInput
     """
-    if np.any(path.bulk_stress) and not isinstance(_strained(bed), Elastic):
+    if np.any(path.bulk_stress) and bed.strain_per_stress == 0.0:
         raise InvalidInput(
-            "LineTangential: the first body is rigid and bears no bulk stress; give the elastic body first."
+            "LineTangential: the first body is rigid and bears no bulk stress; give the elastic body first, or layers "
+            "on an elastic one."
         )
 
 
-def strain_per_stress(bed: LineFoundation) -> float:
-    """Return the strain of the first surface along x over the bulk stress, in plane strain [1/Pa]."""
-    body = _strained(bed)
-    return (1.0 - body.poisson**2) / body.young if isinstance(body, Elastic) else 0.0
-
-
-def has_closed_form(bed: LineFoundation, path: LinePath) -> bool:
+def has_closed_form(bed: LineBed, path: LinePath) -> bool:
     """Return whether the strips of Nowell and Hills hold along all of a path, as they do without a bulk stress."""
     if not np.any(path.bulk_stress):
-        return True
-    if not isinstance(bed.profile, Paraboloid) or not path.in_phase:
+        return bed.sheared_as_pressed
+    if not bed.hertzian or not path.in_phase:
         return False
     forces, shears = path.across, path.along
     first = max(int(np.flatnonzero(shears)[0]) - 1, 0)
@@ -63,17 +56,16 @@ def has_closed_form(bed: LineFoundation, path: LinePath) -> bool:
     return not np.any(forces[first:] != forces[first]) and _share(bed, lean_of(bed, path), load) <= 1.0 + ROUNDING
 
 
-def lean_of(bed: LineFoundation, path: LinePath) -> float:
+def lean_of(bed: LineBed, path: LinePath) -> float:
     """Return lambda, the shift of an earlier contact over the load per length over E* that it lacks [-]."""
-    if not np.any(path.bulk_stress) or not isinstance(bed.profile, Paraboloid):
+    if not np.any(path.bulk_stress) or not bed.hertzian:
         return 0.0
-    return bed.profile.curvature_radius * path.bulk_per_shear * bed.medium.modulus * strain_per_stress(bed)
+    return bed.hertz_radius * path.bulk_per_shear * bed.medium.along_modulus * bed.strain_per_stress
 
 
-def _share(bed: LineFoundation, lean: float, load: float) -> float:
+def _share(bed: LineBed, lean: float, load: float) -> float:
     """Return the bulk stress over the one at which an edge of a cylinder slips back, under a load over E* [m]."""
-    half_width = np.sqrt(4.0 * bed.profile.curvature_radius * load / np.pi)  # type: ignore[attr-defined]
-    return abs(lean) * load / (0.5 * float(half_width)) if load > 0.0 else 0.0
+    return abs(lean) * load / (0.5 * float(under_force(bed, np.array([load]))[0])) if load > 0.0 else 0.0
 
 
 def bulk_note(lean: float, half_width: float, load: float) -> Note:
@@ -92,7 +84,3 @@ def bulk_note(lean: float, half_width: float, load: float) -> Note:
         f"{share:.3g} of the one at which an edge begins to slip against the shear force."
     )
     return Note(Assumption.SLIP, Standing.EXACT, text, NOWELL_HILLS)
-
-
-def _strained(bed: LineFoundation) -> object:
-    return bed.medium.first if isinstance(bed.medium, HalfSpace) else None

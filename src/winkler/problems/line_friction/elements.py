@@ -11,11 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
-from winkler.numerics.surfaces.strip_elements import element_compliance
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.profiles.power import Paraboloid
 
 __all__ = ["LineElements", "elements_for", "pressed_elements"]
 
@@ -25,7 +23,6 @@ LEAST_OUTER, MOST_OUTER, OUTER_PER_WIDTH = 40, 120, 320.0
 """Elements between the edges of the narrowest and the widest contact."""
 MERGED = 0.05
 """Part of the range of the edge within which turning points count as one."""
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(6)
 ROUNDING = 1e-12
 
 
@@ -51,7 +48,7 @@ class LineElements(NamedTuple):
     compliance: Array
 
 
-def elements_for(half_widths: Array) -> LineElements:
+def elements_for(bed: LineBed, half_widths: Array) -> LineElements:
     """Return the elements for contacts of these half-widths [m], at least one above zero."""
     scale = float(np.max(half_widths))
     ends = np.unique(half_widths) / scale
@@ -63,15 +60,17 @@ def elements_for(half_widths: Array) -> LineElements:
             count = inner if start == 0.0 and end == ends[0] else max(round(outer * (end - start) / (1.0 - ends[0])), 4)
             half = np.append(half, start + (end - start) * np.sin(0.5 * np.pi * np.arange(1, count + 1) / count))
     edges = np.concatenate([-half[:0:-1], half])
-    return LineElements(scale, edges, 0.5 * (edges[1:] + edges[:-1]), np.diff(edges), element_compliance(edges))
+    return LineElements(
+        scale, edges, 0.5 * (edges[1:] + edges[:-1]), np.diff(edges), bed.shear_compliance(scale * edges)
+    )
 
 
-def pressed_elements(bed: LineFoundation, elements: LineElements, force: float, half_width: float) -> Array:
+def pressed_elements(bed: LineBed, elements: LineElements, force: float, half_width: float) -> Array:
     """Return the mean pressure on every element over E* ``(n,)``; zero where it does not touch.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     elements : LineElements
     force : float
         P [N/m].
@@ -82,15 +81,8 @@ def pressed_elements(bed: LineFoundation, elements: LineElements, force: float, 
     a, load = half_width / elements.scale, force / (bed.medium.modulus * elements.scale)
     if load == 0.0:
         return np.zeros(2 * n)
-    angles = np.arcsin(np.minimum(elements.edges[n:] / a, 1.0))
-    if isinstance(bed.profile, Paraboloid):
-        borne = np.diff(0.5 * np.sin(2.0 * angles) + angles)
-    else:
-        half = 0.5 * np.diff(angles)[:, None]
-        angle = 0.5 * (angles[1:] + angles[:-1])[:, None] + half * NODES
-        places = half_width * np.sin(angle)
-        pressure = bed.pressure(places.ravel(), half_width, rim_load(bed, force, half_width)).reshape(places.shape)
-        borne = np.sum(half * WEIGHTS * np.where(half > 0.0, pressure * np.cos(angle), 0.0), axis=1)
+    on_rim = rim_load(bed, force, half_width)
+    borne = bed.mean_pressures(elements.scale * elements.edges[n:], half_width, on_rim) * elements.widths[n:]
     touching = max(int(np.sum(elements.x[n:] < a * (1.0 - ROUNDING))), 1)
     borne[touching - 1] += float(np.sum(borne[touching:]))
     borne[touching:] = 0.0

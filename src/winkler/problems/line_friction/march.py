@@ -4,13 +4,14 @@ The second body is ahead of the first by
 
 .. math:: s(x) = \delta - \varepsilon x - u(x) , \qquad
           u(x) = -\frac2{\pi E^*}\int q(\xi)\,\ln|x-\xi|\,\mathrm d\xi , \qquad
-          \varepsilon = \frac{1-\nu_1^2}{E_1}\sigma_B ,
+          \varepsilon = \frac{1-\nu_1^2}{E_1}\sigma_B
 
-which stays as it is where the surfaces stick, and changes in the direction of q where they slip under
-:math:`|q|=\mu p`.  Each step finds the zones in which that holds at its end, and the shift :math:`\delta` at which the
-tractions add up to Q.  On similar bodies the pressure does not depend on the traction.  An element that comes into
-contact brings along how far it was ahead when the edge of the contact reached its middle: while the normal force
-changes, a step ends where the edge of the contact is that of an element.
+(on layers with the kernel of their response to shear, `LineBed.shear_compliance`), which stays as it is where the
+surfaces stick, and changes in the direction of q where they slip under :math:`|q|=\mu p`.  Each step finds the zones
+in which that holds at its end, and the shift :math:`\delta` at which the tractions add up to Q.  On similar bodies the
+pressure does not depend on the traction.  An element that comes into contact brings along how far it was ahead when
+the edge of the contact reached its middle: while the normal force changes, a step ends where the edge of the contact
+is that of an element.
 
 Where stick meets slip, in the midst of an element, the traction departs from its bound by the root of the distance: the
 error of the loss, about 1e-4, falls by the power 7/4 of the width of the elements only.
@@ -18,20 +19,21 @@ error of the loss, about 1e-4, falls by the power 7/4 of the width of the elemen
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.surfaces.strip_grid import strip_step
 from winkler.numerics.types import Array
-from winkler.problems.line_friction.bulk import strain_per_stress
+from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.elements import elements_for, pressed_elements
 from winkler.problems.line_friction.path import LinePath
-from winkler.problems.line_friction.strips import half_widths
 
 __all__ = ["LineMarch", "MarchedRow"]
 
@@ -79,17 +81,15 @@ class MarchedRow(NamedTuple):
 class LineMarch:
     """A march along a path; lengths over the greatest half-width A, tractions over E*, forces over E* A."""
 
-    def __init__(self, bed: LineFoundation, friction: float, path: LinePath) -> None:
+    def __init__(self, bed: LineBed, friction: float, path: LinePath) -> None:
         self.bed, self.friction = bed, friction
         modulus = bed.medium.modulus
-        self.widths = half_widths(bed, path.across / modulus)
-        self.elements = elements_for(self.widths)
+        self.widths = under_force(bed, path.across / modulus)
+        self.elements = elements_for(bed, self.widths)
         per_force = 1.0 / (modulus * self.elements.scale)
-        strains = strain_per_stress(bed) * path.bulk
+        strains = bed.strain_per_stress * path.bulk
         self.points = np.stack([path.across * per_force, path.along * per_force, strains], axis=1)
         self.most = friction * float(np.max(self.points[:, 0]))
-        right = self.elements.edges[self.elements.edges > 0.0]
-        self.arrivals = bed.load_profile(self.elements.scale * right) / self.elements.scale
         self.bulk = path.bulk
         self.traction, self.bound, self.ahead, self.slips, self.rubbed = np.zeros((5, self.elements.x.size))
         self.shift = self.lost = 0.0
@@ -98,16 +98,26 @@ class LineMarch:
 
     def rows(self) -> Iterator[MarchedRow]:
         """Yield the elements that touch at every point of the path, none if the bodies are apart."""
-        before = self.points[0] * np.array([1.0, 0.0, 0.0])
-        self._go(before, 0)
-        for index, point in enumerate(self.points):
+        first = self.points[0] * np.array([1.0, 0.0, 0.0])
+        pieces = [self._piece(before, after) for before, after in pairwise([first, *self.points])]
+        forces = np.unique(np.concatenate([[first[0], 0.5 * first[0]], *(piece[:, 0] for piece in pieces)]))
+        found = under_force(self.bed, forces * self.elements.scale) / self.elements.scale  # at once, not one by one
+        self.half_widths = dict(zip(forces.tolist(), np.minimum(found, 1.0).tolist(), strict=True))
+        self._go(first, 0, 0.5 * float(first[0]))
+        for index, (piece, point) in enumerate(zip(pieces, self.points, strict=True)):
             self.step = np.zeros(self.elements.x.size)
-            for share in self._shares(before, point):
+            for at, middle in zip(piece[1::2], piece[::2], strict=True):
                 ahead = self.ahead
-                self._go(before + share * (point - before) if share < 1.0 else point, index)
+                self._go(at, index, float(middle[0]))
                 self.step = self.ahead - ahead
-            before = point
             yield self._row(point)
+
+    def _piece(self, before: Array, after: Array) -> Array:
+        """Return middles and ends of the steps along a straight piece of the path, in turn."""
+        ends = self._shares(before, after)
+        middles = 0.5 * (ends + np.append(0.0, ends[:-1]))
+        shares = np.stack([middles, ends], axis=1).ravel()[:, None]
+        return np.where(shares < 1.0, before + shares * (after - before), after)
 
     def _shares(self, before: Array, after: Array) -> Array:
         """Return at which parts of a straight piece of the path the steps end."""
@@ -120,28 +130,34 @@ class LineMarch:
         steps = math.ceil(min(max(whole * float(np.max(sizes)), 1.0), MOST_STEPS))
         shares = np.linspace(0.0, 1.0, steps + 1)[1:]
         if change[0] != 0.0:
-            crossed = (self.arrivals - before[0]) / change[0]
+            crossed = (self._arrivals - before[0]) / change[0]
             shares = np.append(shares, crossed[(crossed > ROUNDING) & (crossed < 1.0 - ROUNDING)])
         return np.unique(shares)
 
-    def _bound(self, force: float) -> tuple[Array, float]:
-        """Return what friction bears on every element over E*, and the half-width over A."""
-        scale, modulus = self.elements.scale, self.bed.medium.modulus
-        a = min(float(half_widths(self.bed, np.array([force * scale]))[0]) / scale, 1.0)
-        return self.friction * pressed_elements(self.bed, self.elements, force * modulus * scale, a * scale), a
+    @functools.cached_property
+    def _arrivals(self) -> Array:
+        """Normal forces at which the edge of the contact is that of an element."""
+        right, scale = self.elements.edges[self.elements.edges > 0.0], self.elements.scale
+        return self.bed.load_profile(scale * right) / scale
 
-    def _go(self, point: Array, index: int) -> None:
-        """Take a step to these forces and this strain."""
+    def _bound(self, force: float) -> Array:
+        """Return what friction bears on every element over E*."""
+        scale, modulus = self.elements.scale, self.bed.medium.modulus
+        pressed = pressed_elements(self.bed, self.elements, force * modulus * scale, self.half_widths[force] * scale)
+        return self.friction * pressed
+
+    def _go(self, point: Array, index: int, between: float) -> None:
+        """Take a step to these forces and this strain; `between` is the normal force in the middle of it."""
         force, shear, strain = point.tolist()
         elements = self.elements
         if force <= 0.0:
             self.traction, self.bound, self.slips = np.zeros((3, elements.x.size))
             self.ahead, self.shift, self.half_width, self.force = -strain * elements.x, 0.0, 0.0, 0.0
             return
-        middle = self._bound(0.5 * (force + self.force))[0] if force != self.force else self.bound
-        bound, half_width = self._bound(force)
+        bound = self._bound(force) if force != self.force else self.bound
+        middle = self._bound(between) if force != self.force else bound
         self._meet((bound > 0.0) & (self.bound == 0.0))
-        self.half_width_before, self.half_width = self.half_width, half_width
+        self.half_width_before, self.half_width = self.half_width, self.half_widths[force]
         mean = (self.bound + 4.0 * middle + bound) / 6.0
         self.force = force
         rows = np.flatnonzero(bound)
@@ -207,7 +223,7 @@ class LineMarch:
         rows, scale, modulus = np.flatnonzero(self.bound), self.elements.scale, self.bed.medium.modulus
         shift = self.shift
         if rows.size:
-            shift += 2.0 / np.pi * float(point[1]) * math.log(0.5 * self.half_width)
+            shift -= float(point[1]) * self.bed.stuck_compliance(scale * self.half_width, scale)
         return MarchedRow(
             scale * self.elements.x[rows],
             scale * self.elements.widths[rows],

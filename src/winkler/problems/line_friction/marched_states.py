@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
+from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.surfaces.strip_elements import linear_potential
@@ -27,7 +29,7 @@ class LineMarchedState(ShearedStrip):
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
@@ -55,7 +57,7 @@ class LineMarchedState(ShearedStrip):
         rubbed=("", "J/m^2", "what friction has lost per area, element by element"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: Coulomb
     force_per_length: float
     half_width: float
@@ -122,6 +124,11 @@ class LineMarchedState(ShearedStrip):
         return found
 
     def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+        if not self.bed.sheared_as_pressed:
+            raise OutsideValidity(
+                "LineTangential: stresses inside layers that a contact shears while it slips in part are not computed; "
+                "LineIndentation(bed, load).solve().stresses(x, z, friction) has those of a contact that slides."
+            )
         poisson = poisson_of(self.bed.medium, below)
         side, mu = 1.0 if below else -1.0, self.law.coefficient
         # as if the mean of what both edges use were used everywhere, and the rest of the traction beside it
@@ -154,7 +161,13 @@ class LineMarchedState(ShearedStrip):
 
 
 def marched_state(
-    bed: LineFoundation, law: Coulomb, row: MarchedRow, force: float, half_width: float, shear: float, bulk: float
+    bed: LineFoundation | LayeredLineFoundation,
+    law: Coulomb,
+    row: MarchedRow,
+    force: float,
+    half_width: float,
+    shear: float,
+    bulk: float,
 ) -> LineMarchedState:
     """Return the state of a row of elements under these forces per length [N/m] and this bulk stress [Pa]."""
     used = row.traction / row.bound

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineFields
@@ -18,7 +18,7 @@ __all__ = ["ShearedStrip"]
 class ShearedStrip:
     """The part of a sheared line contact at one point of its path that no friction alters, and its stresses."""
 
-    bed: LineFoundation
+    bed: LineBed
     force_per_length: float
     half_width: float
 

@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array, Curve
@@ -93,7 +93,7 @@ class SlipCurve(NamedTuple):
         return float(np.sum(share)), float(2.0 * share @ (depth - places))
 
 
-def slip_curve(bed: LineFoundation, load: float) -> SlipCurve:
+def slip_curve(bed: LineBed, load: float) -> SlipCurve:
     """Return the curve up to a load per length over E* [m].
 
     Raises

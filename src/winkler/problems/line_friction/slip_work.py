@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
@@ -52,7 +52,7 @@ def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float
 
 
 def work_and_shift(
-    bed: LineFoundation, before: tuple[EarlierStrip, ...], after: tuple[EarlierStrip, ...]
+    bed: LineBed, before: tuple[EarlierStrip, ...], after: tuple[EarlierStrip, ...]
 ) -> tuple[float, float]:
     """Return the loss per length of a step under a steady normal force [J/m], and by how much the shift changes [m].
 
@@ -60,7 +60,7 @@ def work_and_shift(
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     before, after : tuple of EarlierStrip
         At both ends of the step, each within the next; none before the first.
     """

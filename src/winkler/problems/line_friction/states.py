@@ -5,14 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.slip_memory import SlipMemory
+from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, poisson_of, stresses
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
-from winkler.problems.line_friction.strips import EarlierStrip, half_widths, slipped, strips_of, traction
+from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_of, traction
 from winkler.values import value, words
 
 __all__ = ["LineTangentialState"]
@@ -24,7 +26,7 @@ class LineTangentialState(ShearedStrip):
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
@@ -49,7 +51,7 @@ class LineTangentialState(ShearedStrip):
         sliding=("", None, "whether all of the contact slides"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: Coulomb
     force_per_length: float
     half_width: float
@@ -66,7 +68,7 @@ class LineTangentialState(ShearedStrip):
         gap = self.memory.stick_gap
         if self.sliding or self.half_width == 0.0:
             return 0.0
-        return min(float(half_widths(self.bed, np.array([gap]))[0]), self.half_width)
+        return min(float(under_force(self.bed, np.array([gap]))[0]), self.half_width)
 
     @property
     def stick_middle(self) -> float:

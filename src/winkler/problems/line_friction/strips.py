@@ -4,7 +4,7 @@ What springs numbered by their load remember is a chain of straight pieces (`win
 that the traction is a sum of pressures of earlier, narrower contacts (Ciavarella, Jaeger), and what has slipped the sum
 of the distances that those would leave open beside them:
 
-.. math:: q(x) = \sum_j B_j\,p(x;\gamma_j) , \qquad s(x) = -\sum_j B_j\,h(x;\gamma_j) .
+.. math:: q(x) = \sum_j B_j\,p(x;\gamma_j) , \qquad s(x) = -\frac{E^*}{m_L}\sum_j B_j\,h(x;\gamma_j) .
 
 A bulk stress in phase tilts the profile of each of them, which shifts that of a cylinder as a whole.
 """
@@ -15,26 +15,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line_friction.distance_beside import distance_beside
-from winkler.profiles.power import Paraboloid
 
-__all__ = ["EarlierStrip", "half_widths", "opened", "slipped", "strips_of", "traction"]
+__all__ = ["EarlierStrip", "opened", "slipped", "strips_of", "traction"]
 
 
 ROUNDING = 1e-13
 """Part of the factors that their sum may miss zero by."""
-
-
-def half_widths(bed: LineFoundation, loads: Array) -> Array:
-    """Return the half-widths [m] under loads per length over E* ``(m,)`` [m]."""
-    if isinstance(bed.profile, Paraboloid):
-        return np.asarray(np.sqrt(4.0 * bed.profile.curvature_radius * loads / np.pi))
-    return under_force(bed, loads)
 
 
 class EarlierStrip(NamedTuple):
@@ -47,7 +38,7 @@ class EarlierStrip(NamedTuple):
     load
         gamma, its load per length over E* [m].
     half_width, rim_load
-        As of `LineFoundation.pressure` [m].
+        As of `LineBed.pressure` [m].
     middle
         Where its middle is [m].
     """
@@ -59,12 +50,12 @@ class EarlierStrip(NamedTuple):
     middle: float
 
 
-def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[EarlierStrip, ...]:
+def strips_of(bed: LineBed, memory: SlipMemory, lean: float) -> tuple[EarlierStrip, ...]:
     """Return the strips, from the narrowest, which may be a line of first touch, to the contact itself.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
     memory : SlipMemory
         Over loads per length over E* [m].
     lean : float
@@ -76,7 +67,7 @@ def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[Ear
     rest = -float(np.sum(factors))
     if abs(rest) > ROUNDING * float(np.max(np.abs(factors))):  # bodies that met while they were sheared, or slide
         loads, factors = np.append(0.0, loads), np.append(rest, factors)
-    widths = half_widths(bed, loads)
+    widths = under_force(bed, loads)
     modulus = bed.medium.modulus
     return tuple(
         EarlierStrip(factor, load, width, rim_load(bed, modulus * load, width), lean * (memory.depth - load))
@@ -84,41 +75,27 @@ def strips_of(bed: LineFoundation, memory: SlipMemory, lean: float) -> tuple[Ear
     )
 
 
-def traction(bed: LineFoundation, strips: tuple[EarlierStrip, ...], x: Array) -> Array:
+def traction(bed: LineBed, strips: tuple[EarlierStrip, ...], x: Array) -> Array:
     """Return q [Pa] at places [m], along x on the first body."""
     total = np.zeros(x.shape)
     for strip in strips:
         if strip.factor != 0.0 and strip.half_width > 0.0:
-            total += strip.factor * _pressure(bed, strip, x - strip.middle)
+            total += strip.factor * bed.pressure(x - strip.middle, strip.half_width, strip.rim_load)
     return total
 
 
-def _pressure(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
-    """Return the pressure of a strip [Pa]."""
-    if isinstance(bed.profile, Paraboloid):
-        share = bed.medium.modulus / (2.0 * bed.profile.curvature_radius)
-        return np.asarray(share * np.sqrt(np.maximum((strip.half_width - x) * (strip.half_width + x), 0.0)))
-    return bed.pressure(x, strip.half_width, strip.rim_load)
-
-
-def slipped(bed: LineFoundation, strips: tuple[EarlierStrip, ...], x: Array) -> Array:
+def slipped(bed: LineBed, strips: tuple[EarlierStrip, ...], x: Array) -> Array:
     """Return how far the second body is ahead of the first [m] at places inside the contact, against its middle."""
     total = np.zeros(x.shape)
     for strip in strips[:-1]:  # beside the last one is no contact
         beside = np.abs(x - strip.middle) > strip.half_width
         if strip.factor != 0.0 and beside.any():
             total[beside] -= strip.factor * opened(bed, strip, x[beside] - strip.middle)
-    return total
+    return bed.along_share * total
 
 
-def opened(bed: LineFoundation, strip: EarlierStrip, x: Array) -> Array:
+def opened(bed: LineBed, strip: EarlierStrip, x: Array) -> Array:
     """Return the distance of the surfaces beside a strip at places of its body [m]; zero if a rim pins it."""
-    c = strip.half_width
-    if c >= bed.rim:
+    if strip.half_width >= bed.rim:
         return np.zeros(x.shape)
-    if isinstance(bed.profile, Paraboloid):
-        far = np.abs(x)
-        root = np.sqrt((far - c) * (far + c))
-        closed = c**2 * np.arcsinh(root / c) if c > 0.0 else 0.0
-        return np.asarray((far * root - closed) / (2.0 * bed.profile.curvature_radius))
-    return distance_beside(bed, c, np.abs(x))
+    return bed.separation(np.abs(x), strip.half_width, 0.0)

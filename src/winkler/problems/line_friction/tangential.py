@@ -9,7 +9,8 @@ and every history of straight steps in P and Q is a sum of such terms.  The memo
 (`winkler.problems.friction.slip_memory`), with the load per length of a narrower contact in the place of the gap, and Q
 in the place of the shift.  A bulk stress in one body, in phase with Q, tilts the profile of each term; the strips of a
 cylinder are shifted by it (Nowell and Hills).  Beside any other bulk stress the path is marched along on boundary
-elements (`winkler.problems.line_friction.march`).
+elements (`winkler.problems.line_friction.march`), as it is on layers: they answer traction and pressure in different
+manners, so that no sum holds.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ import numpy as np
 
 from winkler.checks.place_checks import finite_places
 from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.numerics.types import Array, ArrayLike
@@ -28,16 +30,15 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.line.half_width import grows, refuse_unless_strips
+from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
-from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.line_friction.march import LineMarch
 from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
 from winkler.problems.line_friction.states import LineTangentialState
-from winkler.problems.line_friction.strips import EarlierStrip, half_widths, strips_of
+from winkler.problems.line_friction.strips import EarlierStrip, strips_of
 from winkler.problems.line_friction.validity import sheared_line_notes
 from winkler.problems.one_load import OfPath
 from winkler.validity import Assumption, Note
@@ -55,8 +56,8 @@ class LineTangential:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies, on a `HalfSpace`.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies: elastic half-planes, or layers through which shear reaches the base.
     law : Coulomb
         Friction.
     path : LinePath
@@ -65,7 +66,9 @@ class LineTangential:
     Raises
     ------
     InvalidInput
-        If the bodies are not isotropic, or the first body is rigid and there is a bulk stress.
+        If the first body, or what carries its layers, is rigid and there is a bulk stress.
+    OutsideValidity
+        If a layer slides on what lies below it, or the bodies relax.
 
     References
     ----------
@@ -90,7 +93,7 @@ class LineTangential:
 
     __words__ = words(bed=("", None, "profile and bodies of the line contact"))
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: Sliding
     path: LinePath
 
@@ -104,7 +107,7 @@ class LineTangential:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
-        refuse_unless_isotropic("LineTangential", self.bed)
+        _ = self.bed.along_share
         refuse_bulk(self.bed, self.path)
 
     @property
@@ -123,7 +126,7 @@ class LineTangential:
         bed, mu = self.bed, self.law.coefficient
         modulus = bed.medium.modulus
         forces, shears = self.path.across, self.path.along
-        widths = half_widths(bed, forces / modulus)
+        widths = under_force(bed, forces / modulus)
         refuse_unless_strips(bed, widths)
         widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
         if not (bed.profile.rising or grows(bed, widest)):
@@ -152,7 +155,7 @@ class LineTangential:
         forces, shears = self.path.across, self.path.along
         most = float(np.max(forces)) / modulus
         sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
-        lean, ratio = lean_of(bed, self.path), self.path.bulk_per_shear
+        lean, ratio, share = lean_of(bed, self.path), self.path.bulk_per_shear, bed.along_share
         memory, lost, shift = SlipMemory.fresh(), 0.0, 0.0
         strips: tuple[EarlierStrip, ...] = ()
         for index, (force, shear, width) in enumerate(
@@ -168,8 +171,8 @@ class LineTangential:
                 work, further = work_and_shift(bed, before, strips)
                 lost, shift = lost + work, shift + further
             elif sums is not None:
-                lost += max(sums.lost(losses), 0.0)
-                shift = shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
+                lost += max(share * sums.lost(losses), 0.0)
+                shift = share * shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
             yield LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
 
     def gathered(self, states: Iterable[LineTangentialState | LineMarchedState]) -> LineTangentialSolution:
@@ -181,7 +184,7 @@ class LineTangential:
         gaps = np.array([0.0 if state.sliding else state.memory.stick_gap for state in reached])
         widths = np.array([state.half_width for state in reached])
         distinct, where = np.unique(np.maximum(gaps, 0.0), return_inverse=True)
-        stick = np.minimum(half_widths(self.bed, distinct)[where], widths)
+        stick = np.minimum(under_force(self.bed, distinct)[where], widths)
         return gather(LineTangentialSolution, self, reached, stick_half_width=stick)
 
     def solve(self) -> LineTangentialSolution:

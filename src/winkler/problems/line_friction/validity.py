@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
+from winkler.loading import LineForce
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.line.greatest_stress import greatest, von_mises
-from winkler.problems.line.peak_pressure import is_sharp, rim_load
-from winkler.problems.line.stress import LineContact
-from winkler.problems.line.validity import line_notes
-from winkler.problems.line.yield_statement import line_yield_notes
+from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line_friction.bulk import bulk_note
 from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
-from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["SLIP_SUMS", "sheared_line_notes"]
@@ -44,51 +44,50 @@ MARCHED = Note(
 
 
 def sheared_line_notes(
-    bed: LineFoundation, law: Coulomb, widest: LineTangentialState | LineMarchedState, bulk: float
+    bed: LineFoundation | LayeredLineFoundation,
+    law: Coulomb,
+    widest: LineTangentialState | LineMarchedState,
+    bulk: float,
 ) -> tuple[Note, ...]:
     """Return how far a sheared line contact can be trusted.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
     law : Coulomb
     widest : LineTangentialState or LineMarchedState
         Of the path.
     bulk : float
         Greatest magnitude of the bulk stress [Pa].
     """
-    a = widest.half_width
-    notes = [*line_notes(bed, a), sticking_note(bed.medium, law.coefficient)]  # type: ignore[arg-type]
+    a, contact = widest.half_width, LineIndentation(bed, LineForce(widest.force_per_length)).solve()
+    of_bodies = [note for note in contact.validity if note.assumption is not Assumption.ELASTIC]
+    notes = [*of_bodies, sticking_note(bed.medium, law.coefficient)]  # type: ignore[arg-type]
     if isinstance(widest, LineMarchedState):
         notes.append(MARCHED)
     elif widest.lean == 0.0 or a == 0.0:
         notes.append(SLIP_SUMS)
     else:
         notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
-    return (*notes, *_yield_notes(bed, law, widest, bulk))
+    return (*notes, *_yield_notes(contact, law, bed.strain_per_stress * bulk))
 
 
-def _yield_notes(
-    bed: LineFoundation, law: Coulomb, widest: LineTangentialState | LineMarchedState, bulk: float
-) -> tuple[Note, ...]:
+def _yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tuple[Note, ...]:
     """Return whether the bodies stay elastic: without friction they are stressed least, where all slides most.
 
     The mean of a contact and of its mirror image, sheared in the opposite direction, is the contact without friction,
     whose greatest von Mises stress is therefore not above theirs.
     """
-    a, on_rim = widest.half_width, rim_load(bed, widest.force_per_length, widest.half_width)
-    notes = line_yield_notes(bed, a, on_rim)
-    if not notes or notes[0].standing is not Standing.EXACT or is_sharp(bed, a, on_rim):
+    notes = tuple(note for note in contact.validity if note.assumption is Assumption.ELASTIC)
+    if not notes or notes[0].standing is Standing.OUTSIDE or not np.isfinite(contact.peak_pressure):
         return notes
-    shares = [
-        _slid_stress(bed, widest, law.coefficient, part.solid.poisson, bulk if part.first else 0.0)
-        / part.solid.strength
-        for part in strong_parts(bed.medium)
-    ]
-    most = max(shares)
+    most = max(
+        _slid_stress(contact, part, law.coefficient, strain) / part.solid.strength
+        for part in strong_parts(contact.problem.bed.medium)
+    )
     if most < 1.0:
         text = f"By von Mises' criterion the contact stays elastic: were all of it to slide, {most:.3g} of the strength"
-        return (Note(Assumption.ELASTIC, Standing.EXACT, f"{text} would be reached.", notes[0].source),)
+        return (Note(Assumption.ELASTIC, notes[0].standing, f"{text} would be reached.", notes[0].source),)
     text = (
         "By von Mises' criterion the contact stays elastic without friction, and would yield if all of it slid "
         f"({most:.3g} of the strength); request the stresses of the states in between."
@@ -96,10 +95,8 @@ def _yield_notes(
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, notes[0].source),)
 
 
-def _slid_stress(
-    bed: LineFoundation, widest: LineTangentialState | LineMarchedState, friction: float, poisson: float, bulk: float
-) -> float:
+def _slid_stress(contact: LineSolution, part: StrongPart, friction: float, strain: float) -> float:
     """Return a bound of the von Mises stress [Pa]: that of sliding, and that of the bulk stress beside it."""
-    a = widest.half_width
-    contact = LineContact(bed, a, rim_load(bed, widest.force_per_length, a), poisson, friction)
-    return greatest(contact, von_mises).value + abs(bulk) * math.sqrt(1.0 - poisson + poisson**2)
+    poisson = part.solid.poisson
+    bulk = part.solid.young / (1.0 - poisson**2) * strain if part.first else 0.0
+    return contact.part_stress(part, friction).value + abs(bulk) * math.sqrt(1.0 - poisson + poisson**2)

@@ -33,7 +33,7 @@ from winkler.numerics.surfaces.strip_elements import linear_slope
 from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
 
-__all__ = ["CoupledStrip", "coupled_strip", "creepage_error"]
+__all__ = ["CoupledStrip", "coupled_strip", "creepage_error", "loss_error"]
 
 COUNT = 400
 """Elements of the strip."""
@@ -45,6 +45,8 @@ STEPS = (1, 4)
 """Steps in which Dundurs' constant is brought up from that of similar bodies."""
 ELEMENT_ERROR, ZONE_ERROR = 5e-5, 3e-3
 """Of the creepage on all elements, and by the elements that stick: twice what random strips miss with finer ones."""
+SLIP_LOSS, STICK_LOSS, LEAST_LOSS = 32.0, 6e-3, 1e-7
+"""Of the loss over it, by the elements that slip squared and those that stick; over the load times a/R: likewise."""
 ROUNDING, WIDE = 1e-12, 1e-10
 """Of nodes, and of the width under a creepage."""
 
@@ -87,6 +89,14 @@ class CoupledStrip(NamedTuple):
 def creepage_error(strip: CoupledStrip) -> float:
     """Return the bound of the error of a creepage, over it or that of a free strip that sticks, if that is greater."""
     return ELEMENT_ERROR + ZONE_ERROR / max(1, int(np.count_nonzero(strip.slips == 0.0)))
+
+
+def loss_error(strip: CoupledStrip, slope: float) -> float:
+    """Return the bound of the error of a loss, over E* a, under a slope a/R [-]."""
+    sticking = int(np.count_nonzero(strip.slips == 0.0))
+    slipping = strip.slips.size - sticking
+    share = min(1.0, SLIP_LOSS / max(1, slipping) ** 2 + STICK_LOSS / max(1, sticking))
+    return share * strip.loss + LEAST_LOSS * slope * float(np.trapezoid(strip.pressure, strip.x))
 
 
 class _EdgeDenseGrid(NamedTuple):

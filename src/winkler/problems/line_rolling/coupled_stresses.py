@@ -8,7 +8,7 @@ from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineFields
-from winkler.problems.line_rolling.coupled import CoupledStrip, creepage_error
+from winkler.problems.line_rolling.coupled import CoupledStrip, creepage_error, loss_error
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
@@ -53,14 +53,18 @@ def coupled_stresses(
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
 
 
-def coupled_note(strip: CoupledStrip) -> Note:
-    """Return how far the creepage of a strip is off."""
+def coupled_note(strip: CoupledStrip, slope: float) -> Note:
+    """Return how far creepage, force and loss of a strip are off, under a slope a/R [-]."""
+    part, lost = 100.0 * creepage_error(strip), "The loss is too small for these elements to show."
+    error = loss_error(strip, slope)
+    if error < strip.loss:
+        lost = f"The loss is within {100.0 * error / strip.loss:.2g} % of itself."
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
         f"Coulomb friction, steady rolling in plane strain on {strip.slip.size} elements: the creepage is within "
-        f"{100.0 * creepage_error(strip):.2g} % of itself, or of that without a force where all sticks if that is "
-        "greater.",
+        f"{part:.2g} % of itself, or of that without a force where all sticks if that is greater. Under a prescribed "
+        f"creepage the force is within {part:.2g} % of what friction bears. {lost}",
         "closed form where all sticks; random strips compared with finer elements",
     )
 

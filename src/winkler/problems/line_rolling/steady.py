@@ -31,7 +31,7 @@ from winkler.problems.assumptions.coupling import mismatch, sticking_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.validity import line_notes
-from winkler.problems.line_rolling.coupled import CoupledStrip, coupled_strip
+from winkler.problems.line_rolling.coupled import CoupledStrip, coupled_strip, loss_error
 from winkler.problems.line_rolling.coupled_stresses import FULL_COUPLING, coupled_note, coupled_yield_notes
 from winkler.problems.line_rolling.one_drive import UnderOneDrive
 from winkler.problems.line_rolling.pressed import (
@@ -219,6 +219,7 @@ class LineRollingSolution(UnderOneDrive):
 
     __words__ = words(
         stick_share=("c/a", "", "part of the width that sticks"),
+        loss_error=(r"\Delta w", "J/m^2", "bound of the error of the energy lost per area"),
         strips=("", None, "pressure and traction of coupled bodies, node by node"),
     )
 
@@ -244,6 +245,20 @@ class LineRollingSolution(UnderOneDrive):
             return shaped(losses, np.shape(self.longitudinal_creepage))
         return shaped(np.asarray(self.longitudinal_creepage) * np.asarray(self.shear_force_per_length))
 
+    @property
+    def loss_error(self) -> Quantity:
+        """Bound of the error of `loss_per_area` [J/m^2]; zero of bodies that are not coupled, by closed form."""
+        found = np.zeros(np.shape(self.longitudinal_creepage))
+        if self.strips:
+            unit, slope = self.problem.bed.medium.modulus * float(self.contact.half_width), self._slope
+            found = np.reshape([unit * loss_error(strip, slope) for strip in self.strips], found.shape)
+        return shaped(found)
+
+    @property
+    def _slope(self) -> float:
+        """a/R [-] of similar bodies."""
+        return sliding_creepage(self.contact, 1.0)
+
     def power(self, speed: float) -> Quantity:
         """Return the power that friction turns into heat [W/m] at a speed of rolling [m/s]."""
         return shaped(abs(speed) * np.asarray(self.loss_per_area))
@@ -257,7 +272,12 @@ class LineRollingSolution(UnderOneDrive):
         strip = line_notes(bed, float(self.contact.half_width))
         if self.strips:
             rolled = self.strips[index]
-            return (*strip, FULL_COUPLING, coupled_note(rolled), *coupled_yield_notes(self.contact, rolled))
+            return (
+                *strip,
+                FULL_COUPLING,
+                coupled_note(rolled, self._slope),
+                *coupled_yield_notes(self.contact, rolled),
+            )
         yielding = rolling_yield_notes(self.contact, mu if force >= 0.0 else -mu, share)
         similar = (NOT_COUPLED,) if self.problem.coupled else ()
         return (*strip, sticking_note(bed.medium, mu), *similar, CARTER, *yielding)  # type: ignore[arg-type]

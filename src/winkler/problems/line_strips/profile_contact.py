@@ -162,7 +162,8 @@ class LineProfileSolution:
         at a wall.
     strip_error : float or ndarray
         Of refined strips the greatest of tension, overlap and what is left of the equations, each over its scale; of
-        elements the greatest relative change of contact length and greatest pressure from half as many.
+        elements the greatest relative change of contact length and greatest pressure from half as many, or an element
+        of every strip over all that touch, if that is greater.
     """
 
     __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"), edges=("x", "m", "edges of each strip"))

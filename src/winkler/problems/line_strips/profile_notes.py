@@ -63,8 +63,8 @@ def profile_notes(
         resolution = Note(Assumption.RESOLUTION, Standing.EXACT, text, "a-posteriori check between the nodes")
     else:
         text = (
-            "The strips are made of even elements: from half as many, contact length and greatest pressure change by "
-            f"up to {100.0 * error:.2g} per cent."
+            "The strips are made of even elements: by an element of each strip, or by what changes from half as many, "
+            f"contact length and greatest pressure may be off by up to {100.0 * error:.2g} per cent."
             if math.isfinite(error)
             else "The strips are made of even elements; half as many find no contact to compare with."
         )

@@ -47,6 +47,7 @@ ELLIPSE = Note(
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
 OF_THE_DISTANCE = "It is that of the distance between the bodies; give a CurvedPair for the slopes of each body."
+CONFORMING = "M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, doi:10.1016/S0020-7683(00)00289-4"
 
 
 @value
@@ -292,14 +293,30 @@ class EllipticSolution:
             (float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))),
             self.problem.bodies,
         )
-        steep = steepness_note(bodies.steepest_slope(*axes))
-        if isinstance(bodies, CurvedBodies):
-            steep = dataclasses.replace(steep, statement=f"{steep.statement} {OF_THE_DISTANCE}")
+        slopes = _slopes_note(bodies, axes)
         return (
             *(note for note in self.problem.medium.notes if note.standing is not Standing.EXACT),  # of a round contact
             ELLIPSE,
-            steep,
+            slopes,
             *ellipse_yield_notes(
                 self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
             ),
         )
+
+
+def _slopes_note(bodies: CurvedBodies | CurvedPair, axes: tuple[float, float]) -> Note:
+    """Return what the slopes within an ellipse mean; those of each body count, which the radii together do not tell."""
+    steep = steepness_note(bodies.steepest_slope(*axes))
+    if isinstance(bodies, CurvedPair):
+        return steep
+    ball = max(axes) / min(bodies.longitudinal_curvature_radius, bodies.lateral_curvature_radius)
+    if steep.standing is not Standing.ASYMPTOTIC or steepness_note(ball).standing is Standing.ASYMPTOTIC:
+        return dataclasses.replace(steep, statement=f"{steep.statement} {OF_THE_DISTANCE}")
+    return Note(
+        Assumption.SMALL_SLOPES,
+        Standing.APPROXIMATE,
+        f"The steepest slope of the distance within the contact is {bodies.steepest_slope(*axes):.3g}, which is small. "
+        f"That of a ball in a groove would be up to {ball:.3g}, and such a contact narrower by about a quarter of its "
+        "square; give a CurvedPair for the slopes of each body.",
+        CONFORMING,
+    )

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from winkler.materials.elastic import Elastic
-from winkler.media.families import CoatedBody, StackedBody
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["StrongPart", "solid_parts", "strong_parts"]
@@ -60,11 +59,13 @@ def _parts(medium: object) -> Iterator[StrongPart]:
     if isinstance(medium, RelaxingMedium):
         medium = medium.bodies
     first, second = getattr(medium, "first", None), getattr(medium, "second", None)
-    if isinstance(medium, CoatedBody | StackedBody):
-        solids = [layer.solid for layer in medium.layers] + [medium.on]
-        for number, (solid, span) in enumerate(zip(solids, medium.spans, strict=False), 1):
+    spans: tuple[tuple[float, float], ...] = getattr(medium, "spans", ())
+    if spans:
+        layers, on = medium.layers, medium.on  # type: ignore[attr-defined]
+        solids = [layer.solid for layer in layers] + [on]
+        for number, (solid, span) in enumerate(zip(solids, spans, strict=False), 1):
             if isinstance(solid, Elastic):  # no single strength belongs to a transversely isotropic one
-                name = f"layer {number}" if number <= len(medium.layers) else "body under the layers"
+                name = f"layer {number}" if number <= len(layers) else "body under the layers"
                 yield StrongPart(name, solid, True, *span)
     elif isinstance(first, Elastic):
         yield StrongPart("first body", first, True)

@@ -21,7 +21,12 @@ from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_notes import seal_notes
 from winkler.problems.pressed_maps.seal_states import FilmPassage, factor_of, gap_of, passage
-from winkler.problems.pressed_maps.two_grids import measured, on_every_second_point, refuse_without_second_points
+from winkler.problems.pressed_maps.second_points import (
+    measured,
+    on_second_points,
+    refuse_without_second_points,
+    spread,
+)
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
@@ -106,13 +111,13 @@ class Seal:
             return _passage(gap, self.contact, False), _passage(gap, self.contact, True)
 
         contact, rows = measured(self.contact, both_ways)
-        second = on_every_second_point(self.contact, contact.force)
 
-        def along(state: SurfaceState) -> float:
-            return _passage(gap_of(state.pressure, state.separation), second, False).flow.rate
+        def along(second: SurfaceContact) -> tuple[SurfaceContactSolution, list[float]]:
+            return measured(
+                second, lambda state: _passage(gap_of(state.pressure, state.separation), second, False).flow.rate
+            )
 
-        every_second, coarse = measured(second, along)
-        area = every_second.area
+        coarse = [along(second) for second in on_second_points(self.contact, contact.force)]
         shape = numbers_of(self.contact.load).shape
         leak = self.pressure_drop / (12.0 * self.viscosity)
 
@@ -123,9 +128,9 @@ class Seal:
         return SealSolution(
             self, contact,
             *(contact.depth, contact.force, contact.area),
-            *(shaped(np.abs(np.asarray(contact.area) - area)), contact.mean_gap),
+            *(shaped(spread(contact.area, (second.area for second, _ in coarse))), contact.mean_gap),
             column([leak * x.flow.rate for x, _ in rows]),
-            column((leak * np.abs(rate - np.array(coarse))).tolist()),
+            column((leak * spread(rate, (np.array(rates) for _, rates in coarse))).tolist()),
             column([leak * y.flow.rate for _, y in rows]),
             column([leak * x.medium for x, _ in rows]),
             column([factor_of(x) for x, _ in rows]),
@@ -153,11 +158,11 @@ class SealSolution:
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     area_error : float or ndarray
-        By how much the area differs from that on every second point of the map [m^2].
+        Greatest difference among the area and those on the four maps of every second point [m^2].
     leak_rate : float or ndarray
         Volume per time that flows along x through the whole map [m^3/s]; zero where no way leads through.
     leak_rate_error : float or ndarray
-        By how much it differs from that on every second point of the map [m^3/s].
+        Greatest difference among it and those on the four maps of every second point [m^3/s].
     lateral_leak_rate : float or ndarray
         The same flow along y [m^3/s].
     medium_leak_rate : float or ndarray
@@ -172,7 +177,7 @@ class SealSolution:
 
     __words__ = words(
         contact=("", None, "the contact by boundary elements"),
-        area_error=(r"\Delta A", "m^2", "change of the area from every second point of the map"),
+        area_error=(r"\Delta A", "m^2", "greatest difference of areas from every second point of the map"),
         imbalance=(r"\epsilon_Q", "", "difference of the flows in and out, over their mean"),
     )
 

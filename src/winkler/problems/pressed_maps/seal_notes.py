@@ -58,7 +58,7 @@ def seal_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(area, SMALL_CHANGE, LARGE_CHANGE),
-            f"On every second point of the map the area of contact differs by up to {100.0 * area:.2g} per cent.",
+            f"On all and every second point of the map areas in contact differ by up to {100.0 * area:.2g} per cent.",
             DAPP,
         ),
     ]
@@ -80,7 +80,7 @@ def seal_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.OUTSIDE if lost else standing_of(worst, SMALL_CHANGE, LARGE_CHANGE),
-                f"On every second point of the map the leak rate differs by up to {100.0 * worst:.2g} per cent"
+                f"On all and every second point of the map leak rates differ by up to {100.0 * worst:.2g} per cent"
                 + ("; the narrowest place is within what the solver left, give a smaller tolerance." if lost else "."),
                 DAPP,
             )

@@ -25,7 +25,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_states import gap_of
-from winkler.problems.pressed_maps.two_grids import measured
+from winkler.problems.pressed_maps.second_points import measured
 from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState

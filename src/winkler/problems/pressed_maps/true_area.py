@@ -19,7 +19,12 @@ from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.pressed_maps.two_grids import measured, on_every_second_point, refuse_without_second_points
+from winkler.problems.pressed_maps.second_points import (
+    measured,
+    on_second_points,
+    refuse_without_second_points,
+    spread,
+)
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
@@ -93,15 +98,17 @@ class TrueArea:
             return float(np.max(state.pressure)), areas.size, float(areas[0])
 
         contact, found = measured(self.contact, peaks_and_patches)
-        second = on_every_second_point(self.contact, contact.force)
-        coarse, coarse_peaks = measured(second, lambda state: float(np.max(state.pressure)))
+        coarse = [
+            measured(second, lambda state: float(np.max(state.pressure)))
+            for second in on_second_points(self.contact, contact.force)
+        ]
         shape = numbers_of(self.contact.load).shape
         peak = np.array([row[0] for row in found]).reshape(shape)
-        change = np.abs(peak - np.array(coarse_peaks).reshape(shape))
         return TrueAreaSolution(
             self, contact,
             *(contact.depth, contact.force, contact.area),
-            shaped(np.abs(np.asarray(contact.area) - coarse.area)), shaped(peak), shaped(change), contact.mean_gap,
+            shaped(spread(contact.area, (second.area for second, _ in coarse))), shaped(peak),
+            shaped(spread(peak, (np.array(peaks).reshape(shape) for _, peaks in coarse))), contact.mean_gap,
             shaped(np.array([row[1] for row in found], dtype=float).reshape(shape)),
             shaped(np.array([row[2] for row in found]).reshape(shape)),
         )  # fmt: skip
@@ -133,11 +140,11 @@ class TrueAreaSolution:
     area : float or ndarray
         Of the contact [m^2], corrected along its edge.
     area_error : float or ndarray
-        By how much the area differs from that on every second point of the map [m^2].
+        Greatest difference among the area and those on the four maps of every second point [m^2].
     peak_pressure : float or ndarray
         Greatest pressure of a pixel [Pa].
     peak_pressure_error : float or ndarray
-        By how much it differs from that on every second point [Pa].
+        Greatest difference among it and those on the four maps of every second point [Pa].
     mean_gap : float or ndarray
         Mean distance of the surfaces over the map [m].
     patch_count : float or ndarray
@@ -148,7 +155,7 @@ class TrueAreaSolution:
 
     __words__ = words(
         contact=("", None, "the contact by boundary elements"),
-        area_error=(r"\Delta A", "m^2", "change of the area from every second point of the map"),
+        area_error=(r"\Delta A", "m^2", "greatest difference of areas from every second point of the map"),
         peak_pressure=(r"p_\mathrm{max}", "Pa", "greatest pressure of a pixel"),
     )
 
@@ -188,8 +195,8 @@ class TrueAreaSolution:
         change = Note(
             Assumption.RESOLUTION,
             standing_of(max(area, peak), SMALL_CHANGE, LARGE_CHANGE),
-            f"On every second point of the map the area differs by up to {100.0 * area:.2g} per cent, the greatest "
-            f"pressure by {100.0 * peak:.2g} per cent: about as far may they be from those of a finer map.",
+            f"On all and every second point of the map areas differ by up to {100.0 * area:.2g} per cent, greatest "
+            f"pressures by {100.0 * peak:.2g} per cent: about as far may they be from those of a finer map.",
             YASTREBOV,
         )
         # the estimate of the contact itself assumes round spots, this one needs no assumption

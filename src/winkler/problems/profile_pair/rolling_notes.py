@@ -72,9 +72,9 @@ def pair_rolling_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
-            f"From half as many pixels along a side forces change by up to {100.0 * grid_error:.2g} per cent of the "
-            "friction; the profiles are splines through their points.",
-            "comparison of two grids",
+            f"Twice the change from other grids: forces are within {100.0 * grid_error:.2g} per cent of the friction; "
+            "the profiles are splines through their points.",
+            "comparison of three grids",
         ),
         *placed_notes(medium, tuple(each.patch for each in patches), False, windows),
         *yield_of_patches(medium, [each.surface_load for each in patches], len(patches) > windows),

@@ -22,7 +22,13 @@ from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.conduction.heated_contact import ColdContact, hot_at_current, hot_at_voltage, temperatures
+from winkler.problems.conduction.heated_contact import (
+    ColdContact,
+    HotContact,
+    hot_at_current,
+    hot_at_voltage,
+    temperatures,
+)
 from winkler.problems.rough.map_conductors import refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
@@ -35,6 +41,8 @@ __all__ = ["SurfaceConstriction", "SurfaceConstrictionSolution"]
 
 DEFAULT_LAW = WiedemannFranz()
 ROOM_TEMPERATURE = 293.15
+SAME_SHARE = 1e-6
+"""Difference of a pixel's share of the voltage from the mean up to which it counts as the same: rounding."""
 
 
 @value
@@ -162,7 +170,7 @@ class SurfaceConstriction:
                 yield state
 
         contact = self.contact.gathered(watched())
-        first, second, lost, bare = (np.array(column) for column in zip(*rows, strict=True))
+        first, second, lost, bare, least, greatest = (np.array(column) for column in zip(*rows, strict=True))
         cold = ColdContact(
             first, second, lost, (coefficient_of(bodies[0]), coefficient_of(bodies[1])), self.temperature, self.law
         )
@@ -172,6 +180,8 @@ class SurfaceConstriction:
         else:
             hot = hot_at_voltage(cold, self.drive.voltage * ones)
         touch, most = temperatures(self.law, self.temperature, hot)
+        even = np.clip(0.5, least, greatest)  # the share at which both bodies are heated most
+        spots = np.array([self._touched(cold, share, hot, touch) for share in (least, even, greatest)])
         whole = first + second + lost
         flowing = hot.current > 0.0
         softening, melting = (
@@ -190,9 +200,23 @@ class SurfaceConstriction:
             bare_constriction=column(bare),
             current=column(hot.current), voltage=column(hot.voltage), film_voltage=column(hot.film),
             contact_temperature=column(touch), max_temperature=column(most),
+            coldest_contact_temperature=column(np.min(spots, axis=0)),
+            hottest_contact_temperature=column(np.max(spots, axis=0)),
             softening_voltage=column(softening.voltage), softening_current=column(softening.current),
             melting_voltage=column(melting.voltage), melting_current=column(melting.current),
         )  # fmt: skip
+
+    def _touched(self, cold: ColdContact, share: Array, hot: HotContact, mean: Array) -> Array:
+        """Return T_c [K] at a pixel from the first body's share there, `mean` if it is that of the mean."""
+        both = cold.first + cold.second
+        unlike = np.abs(share * both - cold.first) > SAME_SHARE * both
+        found = mean.copy()
+        if unlike.any():
+            here, spread = share[unlike], both[unlike]
+            there = cold._replace(first=here * spread, second=(1.0 - here) * spread, film=cold.film[unlike])
+            heated = hot_at_voltage(there, hot.voltage[unlike])
+            found[unlike] = temperatures(self.law, self.temperature, heated)[0]
+        return found
 
 
 @value
@@ -221,7 +245,9 @@ class SurfaceConstrictionSolution:
     current, voltage, film_voltage : float or ndarray
         I [A]; V [V] between the ends, and over the film.
     contact_temperature, max_temperature : float or ndarray
-        T_c [K] where the bodies touch, and T_max [K].
+        T_c [K] where the bodies touch, between unlike platings that at the mean voltage of the current; and T_max [K].
+    coldest_contact_temperature, hottest_contact_temperature : float or ndarray
+        T_c [K] of the pixels in contact, which differ between unlike platings.
     softening_voltage, softening_current, melting_voltage, melting_current : float or ndarray
         At which the hottest place has the temperature stated [V], [A]; infinite if none was stated.
     """
@@ -230,6 +256,8 @@ class SurfaceConstrictionSolution:
         contact=("", None, "the contact by boundary elements"),
         patch_count=("n", "", "number of spots of contact"),
         heat_rate=("Q", "W", "Joule heat"),
+        coldest_contact_temperature=("T_{c,min}", "K", "least temperature of a pixel in contact"),
+        hottest_contact_temperature=("T_{c,max}", "K", "greatest temperature of a pixel in contact"),
     )
 
     problem: SurfaceConstriction
@@ -248,6 +276,8 @@ class SurfaceConstrictionSolution:
     current: Quantity
     film_voltage: Quantity
     contact_temperature: Quantity
+    coldest_contact_temperature: Quantity
+    hottest_contact_temperature: Quantity
     cold_resistance: Quantity
     first_constriction: Quantity
     second_constriction: Quantity
@@ -293,5 +323,6 @@ class SurfaceConstrictionSolution:
                 rise=float(np.max(self.max_temperature)) - stated.temperature,
                 narrowest=float(np.min(np.sqrt(np.asarray(self.area) / (np.pi * np.asarray(self.patch_count))))),
                 mean_free_path=stated.mean_free_path,
+                spots=(self.coldest_contact_temperature, self.hottest_contact_temperature, self.contact_temperature),
             ),
         )

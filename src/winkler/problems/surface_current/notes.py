@@ -6,6 +6,7 @@ import numpy as np
 
 from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.numerics.types import Quantity
 from winkler.problems.conduction.disc import mean_free_path_note
 from winkler.problems.conduction.joule_heating import KOHLRAUSCH
 from winkler.problems.surface_current.softening import coefficients_of
@@ -20,7 +21,12 @@ GROWTH_SHARE = 2.0 / 3.0
 
 
 def current_notes(
-    conductors: ElectricalConductors, *, rise: float, narrowest: float, mean_free_path: float
+    conductors: ElectricalConductors,
+    *,
+    rise: float,
+    narrowest: float,
+    mean_free_path: float,
+    spots: tuple[Quantity, Quantity, Quantity],
 ) -> tuple[Note, ...]:
     """Return what was assumed of the bodies, the film and the temperature.
 
@@ -34,6 +40,8 @@ def current_notes(
         Least radius of spots of mean area [m].
     mean_free_path
         Of the electrons [m].
+    spots
+        Temperatures of the coldest and the hottest pixel in contact, and that at the mean voltage [K].
     """
     bodies = (conductors.first, conductors.second)
     plated = any(isinstance(body, Plated) for body in bodies)
@@ -58,19 +66,31 @@ def current_notes(
         ),
         Note(
             Assumption.CONDUCTION,
-            Standing.APPROXIMATE if film or plated else Standing.EXACT,
+            Standing.APPROXIMATE if film else Standing.EXACT,
             "Steady state; temperature follows from voltage for spots of any shape, if all metals obey Wiedemann's and "
             "Franz' law with one Lorenz number, the ends are kept at the temperature of the bodies and nothing is lost "
             "around them; thermoelectric effects are left out."
             + (
                 " The contact is taken as of one temperature, and the heat of a film as spread like the current: so it "
                 "is where both bodies are alike and clean."
-                if film or plated
+                if film
                 else ""
             ),
             KOHLRAUSCH,
         ),
     ]
+    coldest, hottest, mean = (np.ravel(part) for part in spots)
+    if np.any(hottest > coldest):
+        worst = int(np.argmax(hottest - coldest))
+        notes.append(
+            Note(
+                Assumption.CONDUCTION,
+                Standing.APPROXIMATE,
+                f"Between unlike platings the contact has no single temperature: {coldest[worst]:.5g} to "
+                f"{hottest[worst]:.5g} K over its pixels, {mean[worst]:.5g} K at the mean voltage of the current.",
+                "own solution: with heat flowing as the current, L (T^2 - T_0^2) is the product of both voltages",
+            )
+        )
     if max(spread) > 0.0:
         off = 0.5 * GROWTH_SHARE * max(spread) * rise
         notes.append(

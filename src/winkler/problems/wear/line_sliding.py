@@ -20,8 +20,7 @@ from winkler.laws.wear import Archard, OwnWear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.line.half_width import refuse_unless_strips
-from winkler.problems.line_friction.strips import half_widths
+from winkler.problems.line.half_width import refuse_unless_strips, under_force
 from winkler.problems.wear.input_checks import Cells, WearTolerance
 from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.line_validity import line_sliding_notes
@@ -112,7 +111,7 @@ class LineSlidingWear(OfDistance):
     def _nodes(self) -> Array:
         bed = self.bed
         load = float(self.normal.force_per_length) / float(bed.medium.modulus)
-        width = half_widths(bed, np.array([load]))
+        width = under_force(bed, np.array([load]))
         refuse_unless_strips(bed, width)
         return graded_nodes(0.0, min(GRID_GROWTH * float(width[0]), bed.reach, bed.rim), bed.rim, self.count)
 

@@ -10,10 +10,10 @@ import numpy as np
 from winkler.foundation.line import LineFoundation
 from winkler.media.medium import Medium
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
+from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
-from winkler.problems.line_friction.strips import half_widths
 from winkler.problems.line_friction.validity import SLIP_SUMS
 from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.validity import (
@@ -47,7 +47,7 @@ def _yield_notes(bed: LineFoundation, force: float, half_width: float, worn: tup
 def _march_notes(
     bed: LineFoundation, tolerance: float, states: Sequence[LineWearState], scale: str
 ) -> tuple[Note, ...]:
-    before = half_widths(bed, np.array([states[0].force_per_length / bed.medium.modulus])).tolist()[0]
+    before = under_force(bed, np.array([states[0].force_per_length / bed.medium.modulus])).tolist()[0]
     return (
         *line_notes(bed, before),
         *_yield_notes(bed, states[0].force_per_length, before, worn_yield(bed.medium, states)),
@@ -103,7 +103,7 @@ def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -
     force : float
         P [N/m].
     """
-    before = float(half_widths(bed, np.array([force / bed.medium.modulus]))[0])
+    before = float(under_force(bed, np.array([force / bed.medium.modulus]))[0])
     return (
         *line_notes(bed, before),
         *_yield_notes(bed, force, before, worn_yield(bed.medium, ())),

@@ -18,8 +18,8 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import LineForce, LineShearForce
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
-from winkler.problems.line.half_width import grows, refuse_unless_strips
-from winkler.problems.line_friction.strips import EarlierStrip, half_widths, opened
+from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
+from winkler.problems.line_friction.strips import EarlierStrip, opened
 
 __all__ = ["StuckCore", "refuse_unless_rising", "stuck_core"]
 
@@ -97,7 +97,7 @@ def stuck_core(
         )
     modulus = float(bed.medium.modulus)
     load, excess = (force - swing / law.coefficient) / modulus, swing / law.coefficient / modulus
-    inner, outer = half_widths(bed, np.array([load, force / modulus])).tolist()
+    inner, outer = under_force(bed, np.array([load, force / modulus])).tolist()
     refuse_unless_strips(bed, np.array([outer]))
     refuse_unless_rising(owner, bed, outer)
     return StuckCore(bed, inner, load, excess)

@@ -269,7 +269,7 @@ class Outcome:
             if all(isinstance(item, int | float) for item in content):
                 columns.append(ResultColumn(axis.key, entry, np.array(content, dtype=float)))
             else:
-                labels = np.array([keys.label(item) for item in content])
+                labels = np.array([keys.label(item, entry.unit) for item in content])
                 columns.append(ResultColumn(axis.key, entry._replace(unit=None), labels))
         for name in self.answers:
             parts = [

@@ -58,7 +58,8 @@ class PointTask:
             try:
                 problem = keys.replaced(problem, key, content)
             except WinklerError as error:
-                raise type(error)(f"sweep: at problem.{key} = {keys.label(content)}: {error}") from None
+                given = keys.label(content, keys.word_at(problem, key).unit)
+                raise type(error)(f"sweep: at problem.{key} = {given}: {error}") from None
         return problem
 
 

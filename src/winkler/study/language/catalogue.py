@@ -47,11 +47,12 @@ SLOTS: dict[str, str] = {
 UNWRITTEN = frozenset(
     {
         "winkler.path_steps:Unchanged",
+        "winkler.media.layered.plane_interior:PlaneLayers",
         "winkler.problems.friction.spring_states:OwnLaw",
         "winkler.laws.wear:OwnWear",
     }
 )
-"""Classes that a study file cannot name: a load that stays as it is, and laws that are functions."""
+"""Classes that a study file cannot name: a load that stays as it is, layers of your own, laws that are functions."""
 
 REFUSED: dict[str, Kind] = {"cylinder": kind("winkler.profiles.flat:Cylinder")}
 """Kinds that cannot be solved; creating one raises the reason."""

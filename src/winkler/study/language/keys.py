@@ -13,6 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, suggest
 from winkler.limits import KEY_LETTERS
+from winkler.readable import scale_of
 from winkler.study.chapters.kind import is_a
 from winkler.vocabulary import Word, word
 
@@ -118,12 +119,13 @@ def word_at(root: Any, key: str) -> Word:
     return entry
 
 
-def label(content: Any) -> str:
-    """Return a short text for the value at a key: a number, a name, or a value with its numbers."""
+def label(content: Any, unit: str | None = None) -> str:
+    """Return a short text for the value at a key of a unit: a number, a list, a name, or a value with its numbers."""
     if isinstance(content, float):
         return f"{content:.6g}"
     if isinstance(content, tuple) and all(isinstance(item, float) for item in content):
-        return f"{', '.join(map(label, content))} (SI)"
+        scale = scale_of(unit, np.array(content))
+        return f"{', '.join(f'{item / scale.factor:.6g}' for item in content)} {scale.unit}".rstrip()
     if dataclasses.is_dataclass(content):
         contents = ((field.name, getattr(content, field.name)) for field in dataclasses.fields(content))
         numbers = [f"{name}={number:.6g}" for name, number in contents if isinstance(number, float)]

@@ -121,8 +121,12 @@ def _points_file(
 ) -> bytes:
     """Return rows of points, with the varied keys before them."""
     swept = [heading(key, _swept_word(outcome, key)) for key in _varied(outcome)]
+    units = [outcome.word(key).unit for key in _varied(outcome)]
     settings = {
-        point.index: [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
+        point.index: [
+            item if isinstance(item, int | float) else keys.label(item, unit)
+            for item, unit in zip(point.settings, units, strict=True)
+        ]
         for point in outcome.solved
     }
     return _rows_file([*swept, *headings], ([*settings[point.index], *row] for point, many in rows for row in many))
@@ -168,8 +172,8 @@ def _dataset(outcome: Outcome) -> tuple[dict[str, Any], dict[str, Any], dict[str
     dims = study.dims
     coords: dict[str, Any] = {}
     for place, axis in enumerate(study.axes):
-        entry = _swept_word(outcome, axis.key)
-        values = [item if entry.unit is not None else keys.label(item) for item in axis.values]
+        entry, unit = _swept_word(outcome, axis.key), outcome.word(axis.key).unit
+        values = [item if entry.unit is not None else keys.label(item, unit) for item in axis.values]
         along = dims[place] if len(dims) == len(study.axes) else dims[0]
         coords[axis.key] = ((along,), np.array(values), netcdf_attributes(entry))
     variables: dict[str, Any] = {}

@@ -166,20 +166,21 @@ def _axis_text(axis: Axis | Range, entry: Word) -> str:
         return ends if axis.scale == "linear" else f"{ends}, evenly in its logarithm"
     if axis.numeric:
         return values_text(np.array(axis.values, dtype=float), entry.unit)
-    return ", ".join(content_label(item) for item in axis.values)
+    labels = [content_label(item, entry.unit) for item in axis.values]
+    return "; ".join(labels) if any(isinstance(item, tuple) for item in axis.values) else ", ".join(labels)
 
 
-def content_label(content: Any) -> str:
-    """Return a short name for a value of a varied key: ``sphere (curvature radius = 10 mm)``."""
-    return _described(content, "", set()) if dataclasses.is_dataclass(content) else keys.label(content)
+def content_label(content: Any, unit: str | None = None) -> str:
+    """Return a short name for a value of a varied key of a unit: ``sphere (curvature radius = 10 mm)``."""
+    return _described(content, "", set()) if dataclasses.is_dataclass(content) else keys.label(content, unit)
 
 
 def setting_text(study: Study, axis: Axis | Range, content: Any) -> str:
     """Return one value of a varied key for reading: ``force = 10 N``."""
-    name = axis.key.rpartition(".")[2].replace("_", " ")
+    name, unit = axis.key.rpartition(".")[2].replace("_", " "), keys.word_at(study, axis.key).unit
     if isinstance(content, int | float):
-        return f"{name} = {with_unit(float(content), keys.word_at(study, axis.key).unit, 6)}"
-    return f"{name}: {content_label(content)}"
+        return f"{name} = {with_unit(float(content), unit, 6)}"
+    return f"{name}: {content_label(content, unit)}"
 
 
 def settings_text(study: Study, settings: Iterable[Any]) -> str:

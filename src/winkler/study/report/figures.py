@@ -169,7 +169,8 @@ def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
 
 def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
     points = outcome.points[:MOST_BARS]
-    labels = [", ".join(content_label(item) for item in point.settings) for point in points]
+    units = [outcome.word(axis.key).unit for axis in outcome.study.sweep]
+    labels = [", ".join(map(content_label, point.settings, units)) for point in points]
     cut = f" The first {MOST_BARS} of {len(outcome.points)} are shown." if len(outcome.points) > MOST_BARS else ""
     for name, content in answers.items():
         of = Series(name, outcome.word(name), content.ravel()[:MOST_BARS])

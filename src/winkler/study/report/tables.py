@@ -173,8 +173,12 @@ def _many(columns: tuple[ResultColumn, ...], outcome: Outcome) -> str:
 
 def _labels(outcome: Outcome, key: str) -> dict[str, str]:
     """Return label in the table -> label in the report, of a varied key without numbers."""
+    unit = outcome.word(key).unit
     return {
-        keys.label(item): content_label(item) for axis in outcome.study.axes if axis.key == key for item in axis.values
+        keys.label(item, unit): content_label(item, unit)
+        for axis in outcome.study.axes
+        if axis.key == key
+        for item in axis.values
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 
@@ -12,7 +13,7 @@ from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.families import LayeredBody
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
-from winkler.problems.normal.single_contact import refuse_unless_disc
+from winkler.problems.normal.single_contact import ended, refuse_tension, refuse_unless_disc, surely_pressed
 from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import RADIUS_SHARES
@@ -29,8 +30,10 @@ SEEN_DISTANCE = 0.15
 BEYOND_ONSET, NEARER_STEPS = 6.0, 4
 """Slope of the equivalent profile of a ball that yields, times modulus over strength, or a little more (it is 5.1 for
 Poisson's ratios of 0.3); steps towards the radius at which a profile has it."""
-WIDEST_ON_LAYER = 4096.0
-"""Contact radius over the thickness of the uppermost layer up to which the onset is sought."""
+FIRST_ON_LAYER, WIDEST_ON_LAYER = 8.0, 4096.0
+"""Contact radius over the thickness of the uppermost layer from which, and up to which, the onset is sought."""
+BENT_STEP = math.sqrt(2.0)
+"""Ratio of the contact radii at which layers are asked whether they bend away; of a stiff one they do so over more."""
 REACH_SHARE = 0.999
 """Part of the reach of a profile that becomes vertical there, up to which the onset is sought."""
 
@@ -65,7 +68,10 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
             if a == end:
                 return _too_wide(part, widest)
             below = (math.log(a - flat), math.log(share)) if share > 0.0 else None
-            a = min(flat + 2.0 * (a - flat), end)
+            wider, bent = _before_bending(bed, a, min(flat + 2.0 * (a - flat), end))
+            if bent is not None and wider == a:
+                raise bent
+            a = wider
         end = a
     elif isinstance(bed.medium, HalfSpace) and math.isfinite(end) and stress(a).value >= strength:
         end = a  # what happens at the end of the profile does not matter
@@ -168,6 +174,27 @@ def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float
         ) from None
 
 
+def _before_bending(bed: Bed, known: float, radius: float) -> tuple[float, OutsideValidity | None]:
+    """Return the widest contact radius up to the one wanted before which no layer bends away, and why it ends there.
+
+    A wider contact may be a disc again, but whether a body yields on the way is not known.
+    """
+    if not isinstance(bed.medium, LayeredBody) or not bed.medium.punch_facts(radius).pulls:
+        return radius, None
+    narrowest = max(known, bed.medium.layers[0].thickness)  # type: ignore[attr-defined]
+    steps = math.ceil(math.log(radius / narrowest) / math.log(BENT_STEP)) if radius > narrowest else 0
+    last = narrowest
+    for a in np.geomspace(narrowest, radius, steps + 1)[1:].tolist():
+        depth = float(bed.gap(np.array([a]))[0])
+        if not surely_pressed(bed, np.array([depth]), np.array([a]))[0]:
+            try:
+                ended(functools.partial(refuse_tension, bed, depth, a))
+            except OutsideValidity as bent:
+                return last, bent
+        last = a
+    return radius, None
+
+
 def _too_wide(part: StrongPart, widest: float) -> str:
     return (
         f"YieldOnset: up to a contact radius of {widest:.6g} m, {WIDEST_ON_LAYER:g} times the thickness of the "
@@ -183,14 +210,22 @@ def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
     """
     assert isinstance(bed.medium, HalfSpace | LayeredBody)
     wanted = strength / bed.medium.modulus
-    a, before = 0.5 * (flat + end) if math.isfinite(end) else 2.0 * flat or 1.0, math.nan
+    middle, before = 0.5 * (flat + end), math.nan
+    a = middle if math.isfinite(end) else 2.0 * flat or 1.0
+    if isinstance(bed.medium, LayeredBody):  # flat punches far wider than the layers are costly
+        a = min(middle, flat + FIRST_ON_LAYER * bed.medium.layers[0].thickness)  # type: ignore[attr-defined]
+        a, _ = _before_bending(bed, flat, a)
     for _ in range(OCTAVES):
         slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
-        if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before:
+        if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before or (slope < wanted and a >= middle):
             break
-        if math.isfinite(end) and slope < wanted:
-            break
-        a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
+        before = slope
+        if slope > wanted:
+            a = flat + 0.25 * (a - flat)
+        else:
+            a, bent = _before_bending(bed, a, min(flat + 4.0 * (a - flat), middle))
+            if bent is not None:
+                break
     if isinstance(bed.medium, HalfSpace):
         for _ in range(NEARER_STEPS):
             slope = float(np.abs(bed.gap_slope(np.array([a])))[0])

@@ -15,9 +15,9 @@ CORRECTED = Equation(
     "(Yastrebov)",
     r"A = A_{pixels}-\frac{\pi-1+\ln 2}{24}\,S\,\Delta x",
 )
-TWO_GRIDS = Equation(
-    "Its error is the change from the contact of every second point of the map",
-    r"\Delta A = |A(\Delta x)-A(2\Delta x)|",
+SECOND_POINTS = Equation(
+    "Its error is the greatest difference among it and those of the four maps of every second point",
+    r"\Delta A = \max_{i,j\le4}|A_i-A_j| , \quad A_0 = A(\Delta x) , \quad A_1\dots A_4 = A(2\Delta x)",
 )
 REYNOLDS = Equation(
     "The fluid flows through the gap h by Reynolds' equation",
@@ -51,12 +51,12 @@ PRESSED_MAPS = Chapter(
                 "patches",
                 "Patches of contact, gaps and pressures",
                 "The patches in the colours of their areas, the distributions of gap and pressure, and how large the "
-                "patches are under the last load; of many loads also area and greatest pressure, each with the change "
-                "from every second point of the map.",
+                "patches are under the last load; of many loads also area and greatest pressure, each with its "
+                "difference from every second point of the map.",
             ),
             curves=(("force", "area"), ("force", "peak_pressure"), ("force", "patch_count"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
-            formulas=(ELEMENTS, CORRECTED, TWO_GRIDS),
+            formulas=(ELEMENTS, CORRECTED, SECOND_POINTS),
         ),
         "seal": answer(
             "winkler.problems.pressed_maps.seal:Seal",

@@ -1,21 +1,21 @@
-"""A pressed map measured under each load, and again on every second point: what changes is an estimate of the error."""
+"""A pressed map measured under each load, and again on its second points, four times: what differs is left as error."""
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Force
-from winkler.numerics.types import Quantity
+from winkler.numerics.types import Array, Quantity
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["measured", "on_every_second_point", "refuse_without_second_points"]
+__all__ = ["measured", "on_second_points", "refuse_without_second_points", "spread"]
 
 Measured = TypeVar("Measured")
 FEWEST_PIXELS = 8
@@ -63,8 +63,8 @@ def refuse_without_second_points(owner: str, contact: SurfaceContact) -> None:
         )
 
 
-def on_every_second_point(contact: SurfaceContact, force: Quantity) -> SurfaceContact:
-    """Return the contact of every second point of a map, under the forces found on all of them.
+def on_second_points(contact: SurfaceContact, force: Quantity) -> tuple[SurfaceContact, ...]:
+    """Return the four contacts of every second point of a map, under the forces found on all of them.
 
     Raises
     ------
@@ -72,11 +72,25 @@ def on_every_second_point(contact: SurfaceContact, force: Quantity) -> SurfaceCo
         If these points are flat.
     """
     rough = contact.topography
-    heights = rough.heights[::2, ::2]
-    if rough.periodic and float(np.ptp(heights)) == 0.0:
+    maps = [rough.heights[row::2, column::2] for row in (0, 1) for column in (0, 1)]
+    if rough.periodic and min(float(np.ptp(heights)) for heights in maps) == 0.0:
         raise InvalidInput(
             "Topography: every second height of the periodic map is the same, its roughness is one pixel wide; give a "
             "map whose shortest waves are four pixels and longer."
         )
-    lengths = 2.0 * np.array(rough.pixel) * heights.shape
-    return dataclasses.replace(contact, topography=Topography(heights, lengths, rough.periodic), load=Force(force))
+    return tuple(
+        dataclasses.replace(
+            contact,
+            topography=Topography(heights, 2.0 * np.array(rough.pixel) * heights.shape, rough.periodic),
+            load=Force(force),
+        )
+        for heights in maps
+    )
+
+
+def spread(whole: Quantity, second: Iterable[Quantity]) -> Array:
+    """Return the greatest difference among the results of a map and of its second points, in the shape of the load.
+
+    One of these maps may agree with the whole one by chance.
+    """
+    return np.asarray(np.ptp(np.stack([np.asarray(whole), *map(np.asarray, second)]), axis=0))
