@@ -131,7 +131,7 @@ class CoatedBody(LayeredBody, PushedLayers):
     second: Solid
 
     @property
-    def stack(self) -> tuple[Layer, ...]:
+    def stack(self) -> tuple[Layer | StackLayer, ...]:
         """The layers, with what they are bonded to."""
         return self.layers
 

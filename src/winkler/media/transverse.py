@@ -14,7 +14,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import twist_constants
-from winkler.media.layered.wave_constants import along_compliance
+from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
@@ -88,7 +88,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     @functools.cached_property
     def along_modulus(self) -> float:
         """m_L [Pa] of shear along a wave, as in plane strain."""
-        return 1.0 / (along_compliance(self.first) + along_compliance(self.second))
+        return 1.0 / sum(half_space_compliance(body, Wave.ALONG) for body in (self.first, self.second))
 
     @functools.cached_property
     def torsional_modulus(self) -> float:

@@ -11,8 +11,8 @@ import pytest
 import winkler as wk
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.layered import Layer
-from winkler.media.layered.layers import NormalResponse
-from winkler.media.layered.tangential_response import TangentialResponse
+from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.stack import StackBody
 
 WAVES = np.array([1e-7, 1e-4, 3e-3, 0.05, 0.39, 0.41, 0.99, 1.01, 2.5, 7.0])
 
@@ -84,7 +84,7 @@ CASES = [
 
 @pytest.mark.parametrize(("young", "poisson", "base", "base_poisson"), CASES)
 def test_one_layer(young, poisson, base, base_poisson):
-    response = NormalResponse((Layer(Elastic(young, poisson), 1.0),), Elastic(base, base_poisson))
+    response = PairResponse(Mode.NORMAL, StackBody((Layer(Elastic(young, poisson), 1.0),), Elastic(base, base_poisson)))
     want = np.array([one_layer(xi, young, poisson, base, base_poisson) for xi in WAVES]) - 1.0
     np.testing.assert_allclose(response.excess(WAVES), want, rtol=0, atol=3e-14 * (1.0 + np.abs(want).max()))
 
@@ -92,8 +92,9 @@ def test_one_layer(young, poisson, base, base_poisson):
 @pytest.mark.parametrize(("young", "poisson", "base", "base_poisson"), CASES)
 def test_cut_into_equal_layers_it_is_the_same(young, poisson, base, base_poisson):
     solid, below = Elastic(young, poisson), Elastic(base, base_poisson)
-    whole = NormalResponse((Layer(solid, 1.0),), below).excess(WAVES)
-    parts = NormalResponse(tuple(Layer(solid, h) for h in (0.3, 1e-5, 0.2, 0.49999)), below).excess(WAVES)
+    whole = PairResponse(Mode.NORMAL, StackBody((Layer(solid, 1.0),), below)).excess(WAVES)
+    layers = tuple(Layer(solid, h) for h in (0.3, 1e-5, 0.2, 0.49999))
+    parts = PairResponse(Mode.NORMAL, StackBody(layers, below)).excess(WAVES)
     np.testing.assert_allclose(parts, whole, rtol=0, atol=1e-13 * (1.0 + np.abs(whole).max()))
 
 
@@ -108,7 +109,7 @@ STACKS = [
 @pytest.mark.parametrize("xi", [1e-3, 0.2, 1.7, 9.0])
 def test_three_layers_against_all_modes_at_once(layers, base, xi):
     stack = tuple(Layer(Elastic(young, nu), h) for young, nu, h in layers)
-    response = NormalResponse(stack, Elastic(*base) if base else Rigid())
+    response = PairResponse(Mode.NORMAL, StackBody(stack, Elastic(*base) if base else Rigid()))
     compliance = 2.0 / (response.modulus * xi) * (1.0 + response.excess(np.array([xi]))[0])
     assert compliance == pytest.approx(all_modes(xi, layers, base), rel=2e-11)
 
@@ -116,13 +117,14 @@ def test_three_layers_against_all_modes_at_once(layers, base, xi):
 def test_a_stack_of_one_solid_is_a_half_space():
     solid = Elastic(3.0, 0.37)
     layers = tuple(Layer(solid, h) for h in (0.1, 1.0, 1e-4))
-    for kind in (NormalResponse, TangentialResponse):
-        assert np.max(np.abs(kind(layers, solid).excess(WAVES))) < 2e-15
+    for mode in (Mode.NORMAL, Mode.TANGENTIAL):
+        assert np.max(np.abs(PairResponse(mode, StackBody(layers, solid)).excess(WAVES))) < 2e-15
 
 
 def test_complex_wave_numbers_continue_the_real_ones():
     """Cauchy: the derivative along the imaginary direction is i times that along the real one."""
-    response = NormalResponse((Layer(Elastic(20.0, 0.3), 1.0), Layer(Elastic(1.0, 0.5), 0.2)), Elastic(5.0, 0.3))
+    layers = Layer(Elastic(20.0, 0.3), 1.0), Layer(Elastic(1.0, 0.5), 0.2)
+    response = PairResponse(Mode.NORMAL, StackBody(layers, Elastic(5.0, 0.3)))
     xi, h = np.array([0.3, 0.8, 2.0]), 1e-5
     real = (response.excess(xi + h) - response.excess(xi - h)) / (2 * h)
     imaginary = (response.excess(xi + 1j * h) - response.excess(xi - 1j * h)) / (2j * h)
@@ -131,7 +133,7 @@ def test_complex_wave_numbers_continue_the_real_ones():
 
 def test_an_elastic_counterpart_adds_its_own_compliance():
     layers, on = (Layer(Elastic(10.0, 0.3), 1.0),), Elastic(1.0, 0.3)
-    alone, pair = NormalResponse(layers, on), NormalResponse(layers, on, Elastic(4.0, 0.2))
+    alone, pair = (PairResponse(Mode.NORMAL, StackBody(layers, on), body) for body in (Rigid(), Elastic(4.0, 0.2)))
     xi = WAVES
     added = 2.0 / (pair.modulus * xi) * (1 + pair.excess(xi)) - 2.0 / (alone.modulus * xi) * (1 + alone.excess(xi))
     np.testing.assert_allclose(added, 2.0 * (1 - 0.2**2) / 4.0 / xi, rtol=1e-9)

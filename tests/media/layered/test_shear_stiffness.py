@@ -18,7 +18,7 @@ from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
+from winkler.media.layered.pair_response import Mode
 
 STEEL = wk.Elastic(young=210e9, poisson=0.3)
 
@@ -102,8 +102,8 @@ def test_first_order_in_the_contrast():
 def test_the_second_body_adds_its_compliance_to_both_waves():
     layers, second = [Layer(wk.Elastic(5.0, 0.2), 0.4)], wk.Elastic(2.0, 0.35)
     base, xi = wk.Elastic(1.0, 0.3), np.array([0.1, 1.0, 4.0])
-    for kind, added in ((AlongResponse, (1.0 - 0.35) / second.shear), (AcrossResponse, 1.0 / second.shear)):
-        alone, pair = kind(tuple(layers), base), kind(tuple(layers), base, second)
+    for mode, added in ((Mode.ALONG, (1.0 - 0.35) / second.shear), (Mode.ACROSS, 1.0 / second.shear)):
+        alone, pair = (wk.CoatedHalfSpace(layers, base, body).responding(mode) for body in (wk.Rigid(), second))
         both = [2.0 / each.modulus * (1.0 + each.excess(xi)) for each in (alone, pair)]
         np.testing.assert_allclose(both[1] - both[0], added, rtol=1e-13)
         own, unit = pair.own

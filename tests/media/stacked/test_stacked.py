@@ -12,8 +12,9 @@ from stack_waves import surface
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.layered.coated_interior import wave_states
+from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import constants_of
-from winkler.media.stacked.response import StackAlong, StackNormal
 from winkler.problems.rough.compliance import compliance_of
 
 QUARTZ_LIKE = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 35e9)
@@ -47,11 +48,11 @@ def test_compliances_are_those_of_elasticity(name):
     """Navier's equations, carried through the stack by matrix exponentials of a hundred digits and more."""
     parts, on = STACKS[name]
     layers = tuple(wk.StackLayer(*part) for part in parts)
-    normal = StackNormal(layers, on)
+    normal = PairResponse(Mode.NORMAL, StackBody(layers, on))
     wanted = [surface(wave, parts, on)[1] for wave in WAVES]
     assert 2.0 * normal.whole(WAVES) / normal.modulus == pytest.approx(wanted, rel=1e-12)
     if all(bonded for _, _, bonded in parts):
-        along = StackAlong(layers, on)
+        along = PairResponse(Mode.ALONG, StackBody(layers, on))
         wanted = [surface(wave, parts, on, load=(-1, 0))[0] for wave in WAVES]
         assert 2.0 * (1.0 + along.excess(WAVES)) / along.modulus == pytest.approx(wanted, rel=1e-12)
 
@@ -71,11 +72,11 @@ def test_nearly_isotropic_constants_are_no_special_case(nearly):
     lame, shear = young * nu / (1.3 * 0.4), young / 2.6
     solid = wk.TransverselyIsotropic(lame + 2 * shear, lame, lame, lame + 2 * shear, shear * (1.0 + nearly))
     base = wk.Elastic(0.1, 0.4)
-    found = StackNormal((wk.StackLayer(solid, 0.7),), base).whole(WAVES)
-    isotropic = StackNormal((wk.Layer(wk.Elastic(young, nu), 0.7),), base).whole(WAVES)
+    found = PairResponse(Mode.NORMAL, StackBody((wk.StackLayer(solid, 0.7),), base)).whole(WAVES)
+    isotropic = PairResponse(Mode.NORMAL, StackBody((wk.Layer(wk.Elastic(young, nu), 0.7),), base)).whole(WAVES)
     assert found == pytest.approx(isotropic, rel=1e-12 + 2.0 * abs(nearly))
     if nearly == -1e-9:
-        away = [StackNormal((wk.StackLayer(solid, 0.7, False),), base).whole(WAVES)]
+        away = [PairResponse(Mode.NORMAL, StackBody((wk.StackLayer(solid, 0.7, False),), base)).whole(WAVES)]
         assert np.all(np.isfinite(away))
 
 
@@ -124,7 +125,7 @@ def test_one_sliding_layer_has_the_closed_form(nu, softer):
     solid = wk.Elastic(1.0 - nu**2, nu)
     on = wk.Elastic(1.0 / softer, 0.0) if softer else wk.Rigid()
     xi = np.array([1e-5, 0.01, 0.3, 0.99, 1.01, 5.0, 20.0])
-    found = StackNormal((wk.StackLayer(solid, 1.0, bonded=False),), on).whole(xi)
+    found = PairResponse(Mode.NORMAL, StackBody((wk.StackLayer(solid, 1.0, bonded=False),), on)).whole(xi)
     assert found == pytest.approx(sliding_film_response(xi, softer), rel=1e-12)
 
 
@@ -144,7 +145,7 @@ def test_a_thin_stiff_layer_that_slides_is_a_plate_on_a_half_space():
 def test_layers_that_are_free_sideways_yield_more():
     """The limit of long waves on a rigid base: by elasticity, and for a laminate that slides as a whole."""
     parts = [(QUARTZ_LIKE, 1.0, True), (GLASS, 0.5, False), (WEAVE, 0.3, True)]
-    response = StackNormal(tuple(wk.StackLayer(*part) for part in parts), wk.Rigid())
+    response = PairResponse(Mode.NORMAL, StackBody(tuple(wk.StackLayer(*part) for part in parts), wk.Rigid()))
     limit = surface(1e-12, parts, wk.Rigid())[1] / 1e-12
     assert 2.0 * response.compressed / response.modulus == pytest.approx(limit, rel=1e-10)
     assert response.whole(np.array([1e-9]))[0] * 1e9 == pytest.approx(response.compressed, rel=1e-8)

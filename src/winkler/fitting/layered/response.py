@@ -18,7 +18,6 @@ from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import Rigid
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.viscoelastic import Prony, ViscoelasticSolid
-from winkler.media.layered.layers import NormalResponse
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.springs.driven_cells import cosine_basis, march
@@ -108,7 +107,7 @@ def stack_waves(bed: Bed, reach: float, count: int) -> StackWaves:
 @functools.lru_cache(maxsize=16)
 def _waves(medium: ViscoelasticCoatedHalfSpace, moduli: tuple[float, float]) -> ModulusWaves:
     stacks = [medium.elastic_with(lambda _, modulus=one: modulus) for one in moduli]  # type: ignore[misc]
-    ends = [NormalResponse(stack.layers, stack.on) for stack in stacks]
+    ends = [stack.response for stack in stacks]
     others = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
     alone = all(isinstance(solid, ViscoelasticSolid | Rigid) for solid in others)
     span, length = max(end.span for end in ends), min(end.length for end in ends)

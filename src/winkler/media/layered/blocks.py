@@ -6,21 +6,9 @@ import numpy as np
 
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["Four", "add", "four", "invert", "matrix", "scaled", "stacked", "times"]
+__all__ = ["Four", "add", "invert", "scaled", "stacked", "times"]
 
 Four = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]
-
-
-def matrix(rows: list[list[ComplexArray | float]]) -> ComplexArray:
-    """Return 2x2 matrices ``(..., 2, 2)`` of entries that broadcast."""
-    entries = np.broadcast_arrays(*(entry for row in rows for entry in row))
-    return np.stack(entries, axis=-1).reshape(*entries[0].shape, 2, 2)
-
-
-def four(matrix: ComplexArray) -> Four:
-    """Return the four entries of matrices of two by two."""
-    parts = np.ascontiguousarray(matrix.reshape(-1, 4).T)
-    return parts[0], parts[1], parts[2], parts[3]
 
 
 def stacked(four: Four) -> ComplexArray:

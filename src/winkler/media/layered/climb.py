@@ -23,7 +23,7 @@ from winkler.media.layered.faces import THIN_LAYER_LIMIT, above, compliance_of, 
 from winkler.media.layered.wave_constants import Body, WaveConstants, constants_of
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["AnyLayer", "Crossing", "Support", "climbed", "is_bonded", "support_of"]
+__all__ = ["LEAST_WAVE", "AnyLayer", "Crossing", "Support", "climbed", "is_bonded", "support_of"]
 
 AnyLayer = Layer | StackLayer
 

@@ -10,6 +10,7 @@ lose some of them.
 
 from __future__ import annotations
 
+import functools
 from typing import Protocol
 
 import numpy as np
@@ -21,11 +22,11 @@ from winkler.media.families import CoatedBody, DepthVaryingMedium
 from winkler.media.interior import shear_field, subsurface
 from winkler.media.interior.shear_field_punch import ShearField
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts, sheared_interior
+from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
-from winkler.media.layered.layers import NormalResponse
-from winkler.media.layered.shear_responses import AcrossResponse, AlongResponse
+from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.sheared import ShearedLayers
-from winkler.media.layered.tangential_response import TangentialResponse
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
@@ -37,7 +38,7 @@ from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["CoatedHalfSpace", "LayeredMedium"]
+__all__ = ["CoatedHalfSpace", "LayeredMedium", "StackMedium"]
 
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
@@ -51,10 +52,29 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
 
     second: Body
 
-    @property
+    def responding(self, mode: Mode) -> PressedResponse:
+        """The response of the pair to a load."""
+        raise NotImplementedError
+
+    @functools.cached_property
     def response(self) -> PressedResponse:
         """The response of the pair to a pressure."""
-        raise NotImplementedError
+        return self.responding(Mode.NORMAL)
+
+    @functools.cached_property
+    def tangential_response(self) -> PressedResponse:
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
+        return self.responding(Mode.TANGENTIAL)
+
+    @functools.cached_property
+    def along_response(self) -> PressedResponse:
+        """The response of the pair to shear along its wave."""
+        return self.responding(Mode.ALONG)
+
+    @functools.cached_property
+    def across_response(self) -> PressedResponse:
+        """The response of the pair to shear across its wave, and to a twist."""
+        return self.responding(Mode.ACROSS)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
@@ -186,8 +206,32 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
         return shear_field.field(load, x, y, z, modulus=modulus, poisson=second.poisson, shear=second.shear)
 
 
+class StackMedium(LayeredMedium):
+    """What media of layers have in common."""
+
+    layers: tuple[AnyLayer, ...]
+    on: Body
+
+    @property
+    def stack(self) -> tuple[AnyLayer, ...]:
+        """The layers, with what they are bonded to."""
+        return self.layers
+
+    def responding(self, mode: Mode) -> PairResponse:
+        """The response of the pair to a load."""
+        return PairResponse(mode, StackBody(self.stack, self.on), self.second)
+
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
+        """Stresses and displacements in the layers and their base; arrays of one shape."""
+        return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
+
+    def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
+        """The same under a traction along +x: that of a load times a modulus."""
+        return sheared_interior.field(load, self.stack, self.on, modulus, x, y, z)
+
+
 @value
-class CoatedHalfSpace(LayeredMedium, CoatedBody):
+class CoatedHalfSpace(StackMedium, CoatedBody):
     """Bonded, isotropic layers on a half-space or a rigid base, against a homogeneous body.
 
     Parameters
@@ -228,34 +272,6 @@ class CoatedHalfSpace(LayeredMedium, CoatedBody):
                 "CoatedHalfSpace: layers must be a list of at least one Layer(solid, thickness); for a body without "
                 "layers give HalfSpace."
             )
-
-    @property
-    def response(self) -> NormalResponse:
-        """The response of the pair to a pressure."""
-        return NormalResponse(self.layers, self.on, self.second)
-
-    @property
-    def tangential_response(self) -> TangentialResponse:
-        """The response of the pair to a shear load, averaged over its angle with the wave."""
-        return TangentialResponse(self.layers, self.on, self.second)
-
-    @property
-    def along_response(self) -> AlongResponse:
-        """The response of the pair to shear along its wave."""
-        return AlongResponse(self.layers, self.on, self.second)
-
-    @property
-    def across_response(self) -> AcrossResponse:
-        """The response of the pair to shear across its wave, and to a twist."""
-        return AcrossResponse(self.layers, self.on, self.second)
-
-    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
-        """Stresses and displacements in the layers and their base; arrays of one shape."""
-        return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
-
-    def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
-        """The same under a traction along +x: that of a load times a modulus."""
-        return sheared_interior.field(load, self.layers, self.on, modulus, x, y, z)
 
     notes = (
         Note(

@@ -18,7 +18,6 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import subsurface
-from winkler.media.layered import layers as stack
 from winkler.media.layered.blocks import Four, add, scaled, stacked, times
 from winkler.media.layered.climb import AnyLayer, Support, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
@@ -31,7 +30,6 @@ from winkler.numerics.types import Array
 __all__ = [
     "WaveState",
     "field",
-    "half_space_decay",
     "reaching",
     "refuse_unknown_places",
     "superposed",
@@ -187,13 +185,6 @@ def _passed(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depth: float
 
 def _matrices(four: Four, like: Array) -> Array:
     return np.asarray(stacked(tuple(np.broadcast_to(entry, like.shape) for entry in four)))  # type: ignore[arg-type]
-
-
-def half_space_decay(x: Array, poisson: float) -> Array:
-    """Return the tractions at x below the surface of a half-space per tractions on it."""
-    _, down = stack.decaying(x, poisson)
-    _, top = stack.decaying(np.zeros(1), poisson)
-    return np.asarray(np.exp(-x)[:, None, None] * (down @ np.linalg.inv(top)))
 
 
 def superposed(state: WaveState, waves: HankelWaves, radial: RadialWaves, r: Array, end: int) -> Array:

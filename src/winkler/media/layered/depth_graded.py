@@ -9,7 +9,6 @@ narrow contacts feel the very top alone.
 
 from __future__ import annotations
 
-import functools
 from typing import Annotated
 
 from winkler.checks.number_checks import between
@@ -19,8 +18,8 @@ from winkler.media.families import PushedLayers
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
-from winkler.media.layered.depth_shear import AcrossDepthResponse, AlongDepthResponse
+from winkler.media.layered.depth_response import DepthResponse, GradedBody
+from winkler.media.layered.pair_response import Mode
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -66,25 +65,9 @@ class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
     second: Solid = RIGID
     tolerance: Annotated[float, between(LEAST_TOLERANCE, LARGEST_TOLERANCE)] = 1e-6
 
-    @functools.cached_property
-    def response(self) -> NormalDepthResponse:
-        """The response of the pair to a pressure."""
-        return NormalDepthResponse(self.grading, self.second, self.tolerance)
-
-    @functools.cached_property
-    def tangential_response(self) -> TangentialDepthResponse:
-        """The response of the pair to a shear load."""
-        return TangentialDepthResponse(self.grading, self.second, self.tolerance)
-
-    @functools.cached_property
-    def along_response(self) -> AlongDepthResponse:
-        """The response of the pair to shear along its wave."""
-        return AlongDepthResponse(self.grading, self.second, self.tolerance)
-
-    @functools.cached_property
-    def across_response(self) -> AcrossDepthResponse:
-        """The response of the pair to shear across its wave, and to a twist."""
-        return AcrossDepthResponse(self.grading, self.second, self.tolerance)
+    def responding(self, mode: Mode) -> DepthResponse:
+        """The response of the pair to a load."""
+        return DepthResponse(mode, GradedBody(self.grading, self.tolerance), self.second)
 
     @property
     def thickness(self) -> float:

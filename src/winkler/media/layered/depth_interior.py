@@ -20,13 +20,15 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.materials.depth_grading import DepthGrading
+from winkler.materials.elastic import Elastic
 from winkler.media.interior import subsurface
-from winkler.media.layered.coated_interior import WaveState, half_space_decay, superposed
+from winkler.media.layered.blocks import scaled, times
+from winkler.media.layered.coated_interior import WaveState, superposed
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_recursion import Mesh, mesh, states_with_depth
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.layered.hankel_waves import LARGEST_PHASE, MOST_PAIRS, RadialWaves, waves_of
-from winkler.media.layered.layers import half_space
+from winkler.media.layered.wave_constants import constants_of
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.transforms.cosine_transform import NODES
@@ -92,11 +94,8 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
         part = depths[start : start + WAVES_AT_ONCE]
         for depth, state, last in _states(grading, tolerance, part, waves.xi, load.response.span):
             if depth < a:
-                surface = np.zeros((last, 2, 1))
-                surface[:, 1] = -1.0
-                own_load = half_space_decay(waves.xi[:last] * depth, top.poisson) @ surface
-                own_moved = half_space(top.poisson) @ own_load / (2.0 * top.shear)
-                state = WaveState(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
+                without = _decayed(top, waves.xi[:last] * depth, 0.0, -1.0)
+                state = WaveState(state.moved - without[:2].T, state.loaded - without[2:].T, state.solid)
             (members,) = np.nonzero(z == depth)
             result[:, members] += superposed(state, waves, radial, r[members], last)
     return BodyField(*(part.reshape(shape) for part in result))
@@ -114,9 +113,9 @@ def _states(
     cells = mesh(grading, tolerance, 0.25 / bounds[-1], tuple(float(z) for z in depths))
     for depth, amplitudes in _amplitudes(cells, samples.ravel(), depths):
         last = int(np.searchsorted(xi, DECAY_DEPTH / depth)) if depth > 0.0 else xi.size
-        scaled = amplitudes * np.exp(np.minimum(samples.ravel() * depth, 2.0 * DECAY_DEPTH))
+        grown = amplitudes * np.exp(np.minimum(samples.ravel() * depth, 2.0 * DECAY_DEPTH))
         held = np.exp(-xi[:last] * depth)
-        parts = [panels_from(bounds, row.reshape(samples.shape))(xi[:last]) * held for row in scaled]
+        parts = [panels_from(bounds, row.reshape(samples.shape))(xi[:last]) * held for row in grown]
         yield depth, WaveState(np.stack(parts[:2], axis=1), np.stack(parts[2:], axis=1), solid_at(grading, depth)), last
 
 
@@ -128,8 +127,14 @@ def _amplitudes(cells: Mesh, xi: Array, depths: Array) -> Iterator[tuple[float, 
         if rung.depth in requested:
             yield rung.depth, np.array(rung[1:])
     assert rung is not None
-    deep = np.stack([rung.shear, rung.axial], axis=1)[..., None]
+    deep = Elastic(2.0 * (1.0 + cells.deep_poisson) * cells.deep_shear, cells.deep_poisson)
     for depth in depths[depths > rung.depth]:
-        loaded = half_space_decay(xi * (depth - rung.depth), cells.deep_poisson) @ deep
-        moved = half_space(cells.deep_poisson) @ loaded / (2.0 * cells.deep_shear)
-        yield float(depth), np.concatenate([moved, loaded], axis=1)[..., 0].T
+        yield float(depth), _decayed(deep, xi * (depth - rung.depth), rung.shear, rung.axial)
+
+
+def _decayed(solid: Elastic, x: Array, shear: Array | float, axial: Array | float) -> Array:
+    """Return displacements times xi and tractions ``(4, m)`` at x below the surface of a half-space under tractions."""
+    constants = constants_of(solid)
+    decay, compliance = constants.decay(x), scaled(1.0 / constants.shear, constants.half_space)
+    moved = times(compliance, decay)
+    return np.array([row[0] * shear + row[1] * axial for row in (moved[:2], moved[2:], decay[:2], decay[2:])])

@@ -4,8 +4,8 @@ The body is cut into cells no thicker than a part of their depth, across which E
 of cells.  A cell replaced by c equal homogeneous layers, each with the moduli of its middle, errs by a series in
 :math:`1/c^2`; four such ladders, c = 1, 2, 3, 4, carried side by side, give a result of eighth order in the
 thickness.  With x = xi times the thickness of a layer, n, m, q = nu/(1-nu), (1-2nu)/(1-nu), 1/(1-nu), and
-:math:`\alpha=\frac q2x\sinh x,\ \beta=\frac q2(x\cosh x-\sinh x)`, the field :math:`(U, W, T, S)` of
-`winkler.media.layered.layers` at the upper face is that at the lower face times
+:math:`\alpha=\frac q2x\sinh x,\ \beta=\frac q2(x\cosh x-\sinh x)`, displacements times :math:`\xi` and tractions over
+2 G, :math:`(U, W, T, S)`, at the upper face are those at the lower face times
 
 .. math:: \begin{pmatrix}
           c+\alpha & -s-\beta & -2s-\beta & \alpha\\ ns+\beta & c-\alpha & -\alpha & \beta-ms\\
@@ -24,6 +24,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.materials.depth_grading import DepthGrading
+from winkler.media.layered.across import across_above
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
 
@@ -239,8 +240,7 @@ def surface_compliance_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
         fall = np.tanh((bottom - top) * xi[:end] / STEP_DIVISIONS[:, None])
         for step in range(4):
             rows = slice(step, None)
-            own = y[rows, :end] * shear[rows, step]
-            y[rows, :end] = (own + fall[rows]) / ((1.0 + own * fall[rows]) * shear[rows, step])
+            y[rows, :end] = across_above(y[rows, :end], shear[rows, step], fall[rows])
     return np.asarray((EXTRAPOLATION_WEIGHTS @ y)[np.argsort(order)])
 
 

@@ -27,6 +27,8 @@ from winkler.media.layered.depth_recursion import (
     surface_compliance_across,
     surface_depth,
 )
+from winkler.media.layered.pair_response import MODE_WORDS, Mode, WavePair
+from winkler.media.layered.wave_constants import Wave, half_space_compliance, in_plane_share
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
@@ -34,9 +36,7 @@ from winkler.values import value
 
 __all__ = [
     "DepthResponse",
-    "NormalDepthResponse",
-    "TangentialDepthResponse",
-    "TurningDepthResponse",
+    "GradedBody",
     "cells_of",
     "solid_at",
 ]
@@ -61,21 +61,56 @@ def cells_of(grading: DepthGrading, tolerance: float) -> Mesh:
     return mesh(grading, tolerance, surface_depth(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
 
 
-class DepthResponse:
-    """What all responses share; M times E* or G* of the pair over that of the graded body alone."""
+@value
+class GradedBody:
+    """A body graded in depth, cut into cells.
+
+    Parameters
+    ----------
+    grading : DepthGrading
+        A value.
+    tolerance : float
+        Relative error of its compliances, and of what the rounding of a kernel does to a stiffness.
+    """
 
     grading: DepthGrading
-    second: Solid
-    tolerance: float
+    tolerance: float = 1e-6
 
-    def _own(self, xi: ComplexArray) -> ComplexArray:
-        """Return M of the graded body against a rigid one, where the recursion computes it."""
-        raise NotImplementedError
+    def waves(self, part: Wave, xi: ComplexArray) -> ComplexArray:
+        """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m] that the recursion resolves."""
+        cells = cells_of(self.grading, self.tolerance)
+        if part is Wave.ACROSS:
+            return np.asarray(0.5 * surface_compliance_across(cells, xi))
+        along, mixed, normal = surface_compliance(cells, xi)
+        return in_plane_share(part, (along, mixed, mixed, normal))
 
-    @property
-    def _share(self) -> float:
-        """Compliance of the surface of the graded body in that of the pair."""
-        raise NotImplementedError
+    def short(self, part: Wave) -> float:
+        """The limit of `waves` for short waves [1/Pa]."""
+        return half_space_compliance(solid_at(self.grading), part)
+
+
+@value
+class DepthResponse(WavePair):
+    """The response of a graded body and its counterpart.
+
+    Parameters
+    ----------
+    mode : Mode
+        The load.
+    first : GradedBody
+        The graded one.
+    second : Elastic or Rigid
+        The other body, a homogeneous half-space.
+    """
+
+    __words__ = MODE_WORDS
+
+    mode: Mode
+    first: GradedBody
+    second: Solid = RIGID
+
+    compressed = math.inf
+    """The limit of (1 + M) / xi for long waves: the body is a half-space."""
 
     @functools.cached_property
     def length(self) -> float:
@@ -85,31 +120,37 @@ class DepthResponse:
     @functools.cached_property
     def span(self) -> float:
         """Length [m] beyond which the body is what it is far below."""
-        depths = np.geomspace(1e-3 * surface_depth(self.grading), self.grading.settled_at(self.tolerance), 200)
-        young = self.grading.young_at(depths)
+        depths = np.geomspace(
+            1e-3 * surface_depth(self.first.grading), self.first.grading.settled_at(self.first.tolerance), 200
+        )
+        young = self.first.grading.young_at(depths)
         return float(depths[-1] * np.max(young) / np.min(young))
 
     @functools.cached_property
     def smooth(self) -> float:
         """The kernel is smooth on this length [m], but for its logarithm."""
-        return max(0.5 * surface_depth(self.grading), self.length)
+        return max(0.5 * surface_depth(self.first.grading), self.length)
 
     @property
     def precision(self) -> float:
         """How smooth M is, relative to one."""
-        return 1e-3 * self.tolerance
+        return 1e-3 * self.first.tolerance
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         xi = np.asarray(xi)
-        limit = SERIES_WAVE_NUMBER / surface_depth(self.grading)
+        limit = SERIES_WAVE_NUMBER / surface_depth(self.first.grading)
         short = np.abs(xi) > limit
         result = np.empty_like(xi)
-        result[~short] = self._own(xi[~short])
+        result[~short] = self._exceeding(xi[~short])
         if short.any():
             shorter = limit / xi[short]
             result[short] = shorter * np.polyval(_series(self)[::-1], shorter)
         return np.asarray(self._share * result * (1.0 + np.expm1(-2.0 * xi * self.length) ** 3))
+
+    def whole(self, xi: Array) -> Array:
+        """1 + M(xi) [-] at many real wave numbers (m,) [1/m]: the recursion runs at few of them."""
+        return 1.0 + on_axis(self, xi)
 
 
 @cached_by_value(128)
@@ -117,99 +158,19 @@ def _series(response: DepthResponse) -> Array:
     """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
     angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
     shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
-    own = response._own(SERIES_WAVE_NUMBER / surface_depth(response.grading) / shorter)
+    own = response._exceeding(SERIES_WAVE_NUMBER / surface_depth(response.first.grading) / shorter)
     return np.asarray(np.linalg.lstsq(np.vander(shorter, SERIES_TERMS, increasing=True), own / shorter, rcond=None)[0])
 
 
 @cached_by_value(128)
 def _rounding(response: DepthResponse) -> float:
-    limit = SERIES_WAVE_NUMBER / surface_depth(response.grading)
+    depth = surface_depth(response.first.grading)
+    limit = SERIES_WAVE_NUMBER / depth
     fall = abs(float(_series(response)[0])) * limit
     # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
     xi = limit * np.geomspace(1e-2, SERIES_SPAN, 60)
-    fall = max(fall, float(np.max(np.abs(response._own(xi)) * xi)) * 1e-3)
+    fall = max(fall, float(np.max(np.abs(response._exceeding(xi)) * xi)) * 1e-3)
     return min(
-        0.5 * response.tolerance / (STIFFNESS_ERROR_RATIO * max(fall, 1e-300)), 1e-2 * surface_depth(response.grading)
+        0.5 * response.first.tolerance / (STIFFNESS_ERROR_RATIO * max(fall, 1e-300)),
+        1e-2 * surface_depth(response.first.grading),
     )
-
-
-@value
-class NormalDepthResponse(DepthResponse):
-    """The response of a graded body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
-
-    Parameters
-    ----------
-    grading : DepthGrading
-        A value.
-    second : Elastic or Rigid
-        The other body, a homogeneous half-space.
-    tolerance : float
-        Relative error of 1 + M, and of what the rounding of the kernel does to a stiffness.
-    """
-
-    grading: DepthGrading
-    second: Solid = RIGID
-    tolerance: float = 1e-6
-
-    @property
-    def _share(self) -> float:
-        top = solid_at(self.grading)
-        return self.modulus * (1.0 - top.poisson**2) / top.young
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa] of the surface and the second body."""
-        bodies = [solid_at(self.grading), *([self.second] if isinstance(self.second, Elastic) else [])]
-        return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in bodies)
-
-    compressed = math.inf
-    """The limit of (1 + M) / xi for long waves: the body is a half-space."""
-
-    def whole(self, xi: Array) -> Array:
-        """1 + M(xi) [-] at many real wave numbers (m,) [1/m]: the recursion runs at few of them."""
-        return 1.0 + on_axis(self, xi)
-
-    def _own(self, xi: ComplexArray) -> ComplexArray:
-        top = solid_at(self.grading)
-        normal = surface_compliance(cells_of(self.grading, self.tolerance), xi)[2]
-        return np.asarray(-normal * top.shear / (1.0 - top.poisson) - 1.0)
-
-
-@value
-class TangentialDepthResponse(DepthResponse):
-    """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
-
-    grading: DepthGrading
-    second: Solid = RIGID
-    tolerance: float = 1e-6
-
-    @property
-    def _share(self) -> float:
-        top = solid_at(self.grading)
-        return self.modulus * (2.0 - top.poisson) / (4.0 * top.shear)
-
-    @property
-    def modulus(self) -> float:
-        """G* [Pa] of the surface and the second body."""
-        bodies = [solid_at(self.grading), *([self.second] if isinstance(self.second, Elastic) else [])]
-        return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in bodies)
-
-    compressed = math.inf
-    """The limit of (1 + M) / xi for long waves: the body is a half-space."""
-
-    def _own(self, xi: ComplexArray) -> ComplexArray:
-        top = solid_at(self.grading)
-        cells = cells_of(self.grading, self.tolerance)
-        twisted = 0.25 * (surface_compliance_across(cells, xi) - surface_compliance(cells, xi)[0])
-        return np.asarray(twisted * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)
-
-
-@value
-class TurningDepthResponse(TangentialDepthResponse):
-    """By how much compliances across the wave exceed those along it: G* xi / 4 times that, less its limit."""
-
-    def _own(self, xi: ComplexArray) -> ComplexArray:
-        top = solid_at(self.grading)
-        cells = cells_of(self.grading, self.tolerance)
-        more = 0.25 * (surface_compliance_across(cells, xi) + surface_compliance(cells, xi)[0])
-        return np.asarray((more * 4.0 * top.shear - top.poisson) / (2.0 - top.poisson))

@@ -24,7 +24,17 @@ from winkler.media.layered.blocks import Four, scaled, times
 from winkler.media.layered.wave_constants import WaveConstants
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["THIN_LAYER_LIMIT", "Face", "above", "compliance_of", "face_of", "mirrored", "reflection", "slid"]
+__all__ = [
+    "THIN_LAYER_LIMIT",
+    "Face",
+    "above",
+    "compliance_of",
+    "face_of",
+    "mirrored",
+    "reflection",
+    "rescaled",
+    "slid",
+]
 
 Face: TypeAlias = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray, ComplexArray, ComplexArray]
 """The minors UW, UT, US, WT, WS, TS, but for a factor."""
@@ -56,8 +66,8 @@ def slid(face: Face) -> Face:
     return -face[3], nothing, face[5], nothing, nothing, nothing
 
 
-def _rescaled(face: Face, modulus: float) -> Face:
-    """Return the minors with tractions over a modulus, times that modulus."""
+def rescaled(face: Face, modulus: ComplexArray | float) -> Face:
+    """Return the minors with tractions over a modulus [Pa], times that modulus."""
     return face[0] * modulus, *face[1:5], face[5] / modulus
 
 
@@ -75,14 +85,14 @@ def above(constants: WaveConstants, face: Face, x: ComplexArray) -> Face:
     """
     thin = np.abs(x) * constants.steepest <= THIN_LAYER_LIMIT
     x = np.where(np.abs(x) < LEAST_WAVE, LEAST_WAVE, x)
-    below = _rescaled(face, constants.shear)
+    below = rescaled(face, constants.shear)
     result = [np.empty_like(x) for _ in PAIRS]
     for chosen, crossed in ((thin, _propagated), (~thin, _reflected)):
         if chosen.any():
             part: Face = tuple(np.broadcast_to(minor, x.shape)[chosen] for minor in below)  # type: ignore[assignment]
             for minor, found in zip(result, crossed(constants, part, x[chosen]), strict=True):
                 minor[chosen] = found
-    return _rescaled(tuple(result), 1.0 / constants.shear)  # type: ignore[arg-type]
+    return rescaled(tuple(result), 1.0 / constants.shear)  # type: ignore[arg-type]
 
 
 def _propagated(constants: WaveConstants, face: Face, x: ComplexArray) -> Face:

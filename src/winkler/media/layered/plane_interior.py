@@ -1,7 +1,7 @@
 r"""Stresses below a line contact on layers, in plane strain, by Fourier integrals.
 
 For each wave number the plane wave :math:`\hat p\cos kx` decays through the layers as the round one
-:math:`\hat p\,J_0(kr)` does (`winkler.media.layered.layers`), with :math:`\cos kx, \sin kx` in the places of
+:math:`\hat p\,J_0(kr)` does (`winkler.media.layered.climb`), with :math:`\cos kx, \sin kx` in the places of
 :math:`J_0, J_1`:
 
 .. math:: \sigma_z = \frac1\pi\int S\,\hat p\cos kx\,\mathrm dk , \quad

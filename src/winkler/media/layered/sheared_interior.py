@@ -22,20 +22,18 @@ integrated, as in `winkler.media.layered.coated_interior`.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import numpy as np
 
-from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.interior import shear_field
 from winkler.media.interior.shear_field_punch import ShearField
+from winkler.media.layered.across import AcrossState, across_added, across_inside, climbed_across, impedance
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_interior import WaveState, reaching, refuse_unknown_places, wave_states
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.hankel_waves import PAIRS_PER_CHUNK, HankelWaves, RadialWaves, reach_of, waves_of
-from winkler.media.layered.shear_responses import across_layer
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
@@ -44,13 +42,6 @@ __all__ = ["field"]
 
 SHORT_ARGUMENT = 1e-2
 """Up to this J_2(x)/x is taken from its series."""
-
-
-class _AcrossState(NamedTuple):
-    """At one depth per traction of 1 across the wave: displacement times xi, traction."""
-
-    moved: Array
-    loaded: Array
 
 
 def field(
@@ -99,53 +90,35 @@ def field(
     return ShearField(*(part.reshape(shape) for part in result))
 
 
-def _impedance(solid: Elastic | TransverselyIsotropic) -> tuple[float, float]:
-    """Return sqrt(C44 C66) [Pa] and how much faster than an isotropic one's its waves across fall with the depth."""
-    constants = constants_of(solid)
-    steep = math.sqrt(constants.twist)
-    return constants.shear * steep, steep
-
-
 def _across_states(
     layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array
-) -> Iterator[_AcrossState]:
+) -> Iterator[AcrossState]:
     """Yield, depth by depth, the amplitudes of waves across; in the uppermost layer without those of a half-space."""
-    below = np.full(xi.shape, 0.0 if isinstance(on, Rigid) else 1.0 / _impedance(on)[0])
-    reflected = []
-    for layer in reversed(layers):
-        own, steep = _impedance(layer.solid)
-        reflected.append((below * own - 1.0) / (below * own + 1.0))
-        below, _ = across_layer(below, 1.0 / own, xi * (layer.thickness * steep))
-    reflected.reverse()
+    below = climbed_across(layers, on, xi)[1:]
     arrived = [np.full(xi.shape, -1.0)]
-    for layer, echo in zip(layers, reflected, strict=True):
-        x = xi * (layer.thickness * _impedance(layer.solid)[1])
-        arrived.append(arrived[-1] * np.exp(-x) * (1.0 - echo) / _share(echo, x))
+    for layer, face in zip(layers, below, strict=True):
+        stiff, steep = impedance(layer.solid)
+        x = xi * (layer.thickness * steep)
+        arrived.append(arrived[-1] * across_inside(face * stiff, x, x).loaded)
     tops = np.concatenate([[0.0], bottoms])
     for depth in depths:
         index = int(np.searchsorted(bottoms, depth))
-        if index == len(layers):
-            assert not isinstance(on, Rigid)
-            own, steep = _impedance(on)
-            loaded = arrived[index] * np.exp(-xi * ((depth - tops[index]) * steep))
-            yield _AcrossState(-loaded / own, loaded)
-            continue
-        own, steep = _impedance(layers[index].solid)
-        echo, x = reflected[index], xi * (layers[index].thickness * steep)
+        solid = layers[index].solid if index < len(layers) else on
+        assert not isinstance(solid, Rigid)
+        stiff, steep = impedance(solid)
         start = xi * ((depth - tops[index]) * steep)
-        rising = echo * np.exp(start - 2.0 * x)
-        falling = (echo * np.exp(-2.0 * x) if index == 0 else 1.0) * np.exp(-start)
-        scale = -arrived[index] / _share(echo, x)
-        yield _AcrossState(scale * (falling + rising) / own, scale * (rising - falling))
-
-
-def _share(echo: Array, x: Array) -> Array:
-    """Return 1 - echo exp(-2 x) without a difference of nearly equal numbers."""
-    return np.asarray((1.0 - echo) - echo * np.expm1(-2.0 * x))
+        if index == len(layers):
+            fade = np.exp(-start)
+            state = AcrossState(fade, fade)
+        else:
+            crossed = across_inside if index else across_added
+            state = crossed(below[index] * stiff, xi * (layers[index].thickness * steep), start)
+        # tractions of 1 on the surface are stresses of -1
+        yield AcrossState(-arrived[index] * state.moved / stiff, arrived[index] * state.loaded)
 
 
 def _superposed(
-    state: WaveState, beside: _AcrossState, waves: HankelWaves, radial: RadialWaves, x: Array, y: Array
+    state: WaveState, beside: AcrossState, waves: HankelWaves, radial: RadialWaves, x: Array, y: Array
 ) -> Array:
     """Return the nine parts of a `ShearField` at one depth."""
     end, r = waves.xi.size, np.hypot(x, y)

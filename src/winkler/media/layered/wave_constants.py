@@ -20,6 +20,7 @@ does not change its volume.
 from __future__ import annotations
 
 import cmath
+import enum
 import math
 from typing import NamedTuple
 
@@ -31,11 +32,11 @@ from winkler.numerics.types import ComplexArray
 
 __all__ = [
     "Body",
+    "Wave",
     "WaveConstants",
-    "across_compliance",
-    "along_compliance",
     "constants_of",
-    "normal_compliance",
+    "half_space_compliance",
+    "in_plane_share",
     "stiffness_scale",
 ]
 
@@ -44,6 +45,19 @@ Body = TransverselyIsotropic | Elastic | Rigid
 
 SERIES_TERMS = 10
 """Terms of the series of cosh and sinh up to an argument of one."""
+
+
+class Wave(enum.Enum):
+    """What moves, and what pulls."""
+
+    NORMAL = enum.auto()
+    """The normal displacement under a pressure."""
+    ALONG = enum.auto()
+    """That along a wave under shear along it."""
+    COUPLING = enum.auto()
+    """The normal displacement under shear along a wave, and that along it under a pressure."""
+    ACROSS = enum.auto()
+    """That in the plane of the surface, across a wave, under shear across it."""
 
 
 class WaveConstants(NamedTuple):
@@ -144,32 +158,32 @@ def constants_of(solid: Elastic | TransverselyIsotropic) -> WaveConstants:
     return WaveConstants(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
 
 
-def normal_compliance(body: Body) -> float:
-    """Return 1/E* of a body [1/Pa]; zero of a rigid one."""
+def half_space_compliance(body: Body, part: Wave) -> float:
+    """Return what waves on a half-space answer, times xi / 2 [1/Pa]; zero of a rigid one.
+
+    Of a pressure 1/E*; of shear along a wave 1/m_L, across it 1/m_T = 1 / (2 sqrt(C44 C66)).
+    """
     if isinstance(body, Rigid):
         return 0.0
     constants = constants_of(body)
-    return 0.5 * constants.total * constants.product / (constants.plane * constants.shear)
+    if part is Wave.ACROSS:
+        return 0.5 / (constants.shear * math.sqrt(constants.twist))
+    compliance = 0.5 / (constants.plane * constants.shear)
+    if part is Wave.COUPLING:
+        return compliance * (constants.product - constants.lateral)
+    return compliance * constants.total * (constants.product if part is Wave.NORMAL else 1.0)
 
 
-def along_compliance(body: Body) -> float:
-    """Return 1/m_L of a body [1/Pa], of shear along a wave; zero of a rigid one."""
-    if isinstance(body, Rigid):
-        return 0.0
-    constants = constants_of(body)
-    return 0.5 * constants.total / (constants.plane * constants.shear)
-
-
-def across_compliance(body: Body) -> float:
-    """Return 1/m_T of a body [1/Pa], of shear across a wave: 1 / (2 sqrt(C44 C66)); zero of a rigid one."""
-    if isinstance(body, Rigid):
-        return 0.0
-    constants = constants_of(body)
-    return 0.5 / (constants.shear * math.sqrt(constants.twist))
+def in_plane_share(part: Wave, compliance: Four) -> ComplexArray:
+    """Return one part of a compliance, displacements times xi per tractions, as that of `half_space_compliance`."""
+    along, coupling, _, normal = compliance
+    if part is Wave.COUPLING:
+        return np.asarray(0.5 * coupling)
+    return np.asarray(-0.5 * (normal if part is Wave.NORMAL else along))
 
 
 def stiffness_scale(solid: Elastic | TransverselyIsotropic) -> tuple[float, float]:
-    """Return the least and the greatest of the moduli of a solid that bound lengths [Pa]."""
+    """Return the least and the greatest of the moduli of a solid that bound lengths [Pa]; G of an isotropic one."""
     constants = constants_of(solid)
-    moduli = [1.0, 0.5 * constants.plane, constants.twist]
+    moduli = [1.0] if isinstance(solid, Elastic) else [1.0, 0.5 * constants.plane, constants.twist]
     return constants.shear * min(moduli), constants.shear * max(moduli)

@@ -26,7 +26,8 @@ from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.layers import NormalResponse, half_space, through_layer
+from winkler.media.layered.faces import Face, above, compliance_of, face_of, rescaled
+from winkler.media.layered.wave_constants import WaveConstants, constants_of
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import LEE
 from winkler.numerics.caching import cached_by_value
@@ -160,21 +161,28 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         """Return c [1/Pa] of waves [1/m] ``(m,)`` for `count` shear moduli of every solid, ``(count, m)``."""
         finite = np.isfinite(xi)
         x = np.tile(xi[finite], count).astype(complex)
-        below: ComplexArray = np.zeros((x.size, 2, 2), dtype=complex)
-        if not isinstance(self.on, Rigid):
-            twice = 2.0 * np.repeat(shear(self.on), finite.sum())
-            below = below + half_space(self.on.poisson) / twice[:, None, None]
+
+        def moduli(solid: ViscoelasticSolid | Elastic) -> ComplexArray:
+            return np.repeat(shear(solid), finite.sum())
+
+        def half_space(solid: ViscoelasticSolid | Elastic) -> Face:
+            a, b, c, d = _of_one(solid).half_space
+            return rescaled(face_of((a + 0.0 * x, b + 0.0 * x, c + 0.0 * x, d + 0.0 * x)), 1.0 / moduli(solid))
+
+        rigid = np.zeros_like(x)
+        face = face_of((rigid, rigid, rigid, rigid)) if isinstance(self.on, Rigid) else half_space(self.on)
         bottom = sum(layer.thickness for layer in self.layers)
         for layer in reversed(self.layers):
-            twice = 2.0 * np.repeat(shear(layer.solid), finite.sum())[:, None, None]
             bottom -= layer.thickness
             reached = np.real(x) * bottom < VANISHED_DEPTH
-            upper = np.broadcast_to(half_space(layer.solid.poisson), below.shape).astype(complex)
-            through = twice[reached] * below[reached], x[reached] * layer.thickness, layer.solid.poisson
-            upper[reached] = through_layer(*through).compliance
-            below = upper / twice
+            modulus, upper = moduli(layer.solid)[reached], half_space(layer.solid)
+            below: Face = tuple(minor[reached] for minor in face)  # type: ignore[assignment]
+            risen = above(_of_one(layer.solid), rescaled(below, modulus), x[reached] * layer.thickness)
+            for minor, found in zip(upper, rescaled(risen, 1.0 / modulus), strict=True):
+                minor[reached] = found
+            face = upper
         result = np.empty((count, xi.size), dtype=complex)
-        result[:, finite] = -0.5 * below[:, 1, 1].reshape(count, -1)
+        result[:, finite] = -0.5 * compliance_of(face)[3].reshape(count, -1)
         top = self.layers[0].solid
         result[:, ~finite] = _own(top, shear(top))[:, None]
         if isinstance(self.second, Rigid):
@@ -191,6 +199,11 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         ),
     )
     """What is assumed."""
+
+
+def _of_one(solid: ViscoelasticSolid | Elastic) -> WaveConstants:
+    """Return the constants of a solid with a shear modulus of one."""
+    return constants_of(Elastic(2.0 * (1.0 + solid.poisson), solid.poisson))
 
 
 def _shear(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:
@@ -218,6 +231,6 @@ def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
         min(float(np.min(solid.series.times)) for solid in solids),
         max(float(np.max(of_relaxation(solid.series).times)) for solid in solids),
     )
-    stacks = [NormalResponse(stack.layers, stack.on) for stack in (medium.glassy, medium.relaxed)]
+    stacks = [stack.response for stack in (medium.glassy, medium.relaxed)]
     waves = FIRST_WAVE_NUMBER / max(stack.span for stack in stacks), DECAY_SPAN / stacks[0].length
     return fit_wave_creep(medium.compliance, share, times, waves)

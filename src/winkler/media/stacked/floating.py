@@ -15,14 +15,15 @@ is split off in closed form.
 from __future__ import annotations
 
 import math
-from typing import Self
 
 import numpy as np
 
 from winkler.materials.elastic import RIGID
-from winkler.media.layered.climb import AnyLayer
-from winkler.media.layered.wave_constants import Body, across_compliance, constants_of
-from winkler.media.stacked.response import StackResponse, in_units_of_top
+from winkler.media.layered.across import climbed_across, impedance
+from winkler.media.layered.climb import is_bonded
+from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.stack import StackBody
+from winkler.media.layered.wave_constants import Body
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
@@ -33,35 +34,12 @@ SMALL_DEPTH = 0.05
 
 
 @value
-class FloatingAcross(StackResponse):
-    """The response to a twist of layers without shear below them.
+class FloatingAcross(PairResponse):
+    """The response to a twist of layers without shear below them; the lowest of the stack slides."""
 
-    Parameters
-    ----------
-    layers : tuple of Layer or StackLayer
-        From the top, down to the one that slides.
-    second : Elastic, TransverselyIsotropic or Rigid
-        The other body.
-    """
-
-    layers: tuple[AnyLayer, ...]
+    mode: Mode
+    first: StackBody
     second: Body = RIGID
-
-    @staticmethod
-    def of_body(body: Body) -> float:
-        """1/m_T [1/Pa]."""
-        return across_compliance(body)
-
-    @property
-    def own(self) -> tuple[Self, float]:
-        """The same in units of thickness and modulus of its uppermost layer; and that thickness [m]."""
-        layers, _, second, length = in_units_of_top(self.layers, RIGID, self.second, self.of_body)
-        return type(self)(layers, second), length
-
-    @property
-    def length(self) -> float:
-        """M tends to zero like exp(-2 xi length) [m]."""
-        return self._plates[0][1]
 
     @property
     def span(self) -> float:
@@ -72,8 +50,8 @@ class FloatingAcross(StackResponse):
     @property
     def _plates(self) -> list[tuple[float, float]]:
         """Moduli [Pa] and lengths [m] of the layers."""
-        solids = [(constants_of(layer.solid), layer.thickness) for layer in self.layers]
-        return [(each.shear * math.sqrt(each.twist), h * math.sqrt(each.twist)) for each, h in solids]
+        solids = [(*impedance(layer.solid), layer.thickness) for layer in self.first.layers]
+        return [(stiff, h * steep) for stiff, steep, h in solids]
 
     @property
     def _pole(self) -> float:
@@ -83,18 +61,17 @@ class FloatingAcross(StackResponse):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) - A exp(-2 xi length) / xi [-] at real or complex wave numbers (m,) [1/m]."""
-        # stiffness over xi, and what it is less than that of the sheet: without a difference of nearly equal numbers
-        stiff, less, sheet = np.zeros_like(xi), np.zeros_like(xi), 0.0
-        for g, d in reversed(self._plates):
+        # by how much the stiffness over xi is less than that of the sheet: no difference of nearly equal numbers
+        less, sheet, stack = np.zeros_like(xi), 0.0, self.first
+        surface, *below = climbed_across(stack.layers, stack.on, xi)
+        for (g, d), layer, face in reversed(list(zip(self._plates, stack.layers, below, strict=True))):
             x = xi * d
-            missing, left = _missing(x)
-            bent = stiff * xi * x * left / g
-            less = (less + g * d * missing + (sheet + g * d) * bent) / (1.0 + bent)
-            stiff = (stiff + g * d * left) / (1.0 + bent)
+            bent = np.tanh(x) / (g * face) if is_bonded(layer) else 0.0
+            less = (less + g * d * _missing(x) + (sheet + g * d) * bent) / (1.0 + bent)
             sheet += g * d
         pole, y = self._pole / self._share, -2.0 * xi * self.length
         short = np.divide(np.expm1(y), y, out=np.ones_like(y), where=y != 0.0)  # (1 - exp(y)) / -y
-        bent = np.divide(less, xi * stiff, out=np.zeros_like(y), where=xi != 0.0)
+        bent = np.multiply(less, surface, out=np.zeros_like(y), where=xi != 0.0)
         return np.asarray(self._share * (pole * bent - 1.0 + 2.0 * pole * self.length * short))
 
     def long_wave_kernel(self, x: Array) -> Array:
@@ -102,10 +79,9 @@ class FloatingAcross(StackResponse):
         return np.asarray(-self._pole / math.pi * np.log1p((0.5 * x / self.length) ** 2))
 
 
-def _missing(x: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
-    """Return 1 - tanh(x)/x, and tanh(x)/x."""
+def _missing(x: ComplexArray) -> ComplexArray:
+    """Return 1 - tanh(x)/x."""
     square = x * x
     series = square * (1 / 3 - square * (2 / 15 - square * (17 / 315 - square * (62 / 2835 - square * 1382 / 155925))))
     safe = np.where(x == 0.0, 1.0, x)
-    small, left = np.abs(x) < SMALL_DEPTH, np.tanh(safe) / safe
-    return np.where(small, series, 1.0 - left), np.where(small, 1.0 - series, left)
+    return np.where(np.abs(x) < SMALL_DEPTH, series, 1.0 - np.tanh(safe) / safe)

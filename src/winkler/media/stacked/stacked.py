@@ -14,14 +14,14 @@ from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotrop
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.families import StackedBody
 from winkler.media.interior.shear_field_punch import ShearField
-from winkler.media.layered import coated_interior, sheared_interior
 from winkler.media.layered.climb import is_bonded
-from winkler.media.layered.coated import BARBER, LayeredMedium
+from winkler.media.layered.coated import BARBER, StackMedium
 from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.stack import StackBody
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.media.stacked.floating import FloatingAcross
-from winkler.media.stacked.response import StackAcross, StackAlong, StackNormal, StackTangential
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -29,57 +29,28 @@ from winkler.values import value
 __all__ = ["SlidingStack", "StackedHalfSpace"]
 
 
-class SlidingStack(LayeredMedium, StackedBody):
-    """What media of layers that may slide have in common; subclasses state `stack`."""
+class SlidingStack(StackMedium, StackedBody):
+    """What media of layers that may slide have in common."""
 
     notes: ClassVar[tuple[Note, ...]]
     """What is assumed."""
 
-    @property
-    def stack(self) -> tuple[Layer | StackLayer, ...]:
-        """The layers, with what they are bonded to."""
-        raise NotImplementedError
-
-    @property
-    def response(self) -> StackNormal:
-        """The response of the pair to a pressure."""
-        return StackNormal(self.stack, self.on, self.second)
-
-    @property
-    def tangential_response(self) -> StackTangential:
-        """The response of the pair to a shear load, averaged over its angle with the wave."""
-        return StackTangential(self._held(), self.on, self.second)
-
-    @property
-    def along_response(self) -> StackAlong:
-        """The response of the pair to shear along its wave."""
-        return StackAlong(self._held(), self.on, self.second)
-
-    @property
-    def across_response(self) -> StackAcross | FloatingAcross:
-        """The response of the pair to shear across its wave, and to a twist; if a layer slides, to a twist alone."""
+    def responding(self, mode: Mode) -> PairResponse:
+        """The response of the pair to a load: to a twist and a pressure, if a layer slides."""
         slides = next((number for number, layer in enumerate(self.stack, 1) if not is_bonded(layer)), 0)
-        if slides:
-            return FloatingAcross(self.stack[:slides], self.second)
-        return StackAcross(self.stack, self.on, self.second)
-
-    def _held(self) -> tuple[Layer | StackLayer, ...]:
-        """Return the layers, if shear on the surface reaches the base."""
-        for number, layer in enumerate(self.stack, 1):
-            if not is_bonded(layer):
-                raise OutsideValidity(
-                    f"{type(self).__name__}: layer {number} slides on what lies below it and bears no shear there, so "
-                    "that under a push it slides away; give layers that are bonded."
-                )
-        return self.stack
-
-    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
-        """Stresses and displacements in the layers and their base; arrays of one shape."""
-        return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
+        if not slides or mode is Mode.NORMAL:
+            return super().responding(mode)
+        if mode is Mode.ACROSS:
+            return FloatingAcross(mode, StackBody(self.stack[:slides], RIGID), self.second)
+        raise OutsideValidity(
+            f"{type(self).__name__}: layer {slides} slides on what lies below it and bears no shear there, so "
+            "that under a push it slides away; give layers that are bonded."
+        )
 
     def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
-        """The same under a traction along +x: that of a load times a modulus; no layer slides."""
-        return sheared_interior.field(load, self._held(), self.on, modulus, x, y, z)
+        """Stresses and displacements under a traction along +x: that of a load times a modulus; no layer slides."""
+        _ = self.tangential_response
+        return super().inside_dragged(load, modulus, x, y, z)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""
@@ -144,11 +115,6 @@ class StackedHalfSpace(SlidingStack):
                 "StackedHalfSpace: layers must be a list of at least one StackLayer(solid, thickness); for a body "
                 "without layers give HalfSpace or TransverselyIsotropicHalfSpace."
             )
-
-    @property
-    def stack(self) -> tuple[Layer | StackLayer, ...]:
-        """The layers, with what they are bonded to."""
-        return self.layers
 
     notes = (
         Note(

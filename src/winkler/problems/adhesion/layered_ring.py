@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.media.layered.depth_response import NormalDepthResponse
+from winkler.media.layered.depth_response import DepthResponse
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms import fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
@@ -104,7 +104,7 @@ def _rule(count: int, logarithmic: bool) -> AngleRule:
 
 def _logarithmic(response: WaveResponse) -> bool:
     """Whether the kernel has a logarithm at zero distance: where moduli change at the very surface."""
-    return isinstance(response, NormalDepthResponse)
+    return isinstance(response, DepthResponse)
 
 
 def _dense(part: Array) -> Array:

@@ -34,9 +34,12 @@ def film_strain(medium: CoatedBody | StackedBody, depth: float, force: float, ra
     depth, force, radius : float
         d [m], F_N [N] and a [m], positive.
     """
-    from winkler.media.layered.wave_constants import normal_compliance  # not loaded for numbers of other bodies
+    from winkler.media.layered.wave_constants import (  # not loaded for numbers of other bodies
+        Wave,
+        half_space_compliance,
+    )
 
-    yielding = normal_compliance(medium.on) + normal_compliance(medium.second)
+    yielding = sum(half_space_compliance(body, Wave.NORMAL) for body in (medium.on, medium.second))
     return max(depth - 0.75 * max(force, 0.0) * yielding / radius, 0.0) / medium.thickness
 
 

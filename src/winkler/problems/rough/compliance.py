@@ -9,14 +9,13 @@ from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.layered.depth_response import TurningDepthResponse, solid_at
-from winkler.media.layered.tangential_response import TurningResponse
+from winkler.media.layered.depth_response import solid_at
+from winkler.media.layered.pair_response import Mode
 from winkler.media.stacked.stacked import SlidingStack
-from winkler.media.stacked.turning import StackTurning
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
-from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
+from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
 from winkler.problems.rough.mapped_medium import MappedMedium
 
@@ -41,32 +40,31 @@ def compliance_of(medium: MappedMedium) -> Compliance:
         return Compliance(pushed - twisted, 2.0 * twisted - pushed, beta)
     if isinstance(medium, CoatedHalfSpace):
         top = medium.layers[0].solid
-        turning: WaveResponse = TurningResponse(medium.layers, medium.on, medium.second)
     elif isinstance(medium, DepthGradedHalfSpace):
-        top, turning = solid_at(medium.grading), TurningDepthResponse(medium.grading, medium.second, medium.tolerance)
+        top = solid_at(medium.grading)
     elif isinstance(medium, SlidingStack):
         if not all(is_bonded(layer) for layer in medium.stack):
             raise OutsideValidity(
                 f"The layer of a {type(medium).__name__} that slides bears no tractions of a height map: under a push "
                 "it slides away; give layers that are bonded."
             )
-        turning = StackTurning(medium.stack, medium.on, medium.second)
-        return _on_layers(TransverselyIsotropicHalfSpace(medium.stack[0].solid, medium.second), medium, turning)
+        return _on_layers(TransverselyIsotropicHalfSpace(medium.stack[0].solid, medium.second), medium)
     else:
         raise OutsideValidity(
             "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "
             "known to winkler (the response to a push in one point is not built in); give a DepthGradedHalfSpace, "
             "or a Foundation(profile, medium)."
         )
-    return _on_layers(HalfSpace(top, medium.second), medium, turning)
+    return _on_layers(HalfSpace(top, medium.second), medium)
 
 
-def _on_layers(
-    surface: HomogeneousMedium, medium: CoatedHalfSpace | DepthGradedHalfSpace | SlidingStack, turning: WaveResponse
-) -> Compliance:
+def _on_layers(surface: HomogeneousMedium, medium: CoatedHalfSpace | DepthGradedHalfSpace | SlidingStack) -> Compliance:
     """Return those of layers, from those of their surface as a half-space."""
     even, unit = in_own_lengths(medium.tangential_response)
     layers = LayeredShear(
-        cast(ShearResponse, even), in_own_lengths(turning)[0], unit, surface.modulus / surface.shear_modulus
+        cast(ShearResponse, even),
+        in_own_lengths(medium.responding(Mode.TURNING))[0],
+        unit,
+        surface.modulus / surface.shear_modulus,
     )
     return compliance_of(surface)._replace(coupling=0.0, layers=layers)
