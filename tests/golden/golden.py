@@ -15,7 +15,8 @@ passes through zero is rounded as its neighbours are.  The last digits depend on
 numbers are gathered twice, with all instructions of the processor and with the fewest (`gather.py`).  Where a quantity
 differs between both by more than a tenth of what is allowed (a cancellation, an inverse, the place of an extremum), the
 difference is stored as its `rounding`, and ten times that is allowed.  What differs by more than `RESIDUAL`, or by more
-than the error of a march, is the residual of an equation or a sum that vanishes, and is not stored.
+than the error of a march, is the residual of an equation or a sum that vanishes, and is not stored.  Nor are numbers
+that state the error of others.
 """
 
 from __future__ import annotations
@@ -74,11 +75,16 @@ def is_value(item: Any) -> bool:
     return dataclasses.is_dataclass(item) and not isinstance(item, type)
 
 
+def states_an_error(name: str) -> bool:
+    """Return whether a number states the error of others: `tests/laws/test_stated_errors.py` judges those."""
+    return name.endswith("_error") or name == "uncertainty"
+
+
 def found_in(solved: Iterable[tuple[Any, Any]]) -> Found:
     """Return the numbers of solutions, those of one after those of the other; pairs of problem and solution."""
     pairs = list(solved)
     columns = [answers_of(solution) for _, solution in pairs]
-    names = dict.fromkeys(name for one in columns for name in one)
+    names = dict.fromkeys(name for one in columns for name in one if not states_an_error(name))
     answers = {name: np.concatenate([np.ravel(one[name]) for one in columns if name in one]) for name in names}
     return Found(answers, max(allowed_error(problem) for problem, _ in pairs))
 
@@ -105,6 +111,7 @@ def study(path: Path) -> Found:
 def _fitted(fits: FitStudy) -> Found:
     columns = {one.name: one.content for one in fit_study(fits).table() if one.content.dtype.kind == "f"}
     shares = [np.abs(columns[f"{free.key}_error"] / columns[free.key]) for free in fits.free]
+    columns = {name: content for name, content in columns.items() if not states_an_error(name)}
     return Found(columns, SETTLED_ERRORS * float(np.nanmax(shares)))
 
 

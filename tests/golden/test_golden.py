@@ -1,7 +1,7 @@
 """The answers of today beside the golden numbers (see `golden`): a part of them by default, the others slow or long.
 
-By default these are one example in four, and of one group of histories in three the first seed; slow tests compare
-what takes little and the first seed of each other group, long ones the rest.
+By default these are one example in four, and of one group of histories in three the first seed.  Slow tests compare a
+quarter of what takes little and the first seed of each other group, long ones the rest.
 """
 
 from __future__ import annotations
@@ -48,18 +48,24 @@ def test_a_part_of_the_golden_numbers():
     assert [line for key in DEFAULT for line in moved(key, slice(1))] == []
 
 
-@pytest.mark.slow
+ONE_IN_FOUR = [
+    pytest.param(0, marks=pytest.mark.slow),
+    *(pytest.param(place, marks=pytest.mark.long) for place in (1, 2, 3)),
+]
+
+
 @pytest.mark.parametrize("section", SINGLE)
-def test_examples_studies_and_cases(section):
+@pytest.mark.parametrize("place", ONE_IN_FOUR)
+def test_examples_studies_and_cases(section, place):
     keys = [key for key in QUICK if key.startswith(f"{section}/")]
-    assert [line for key in keys for line in moved(key, slice(1))] == []
+    assert [line for key in keys[place::4] for line in moved(key, slice(1))] == []
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("engine", sorted({key.split("/")[1] for key in HISTORIES}))
-def test_histories(engine):
+@pytest.mark.parametrize("place", ONE_IN_FOUR)
+def test_histories(engine, place):
     keys = [key for key in HISTORIES if key.split("/")[1] == engine]
-    assert [line for key in keys for line in moved(key, slice(1, None))] == []
+    assert [line for key in keys for line in moved(key, slice(place + 1, None, 4))] == []
 
 
 @pytest.mark.slow
