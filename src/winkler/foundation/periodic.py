@@ -20,6 +20,7 @@ H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53
 from __future__ import annotations
 
 import math
+from typing import ClassVar
 
 import numpy as np
 
@@ -214,6 +215,8 @@ class PeriodicBed:
 
     line: LineFoundation
     pitch: Positive
+    hertzian: ClassVar[bool] = False
+    """Crests press on one another's gaps: their pressure is Hertz's under no load."""
 
     @property
     def profile(self) -> Profile:

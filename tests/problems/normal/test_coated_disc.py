@@ -6,7 +6,8 @@ takes the strains along the surface of the base, and the pressure.
 
 import numpy as np
 import pytest
-from layer_waves import _base, _plane
+from layer_waves import _plane
+from layer_waves import base as decaying
 from scipy.linalg import expm
 from scipy.special import j0
 
@@ -49,7 +50,7 @@ def mises_on_axis(bed, springs, z, part):
         rows.append((layer.solid, top, top + layer.thickness))
         top += layer.thickness
     solid = ([layer.solid for layer in bed.medium.layers] + [bed.medium.on])[part]
-    fields = np.broadcast_to(_base((bed.medium.on.shear, bed.medium.on.poisson)), (xi.size, 4, 2))
+    fields = np.broadcast_to(decaying((bed.medium.on.shear, bed.medium.on.poisson)), (xi.size, 4, 2))
     steps = [(bed.medium.on, z - top)] if z > top else []
     for of, start, end in reversed(rows):
         steps += [(of, end - max(z, start))] if start < z < end else []

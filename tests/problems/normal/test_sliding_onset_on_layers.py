@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from layer_waves import _base, _plane
+from layer_waves import _plane
+from layer_waves import base as decaying
 from scipy.linalg import expm
 from scipy.optimize import minimize_scalar
 from scipy.special import j0
@@ -40,7 +41,7 @@ def tensor(field):
 
 def waves_at(above, here, below, base, xi):
     """Amplitudes of waves along (U, W, T, S) and across (V, Q), per traction of -1 along the surface."""
-    fields = _base(base)
+    fields = decaying(base)
     across = np.array([0.0, 1.0]) if base is None else np.array([1.0, -base[0]])
     fields = np.broadcast_to(fields, (xi.size, 4, 2))
     across = np.broadcast_to(across[:, None], (xi.size, 2, 1))

@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from layer_waves import _base, _plane
+from layer_waves import _plane
+from layer_waves import base as decaying
 from scipy.linalg import expm
 from scipy.special import j0
 
@@ -44,7 +45,7 @@ def mises_on_axis(onset, layers, z, base=None, below=0.0):
     shares = (0.5 * np.diff(cuts)[:, None] * GAUSS[1]).ravel()
     wave = j0(np.outer(xi, r)) @ load
     shear, poisson = layers[-1][:2]  # on the interface the layer, which is stressed more
-    here = fields = np.broadcast_to(_base((E / 2.6, 0.3)) if base is None else base, (xi.size, 4, 2))
+    here = fields = np.broadcast_to(decaying((E / 2.6, 0.3)) if base is None else base, (xi.size, 4, 2))
     for number, (modulus, nu, thickness) in enumerate([(*layers[-1][:2], below), *reversed(layers)]):
         scale = np.array([1.0, 1.0, modulus, modulus])[:, None]
         fields = scale * (expm(-_plane(nu) * (xi * thickness)[:, None, None]) @ (fields / scale))
