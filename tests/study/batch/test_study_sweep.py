@@ -364,3 +364,12 @@ def test_vectors_of_many_contacts_and_steps_are_split_into_their_components():
     found = answers_of(ContactTrace(rows, rows, vectors, rows, vectors, rows, rows))
     assert found["shear_force_x"].tolist() == [[0.0, 2.0, 4.0], [6.0, 8.0, 10.0]]
     assert found["rolling_moment_y"].tolist() == [[1.0, 3.0, 5.0], [7.0, 9.0, 11.0]]
+
+
+def test_two_bounds_of_two_loads_are_no_vector_in_the_plane():
+    """A band of shape (2, loads) was taken for shares along x and y where there were two loads."""
+    bed = wk.Foundation(wk.Paraboloid(1e-2), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
+    spectrum = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=1e-4)
+    rough = wk.RoughIndentation(spectrum, bed, 4e-3, wk.Force([1.0, 2.0]), realisations=3, count=256).solve()
+    assert rough.depth_band.shape == (2, 2)
+    assert [name for name in answers_of(rough) if "band" in name] == []

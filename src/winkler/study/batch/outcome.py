@@ -85,7 +85,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
             rows = content.shape if rows is None else rows
             if content.shape == rows:
                 answers[name] = np.asarray(content, dtype=float) + 0.0
-            elif content.shape == (*rows, 2):
+            elif content.shape == (*rows, 2) and _has_unit(solution.__class__, f"{name}_x"):
                 answers |= {f"{name}_{axis}": content[..., place] + 0.0 for place, axis in enumerate("xy")}
     return answers
 
