@@ -52,7 +52,7 @@ SLIDING_TOLERANCE = 1e-12
 
 @value
 class LineTangential:
-    """A cylinder, a wedge or another two-dimensional body pressed and sheared on a half-plane, with friction.
+    """A cylinder, a wedge or another two-dimensional body pressed and sheared on half-planes or layers, with friction.
 
     Parameters
     ----------
