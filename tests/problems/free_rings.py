@@ -20,7 +20,7 @@ def normal_compliance(layer, on, xi):
     """C_N times xi of one layer (shear, poisson, thickness) on (shear, poisson)."""
     shear, poisson, thickness = layer
     scale = np.array([1.0, 1.0, shear, shear])[:, None]
-    fields = np.broadcast_to(layer_waves._base(on), (xi.size, 4, 2))
+    fields = np.broadcast_to(layer_waves.base(on), (xi.size, 4, 2))
     fields = scale * (expm(-layer_waves._plane(poisson) * (xi * thickness)[:, None, None]) @ (fields / scale))
     fields = fields / np.max(np.abs(fields), axis=(1, 2), keepdims=True)
     return np.abs((fields[:, :2] @ np.linalg.inv(fields[:, 2:]))[:, 1, 1])
