@@ -113,6 +113,8 @@ MOTION: dict[str, Word] = {
     "yield_depth": Word("d_Y", "m", "depth at which a particle begins to yield"),
     "rolling_arm": Word("e", "m", "moment of rolling friction over the normal force"),
     "rolling_moment": Word("M_r", "N m", "moment that holds up rolling"),
+    "rolling_moment_x": Word("M_{r,x}", "N m", "moment that holds up rolling, first component"),
+    "rolling_moment_y": Word("M_{r,y}", "N m", "moment that holds up rolling, second component"),
     "displaced": Word("u_j", "m", "displacements of the springs along the surface"),
     "twisted": Word(r"\phi_e", "rad", "elastic part of the twist"),
     "rolled": Word(r"\theta_e", "rad", "elastic part of the rolling"),
