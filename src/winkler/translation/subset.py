@@ -83,8 +83,8 @@ def source_of(kernel: Translatable) -> KernelSource:
     ast.increment_lineno(tree, first - 1)
     definition = tree.body[0]
     assert isinstance(definition, ast.FunctionDef)
-    place = function.__code__.co_filename.replace("\\", "/")
-    file = "winkler/" + place.rpartition("/winkler/")[2] if "/winkler/" in place else place.rpartition("/")[2]
+    module = function.__module__  # no path of this machine: the folder of a checkout may have the name of the package
+    file = module.replace(".", "/") + ".py" if module.startswith("winkler.") else f"{module.rpartition('.')[2]}.py"
     names = dict(function.__globals__)
     code = function.__code__
     for name, cell in zip(code.co_freevars, function.__closure__ or (), strict=True):
