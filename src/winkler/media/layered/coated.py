@@ -24,7 +24,7 @@ from winkler.media.interior.shear_field_punch import ShearField
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts, sheared_interior
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
-from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.pair_response import CouplingResponse, Mode, PairResponse
 from winkler.media.layered.sheared import ShearedLayers
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
@@ -32,7 +32,7 @@ from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import SurfaceResponse
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
@@ -75,6 +75,14 @@ class LayeredMedium(ShearedLayers, DepthVaryingMedium):
     def across_response(self) -> PressedResponse:
         """The response of the pair to shear across its wave, and to a twist."""
         return self.responding(Mode.ACROSS)
+
+    @property
+    def coupling_response(self) -> WaveResponse:
+        """By how much farther pressures draw the first surface along than on a half-space of what lies at it."""
+        raise OutsideValidity(
+            f"{type(self).__name__}: how far a pressure draws its surface along is not known to winkler; leave the "
+            "coupling out, or give layers."
+        )
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
@@ -220,6 +228,11 @@ class StackMedium(LayeredMedium):
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load."""
         return PairResponse(mode, StackBody(self.stack, self.on), self.second)
+
+    @functools.cached_property
+    def coupling_response(self) -> CouplingResponse:
+        """By how much farther pressures draw the first surface along than on a half-space of the uppermost layer."""
+        return CouplingResponse(self.responding(Mode.NORMAL))
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""

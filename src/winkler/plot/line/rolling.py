@@ -14,8 +14,8 @@ from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, points, titled
 from winkler.plot.series import scale_of, series, series_of, with_unit
-from winkler.problems.line_rolling.pressed import sliding_creepage
 from winkler.problems.line_rolling.resistance import LineRollingResistanceSolution
+from winkler.problems.line_rolling.rolled_strip import sliding_creepage
 from winkler.problems.line_rolling.start import LineRollingStartSolution
 from winkler.problems.line_rolling.start_states import DRAGGED
 from winkler.problems.line_rolling.steady import LineRollingSolution
@@ -66,7 +66,7 @@ def _alone(item: LineRollingSolution, index: int) -> LineRollingSolution:
 def _creep_panel(item: LineRollingSolution) -> Panel:
     """Return the curve, and the drives on it; of dissimilar bodies the force is zero beside no creepage."""
     creepage, ratio = np.ravel(np.asarray(item.longitudinal_creepage, dtype=float)), _used(item)
-    limit = sliding_creepage(item.contact, item.problem.friction.coefficient)
+    limit = sliding_creepage(item.problem.bed, float(item.contact.half_width), item.problem.friction.coefficient)
     most = max(BEYOND_SLIDING * limit, float(np.max(np.abs(creepage))))
     both = bool(item.strips) or np.min(creepage) < 0.0
     along = np.linspace(-most if both else 0.0, most, COUPLED_POINTS if item.strips else POINTS)
