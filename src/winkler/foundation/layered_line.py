@@ -237,11 +237,8 @@ class LayeredLineFoundation(LineBed):
 
     def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
         """Return slopes of the surfaces by tractions straight between nodes, as of `LineBed.slopes`."""
-        response = {
-            Wave.NORMAL: lambda: self.medium.response,
-            Wave.ALONG: lambda: self.medium.along_response,
-            Wave.COUPLING: lambda: self.medium.coupling_response,
-        }[part]()
+        names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
+        response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
         far = x[:, None] - nodes
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
         unit = response.length * 2.0**octave

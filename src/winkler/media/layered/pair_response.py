@@ -162,6 +162,8 @@ class CouplingResponse:
         The response to pressures.
     """
 
+    __words__ = words(pair=("", None, "the response of both bodies to a pressure"))
+
     pair: PairResponse
 
     @property

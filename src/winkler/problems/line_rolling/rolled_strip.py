@@ -243,7 +243,7 @@ class _Rollers(NamedTuple):
     bed: LineBed
     half_width: float
     coupled: bool
-    count: int
+    elements: int
 
     @property
     def slope(self) -> float:
@@ -265,7 +265,7 @@ class _Rollers(NamedTuple):
 
     def grid(self, half: float) -> _EdgeDenseGrid:
         """Return the equations of a strip of this half-width, over that without friction."""
-        return _grid(self.bed, self.half_width * (1.0 if self.bed.hertzian else half), self.coupled, self.count)
+        return _grid(self.bed, self.half_width * (1.0 if self.bed.hertzian else half), self.coupled, self.elements)
 
 
 def sliding_creepage(bed: LineBed, half_width: float, friction: float, count: int = COUNT) -> float:

@@ -247,7 +247,7 @@ class LineRollingSolution(UnderOneDrive):
     @property
     def _slope(self) -> float:
         """a/R [-] of the contact without friction."""
-        return float(self.contact.half_width) / self.problem.bed.profile.curvature_radius  # type: ignore[attr-defined]
+        return float(self.contact.half_width) / float(self.problem.bed.profile.curvature_radius)  # type: ignore[attr-defined]
 
     def power(self, speed: float) -> Quantity:
         """Return the power that friction turns into heat [W/m] at a speed of rolling [m/s]."""
