@@ -44,7 +44,7 @@ from winkler.numerics.transforms.strip_modes import (
     pressure_of_modes,
     signs,
 )
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
@@ -55,6 +55,8 @@ WIDEST = 1024.0
 PAIRS_PER_CHUNK = 1_000_000
 KERNEL_TOLERANCE = 1e-12
 """Error of what the layers add to the displacement of an element, over its greatest value."""
+SUMMED = 2e-15
+"""Rounding of a sum of waves, over the sum of their sizes."""
 MOST_KEPT = 4096
 """Half-widths whose modes are kept of one bed."""
 MOST_EXAMINED = 16
@@ -349,7 +351,7 @@ def _turns(found: Waves, x: Array) -> Array:
 def _twists(response: WaveResponse, octave: int) -> Panels:
     """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
     found, unit = waves(response, octave), response.length * 2.0**octave
-    return fit_panels(lambda t: _turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+    return _panels(lambda t: _turns(found, unit * t) / unit, found)
 
 
 @cached_by_value(64)
@@ -362,7 +364,14 @@ def _bends(response: WaveResponse, octave: int) -> Panels:
         half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
         return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
 
-    return fit_panels(bent, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+    return _panels(bent, found)
+
+
+def _panels(function: Curve, found: Waves) -> Panels:
+    """Return a sum of these waves from 0 to 2 as panels, no more precise than its rounding."""
+    greatest = float(np.max(np.abs(function(np.array([1.0, 2.0])))))
+    rounding = SUMMED * float(np.sum(np.abs(found.weights)))
+    return fit_panels(function, np.array([0.0, 2.0]), max(KERNEL_TOLERANCE * max(1.0, greatest), rounding))
 
 
 @functools.lru_cache(maxsize=16)
