@@ -18,7 +18,6 @@ from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
@@ -103,7 +102,7 @@ def _layer_intervals(medium: CoatedHalfSpace | SlidingStack, end: float) -> list
         name = f"layer {place + 1}: " if len(medium.layers) > 1 else "layer: "
         intervals.append(_layer_interval(layer, top, bottom, f"{laid}{name}"))
         top = bottom
-        laid = "" if is_bonded(layer) else "slides on "
+        laid = "" if layer.bonded else "slides on "
     laid = laid.strip() or "on"
     if not isinstance(medium.on, Rigid):
         z, young = np.array([top, max(end, top)]), np.full(2, _young(medium.on))

@@ -11,14 +11,15 @@ lose some of them.
 from __future__ import annotations
 
 import functools
+import itertools
+import math
 from typing import Protocol
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import RIGID, Elastic, Solid
+from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.materials.layered import Layer
-from winkler.media.families import CoatedBody, DepthVaryingMedium
 from winkler.media.interior import shear_field, subsurface
 from winkler.media.interior.shear_field_punch import ShearField
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts, sheared_interior
@@ -47,7 +48,7 @@ class PressedResponse(SurfaceResponse, GridResponse, Protocol):
     """A response to pressures."""
 
 
-class LayeredMedium(ShearedLayers, DepthVaryingMedium):
+class LayeredMedium(ShearedLayers):
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Body
@@ -217,6 +218,19 @@ class StackMedium(LayeredMedium):
         """The layers, with what they are bonded to."""
         return self.layers
 
+    @property
+    def thickness(self) -> float:
+        """Of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def spans(self) -> tuple[tuple[float, float], ...]:
+        """Depths between which each layer lies, and what carries them if it deforms [m]: stresses jump between them."""
+        ends = [0.0, *itertools.accumulate(layer.thickness for layer in self.layers)]
+        if not isinstance(self.on, Rigid):
+            ends.append(math.inf)
+        return tuple(itertools.pairwise(ends))
+
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load."""
         return PairResponse(mode, StackBody(self.stack, self.on), self.second)
@@ -231,7 +245,7 @@ class StackMedium(LayeredMedium):
 
 
 @value
-class CoatedHalfSpace(StackMedium, CoatedBody):
+class CoatedHalfSpace(StackMedium):
     """Bonded, isotropic layers on a half-space or a rigid base, against a homogeneous body.
 
     Parameters

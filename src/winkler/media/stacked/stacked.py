@@ -12,9 +12,7 @@ from typing import ClassVar
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
-from winkler.media.families import StackedBody
 from winkler.media.interior.shear_field_punch import ShearField
-from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import BARBER, StackMedium
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.pair_response import Mode, PairResponse
@@ -29,7 +27,7 @@ from winkler.values import value
 __all__ = ["SlidingStack", "StackedHalfSpace"]
 
 
-class SlidingStack(StackMedium, StackedBody):
+class SlidingStack(StackMedium):
     """What media of layers that may slide have in common."""
 
     notes: ClassVar[tuple[Note, ...]]
@@ -37,7 +35,7 @@ class SlidingStack(StackMedium, StackedBody):
 
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load: to a twist and a pressure, if a layer slides."""
-        slides = next((number for number, layer in enumerate(self.stack, 1) if not is_bonded(layer)), 0)
+        slides = next((number for number, layer in enumerate(self.stack, 1) if not layer.bonded), 0)
         if not slides or mode is Mode.NORMAL:
             return super().responding(mode)
         if mode is Mode.ACROSS:

@@ -6,7 +6,6 @@ from typing import cast
 
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
-from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import solid_at
@@ -43,7 +42,7 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     elif isinstance(medium, DepthGradedHalfSpace):
         top = solid_at(medium.grading)
     elif isinstance(medium, SlidingStack):
-        if not all(is_bonded(layer) for layer in medium.stack):
+        if not all(layer.bonded for layer in medium.stack):
             raise OutsideValidity(
                 f"The layer of a {type(medium).__name__} that slides bears no tractions of a height map: under a push "
                 "it slides away; give layers that are bonded."
