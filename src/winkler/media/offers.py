@@ -36,7 +36,7 @@ def offers(medium: object, what: Callable[..., Offer]) -> TypeGuard[Offer]:
     return isinstance(what, type) and keeps(medium, what)
 
 
-class TwistModuli(Protocol):
+class TwistModuli(Medium, Protocol):
     """The moduli of a pressure and of a twist."""
 
     @property
@@ -161,6 +161,11 @@ class Stack(Protocol):
     @property
     def second(self) -> Elastic | TransverselyIsotropic | Rigid:
         """The other body."""
+        ...
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the other body."""
         ...
 
     @property
