@@ -27,6 +27,7 @@ from winkler.problems.friction.straight_step import (
     SpringPiece,
     StraightStep,
 )
+from winkler.values import words
 
 __all__ = ["LossPiece", "SlipMemory", "SlipRing", "WorkedStep"]
 
@@ -119,6 +120,17 @@ class SlipMemory(NamedTuple):
     outermost : SlipRing or None
         The stack: the piece at the edge, with those within it.
     """
+
+    __words__ = words(
+        stick_gap=(r"\gamma_c", "m", "gap of the outermost spring that sticks"),
+        corners=("", None, "depths and factors of the contacts that add up to the displacement"),
+        edges=(r"\gamma_j", "m", "gaps at which the straight pieces of the displacement meet"),
+        left=("u_t", "m", "displacement of the springs where a piece begins"),
+        right=("u_t", "m", "displacement of the springs where a piece ends"),
+        on_axis=("u_t", "m", "displacement of the spring that touches first"),
+        slides=(r"\sigma", "", "side to which springs slide: 1, -1, or 0 if they stick"),
+        size=("m", None, "how many straight pieces the displacement has"),
+    )
 
     depth: float
     dragged: float = 0.0
