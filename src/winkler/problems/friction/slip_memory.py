@@ -14,6 +14,7 @@ before and after, displaced by one number, and all states of a path share it.  A
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import NamedTuple
 
@@ -108,7 +109,8 @@ class WorkedStep(NamedTuple):
     staying: SlipMemory
 
 
-class SlipMemory(NamedTuple):
+@dataclasses.dataclass(frozen=True)
+class SlipMemory:
     """The sideways displacement of the springs over their gap, in straight pieces.
 
     Parameters
