@@ -131,6 +131,8 @@ class SlipMemory:
         right=("u_t", "m", "displacement of the springs where a piece ends"),
         on_axis=("u_t", "m", "displacement of the spring that touches first"),
         slides=(r"\sigma", "", "side to which springs slide: 1, -1, or 0 if they stick"),
+        dragged=("", "m", "how far the pieces of the displacement were dragged together"),
+        outermost=("", None, "the piece at the edge, with those within it"),
         size=("m", None, "how many straight pieces the displacement has"),
     )
 
