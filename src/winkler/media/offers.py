@@ -18,7 +18,6 @@ from winkler.numerics.types import Array, Curve
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.materials.depth_grading import DepthGrading
     from winkler.media.interior.shear_field_punch import ShearField
-    from winkler.media.layered.pair_response import Mode
     from winkler.numerics.pixels.layered import GridResponse
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
@@ -119,8 +118,9 @@ class PushedWaves(TwistedWaves, Protocol):
         """G* [Pa] of the surface and the other body."""
         ...
 
-    def responding(self, mode: Mode) -> GridWaves:
-        """The response of the pair to a load."""
+    @property
+    def turning_response(self) -> GridWaves:
+        """Of a shear load, the part that turns with twice the angle between it and the wave."""
         ...
 
     def punch_shear_stiffness(self, radius: Array) -> Array:

@@ -6,7 +6,6 @@ from typing import cast
 
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.pair_response import Mode
 from winkler.media.offers import PowerLaw, PushedWaves, Stack, offers
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
@@ -45,6 +44,6 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     if not offers(medium, PushedWaves):
         return surface
     even, unit = in_own_lengths(medium.tangential_response)
-    turning = in_own_lengths(medium.responding(Mode.TURNING))[0]
+    turning = in_own_lengths(medium.turning_response)[0]
     layers = LayeredShear(cast(ShearResponse, even), turning, unit, medium.modulus / medium.shear_modulus)
     return surface._replace(layers=layers)
