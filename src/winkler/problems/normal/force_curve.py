@@ -99,13 +99,10 @@ class NormalCurve(NamedTuple):
             panel = min(max(bisect_right(edges, middle), 1), len(edges) - 1) - 1
             start, stop = edges[panel], edges[panel + 1]
             place = middle + half * GAUSS_POINTS
-            t = np.clip((2.0 * place - start - stop) / (stop - start), -1.0, 1.0)
-            excess = (
-                half
-                * GAUSS_WEIGHTS
-                * (np.cos(np.outer(np.arccos(t), self.orders)) @ self.rows[panel][:, 0] - stiffness)
-            )
-            linear += float(np.sum(excess))
+            t = np.minimum(np.maximum((2.0 * place - start - stop) / (stop - start), -1.0), 1.0)
+            stiffnesses = np.cos(np.arccos(t)[:, None] * self.orders) @ self.rows[panel][:, 0]
+            excess = half * GAUSS_WEIGHTS * (stiffnesses - stiffness)
+            linear += float(excess.sum())
             square += 2.0 * float(excess @ (depth - place))
         return linear, square
 
