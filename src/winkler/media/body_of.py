@@ -26,7 +26,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Displacement, Medium
-from winkler.media.offers import PowerLaw, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
@@ -102,7 +102,7 @@ def exponent_of(medium: Medium) -> float:
     OutsideValidity
         If the medium cannot be read backwards.
     """
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         return medium.exponent
     if isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves):
         return 0.0

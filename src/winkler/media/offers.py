@@ -25,7 +25,16 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
         """A response to a load, on a disc and on pixels."""
 
 
-__all__ = ["GradedInDepth", "PowerLaw", "PressedWaves", "PushedWaves", "Stack", "TwistModuli", "TwistedWaves", "offers"]
+__all__ = [
+    "GradedInDepth",
+    "LayerStack",
+    "PowerOfDepth",
+    "PressedWaves",
+    "PushedWaves",
+    "TwistModuli",
+    "TwistedWaves",
+    "offers",
+]
 
 Offer = TypeVar("Offer")
 
@@ -49,7 +58,7 @@ class TwistModuli(Medium, Protocol):
         ...
 
 
-class PowerLaw(TwistModuli, Protocol):
+class PowerOfDepth(TwistModuli, Protocol):
     """Moduli that follow one power of the depth."""
 
     @property
@@ -140,7 +149,7 @@ class PushedWaves(TwistedWaves, Protocol):
         ...
 
 
-class Stack(Protocol):
+class LayerStack(Protocol):
     """Layers on a half-space or a rigid base, against a homogeneous body."""
 
     @property
