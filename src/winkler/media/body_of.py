@@ -114,7 +114,7 @@ def exponent_of(medium: Medium) -> float:
 
 def thickness_of(medium: Medium) -> float:
     """Return how thick the layers of a medium are [m]; infinite if it has none."""
-    if isinstance(medium, RelaxingMedium):
+    if offers(medium, RelaxingMedium):
         return thickness_of(medium.elastic)
     return medium.thickness if offers(medium, PressedWaves) else math.inf
 
@@ -151,7 +151,7 @@ def slope(medium: Medium, imprint: Displacement, r: Array) -> Array:
 
 def _elastic(medium: Medium) -> Medium:
     """Return the medium as if it did not relax, which changes no shape."""
-    if not isinstance(medium, RelaxingMedium):
+    if not offers(medium, RelaxingMedium):
         return medium
     if not medium.in_proportion:
         raise medium.timeless()

@@ -52,7 +52,7 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
     depth, force, radius : float
         d [m], F_N [N] and a [m] of the deepest contact.
     """
-    medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
+    medium = bed.medium.elastic if offers(bed.medium, RelaxingMedium) else bed.medium
     pyramid: tuple[Note, ...] = ()
     if hasattr(getattr(bed, "profile", None), "sides"):
         from winkler.problems.assumptions.pyramid_film import pyramid_notes  # not loaded for numbers of other bodies

@@ -139,7 +139,7 @@ def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: SurfaceF
 
 
 def _refuse_relaxing(pressed: PressedSprings) -> None:
-    if isinstance(pressed.bed.medium, RelaxingMedium):
+    if offers(pressed.bed.medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
 
 
