@@ -168,6 +168,7 @@ def marked(name: str, medium: str) -> Any:
 @pytest.mark.parametrize(("name", "medium"), [marked(name, medium) for medium in MEDIA for name in PROBLEMS])
 def test_a_medium_of_no_class_gives_the_same_numbers_or_the_same_refusal(name, medium):
     known, ghost = (outcome(name, each) for each in (MEDIA[medium], ghost_of(MEDIA[medium])))
+    assert known[1] or (name, medium) not in QUICK
     assert ghost[0] == known[0]
     assert len(ghost[1]) == len(known[1])
     for one, other in zip(ghost[1], known[1], strict=True):
