@@ -26,7 +26,7 @@ from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.to_curve import curve_of_test
 from winkler.io.memory import limited_memory
 from winkler.io.placed_curves import PlacedCurve, UnreadCurve
-from winkler.io.segments import directions
+from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_table
 from winkler.io.tables.given_units import checked_units
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
@@ -262,7 +262,8 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
     with in_file(file_name):
         directed = directions(position, force, segment)
-        reading = _reading(data, height, bool(time.size), overrides)
+        doubts = segment_fact(position, force, segment, "segment")
+        reading = _reading(data, height, bool(time.size), overrides) + f"; {doubts}" * bool(doubts)
         curve = ForceCurve(position, force, float(stiffness), time, directed, name, reading=reading)
     x, y = (float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy")
     return PlacedCurve(curve, x, y)

@@ -29,7 +29,7 @@ from winkler.io.curve_columns import (
 )
 from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
-from winkler.io.segments import directions
+from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.place_lines import place_in
@@ -81,8 +81,8 @@ def read_curve_table(
     ----------
     path : str or path
         The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.  A column ``segment``
-        numbers the segments in which the tip approaches, is held, and retracts; without it the tip approaches up to the
-        largest position, and then retracts.
+        numbers the segments in which the tip approaches, is held, and retracts; one number throughout says nothing, and
+        a segment in which the tip turns is not believed: turns then follow from position and force.
     spring_constant : float, optional
         Of the cantilever [N/m].  With a column ``depth`` it is not needed: that is the travel of the tip itself.
     sensitivity : float, optional
@@ -143,7 +143,7 @@ def read_curve_table(
             f"{place.word} from '{read_as['place']}', {load.word} from '{read_as['load']}'"
             + (f", time from '{read_as['time']}'" if "time" in found else ""),
             stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
-            f"segments from '{read_as['segment']}'" if "segment" in found else "",
+            segment_fact(position, force, segment, read_as.get("segment", "")),
             _origin_of_spring(stiffness, spring_constant) if place is POSITION or load is not FORCE else "",
             f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
             f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
