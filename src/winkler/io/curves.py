@@ -29,6 +29,7 @@ from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
 from winkler.io.tables.given_units import checked_units
+from winkler.io.tables.tests_side_by_side import tests_side_by_side
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 
@@ -124,6 +125,9 @@ def _each(
         is_text = _is_text(file)
         if (tests := instrument_tests(file, is_text=is_text, units=units)) is not None:
             yield from _curves_of_tests(tests, file, units, spring_constant)
+            return
+        if is_text and (wide := tests_side_by_side(file, spring_constant)) is not None:
+            yield from _curves_of_tests(wide, file, units, spring_constant)
             return
         if is_text and is_curve_table(file):
             yield from read_curve_tables(file, spring_constant=spring_constant, sensitivity=sensitivity, units=units)
