@@ -1,8 +1,8 @@
 r"""Tests side by side in one table, and extension and retraction in columns of their own.
 
 Of a name such as ``Y_lot_1_Fn_[mN]``, ``Depth 2 (nm)``, ``Calc_Ramp_Ex_nm`` or ``Defl_nN_Rt`` a part is the quantity,
-one is the unit, and the rest is the label of the test.  Labels are those of tests if they differ in their numbers alone;
-``Ex`` and ``Rt`` are the two ways of one curve.  Equal names, too, are tests in the order of their columns.
+one is the unit, and the rest is the label of the test.  Labels are those of tests if they differ in their numbers
+alone; ``Ex`` and ``Rt`` are the two ways of one curve.  Equal names, too, are tests in the order of their columns.
 """
 
 from __future__ import annotations
