@@ -42,14 +42,14 @@ from winkler.media.layered import coated_interior, coated_load, flat_punch, punc
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
-from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.pair_response import CouplingResponse, Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import SurfaceResponse
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
 from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
@@ -98,6 +98,14 @@ class LayeredMedium:
     def turning_response(self) -> PressedResponse:
         """Of a shear load, the part that turns with twice the angle between it and the wave."""
         return self.responding(Mode.TURNING)
+
+    @property
+    def coupling_response(self) -> WaveResponse:
+        """By how much farther pressures draw the first surface along than on a half-space of what lies at it."""
+        raise OutsideValidity(
+            f"{type(self).__name__}: how far a pressure draws its surface along is not known to winkler; leave the "
+            "coupling out, or give layers."
+        )
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
@@ -308,6 +316,11 @@ class StackMedium(LayeredMedium):
             f"{type(self).__name__}: layer {slides} slides on what lies below it and bears no shear there, so "
             "that under a push it slides away; give layers that are bonded."
         )
+
+    @functools.cached_property
+    def coupling_response(self) -> CouplingResponse:
+        """By how much farther pressures draw the first surface along than on a half-space of the uppermost layer."""
+        return CouplingResponse(self.responding(Mode.NORMAL))
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
