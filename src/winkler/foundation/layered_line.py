@@ -25,11 +25,9 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.strip_waves import smooth_modes, transforms
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.plane_interior import PlaneLayers
 from winkler.media.layered.wave_constants import Body
-from winkler.media.stacked.sliding_film import SlidingFilm
-from winkler.media.stacked.stacked import StackedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import strip_punches

@@ -10,11 +10,10 @@ from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import StackMedium
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.media.stacked.stacked import SlidingStack
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent, typical
 from winkler.plot.medium import (
@@ -70,8 +69,7 @@ def _measured(item: MeasuredBed, *, extent: float | None = None) -> Sheet:
     return Sheet(titled(panels, "measured stiffness", "its springs", "springs under $g(x)$"), width=3.9, height=3.3)
 
 
-@sheet_of.register(CoatedHalfSpace)
-@sheet_of.register(SlidingStack)
+@sheet_of.register(StackMedium)
 @sheet_of.register(DepthGradedHalfSpace)
 @sheet_of.register(GradedHalfSpace)
 def _medium(item: Medium, *, extent: float | None = None) -> Sheet:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, SurfaceTransform
 from winkler.numerics.types import Array
 
@@ -69,8 +69,8 @@ def sheared_grid(grid: Any) -> ShearedGrid:
     """Return the springs of a RoundGrid that are pushed along the surface."""
     medium, transforms = grid.bed.medium, grid.rings
     ratio = float(medium.modulus / medium.shear_modulus)
-    if isinstance(medium, DepthVaryingMedium):
-        response = medium.tangential_response  # type: ignore[attr-defined]
+    if offers(medium, PressedWaves):
+        response = medium.tangential_response
         return LayeredShearGrid(transforms, type(transforms)(grid.nodes, response), ratio)
     return ShearedGrid(transforms, grid.surface, ratio)
 

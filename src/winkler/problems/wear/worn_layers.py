@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.wear import PairWear, Unworn, WearLaw
 from winkler.loading import Depth, Force, LineForce
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, Stack, offers
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.normal.indentation import Indentation
@@ -45,19 +45,9 @@ SMALL_PULL = 1e-3
 MODEL = "the profile is lowered by what is worn off, the compliance stays that of the whole layer"
 
 
-def _layers(medium: Any) -> tuple[Any, ...]:
-    """Return the layers of a medium from the surface down, none where it has none."""
-    return tuple(getattr(medium, "layers", ()))
-
-
-def _varies(medium: object) -> bool:
-    """Return whether a medium is of layers, or graded down to some depth."""
-    return bool(_layers(medium)) or isinstance(medium, DepthVaryingMedium)
-
-
 def refuse_without_layer(owner: str, medium: object) -> None:
     """Refuse a medium that has no layer to be worn."""
-    if not _layers(medium):
+    if not offers(medium, Stack):
         raise InvalidInput(
             f"{owner}: layer_wears is True, and a {type(medium).__name__} has no layers; leave it out, or give a "
             "CoatedHalfSpace, SlidingFilm or StackedHalfSpace."
@@ -65,7 +55,7 @@ def refuse_without_layer(owner: str, medium: object) -> None:
 
 
 def _thickness(medium: Any) -> float:
-    return float(_layers(medium)[0].thickness)
+    return float(medium.layers[0].thickness)
 
 
 def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_wears: bool) -> None:
@@ -77,7 +67,7 @@ def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_we
                 f"{owner}: layer_wears is True, and the law of wear is a PairWear, whose first law is that of the "
                 "layer; leave layer_wears out, or give one law."
             )
-    if isinstance(wear, PairWear) and _varies(medium) and not _layers(medium):
+    if isinstance(wear, PairWear) and offers(medium, PressedWaves) and not offers(medium, Stack):
         raise InvalidInput(
             f"{owner}: under a PairWear the first body wears, and a {type(medium).__name__} has no layers of which it "
             "is known how much may go; give one law, that of the other body, or a CoatedHalfSpace."
@@ -86,7 +76,7 @@ def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_we
 
 def layer_loses(medium: object, wear: WearLaw, *, layer_wears: bool) -> bool:
     """Return whether the uppermost layer wears; parameters as of `laws_on`."""
-    return layer_wears or (isinstance(wear, PairWear) and _varies(medium))
+    return layer_wears or (isinstance(wear, PairWear) and offers(medium, PressedWaves))
 
 
 def laws_on(medium: object, wear: WearLaw, *, layer_wears: bool) -> WearLaw:
@@ -100,7 +90,7 @@ def laws_on(medium: object, wear: WearLaw, *, layer_wears: bool) -> WearLaw:
     layer_wears : bool
         Whether the uppermost layer wears by it.
     """
-    if isinstance(wear, PairWear) or layer_wears or not _varies(medium):
+    if isinstance(wear, PairWear) or layer_wears or not offers(medium, PressedWaves):
         return wear
     return PairWear(Unworn(), wear)
 
@@ -142,7 +132,7 @@ def layer_notes(
     layer_wears : bool
         Whether the uppermost layer wears, and not the other body.
     """
-    if not _varies(medium):
+    if not offers(medium, PressedWaves):
         return
     last = states[-1]
     yield _thinned(medium, last) if layer_wears else OTHER_WEARS
