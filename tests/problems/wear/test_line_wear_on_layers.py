@@ -11,6 +11,7 @@ from slip_of_layers import SlippingCylinder
 from wear_on_layers import LoneCore, WornOnLayers
 
 import winkler as wk
+from winkler.io.wear_states import read_wear, write_wear
 from winkler.numerics.transforms import strip_punches
 from winkler.problems.wear.grids import wear_grid
 
@@ -293,6 +294,15 @@ def test_notes_speak_of_layers_and_of_no_half_plane():
     off = abs(float(runs[2].states[0].pressure[0] / exact[0]) - 1.0)
     assert 0.002 < off < 0.05
     assert coarse.standing is wk.Standing.APPROXIMATE
+
+
+def test_a_march_on_layers_that_was_stopped_and_kept_goes_on_with_the_same_numbers(tmp_path):
+    load = force(layered(0.1))
+    problem = fretting(layered(0.1), load, 0.6 * MU * load, [0.0, 0.5, 1.0], count=40)
+    whole = list(problem.steps())
+    kept = read_wear(problem.bed, write_wear(whole[:2], tmp_path / "states.npz"))
+    assert list(kept) == whole[:2]
+    assert list(problem.steps(start=kept[-1])) == whole[2:]
 
 
 def test_stresses_of_the_end_are_those_in_the_layers():

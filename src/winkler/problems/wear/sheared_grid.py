@@ -70,8 +70,8 @@ def sheared_grid(grid: Any) -> ShearedGrid:
     medium, transforms = grid.bed.medium, grid.rings
     ratio = float(medium.modulus / medium.shear_modulus)
     if offers(medium, PressedWaves):
-        response = medium.tangential_response
-        return LayeredShearGrid(transforms, type(transforms)(grid.nodes, response), ratio)
+        shear = type(transforms)(grid.nodes, grid.bed.medium.tangential_response)
+        return LayeredShearGrid(transforms, shear, ratio)
     return ShearedGrid(transforms, grid.surface, ratio)
 
 
