@@ -74,7 +74,7 @@ def test_before_wear_a_cylinder_slips_as_singular_integral_equations_say(contras
         losses.append(abs(worn.dissipation_per_length[0] / (4.0 * MU**2 * expected.loss()) - 1.0))
     assert worn.half_width[0] == pytest.approx(a, rel=1e-5)
     assert worn.stick_half_width[0] == pytest.approx(0.7 * a, rel=3e-5)
-    assert losses[0] < 3e-3
+    assert losses[0] < 6e-3
     assert losses[1] < min(4e-4, 0.6 * losses[0])
 
 
