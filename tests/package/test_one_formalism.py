@@ -10,13 +10,13 @@ import winkler
 SOURCE = Path(winkler.__file__).parent
 GONE = {
     "TwistedMedium": "TwistModuli",
-    "PowerLawMedium": "PowerLaw",
+    "PowerLawMedium": "PowerOfDepth",
     "DepthVaryingMedium": "PressedWaves",
-    "LayeredBody": "Stack",
+    "LayeredBody": "LayerStack",
     "TwistedLayers": "TwistedWaves",
     "PushedLayers": "PushedWaves",
-    "CoatedBody": "Stack",
-    "StackedBody": "Stack",
+    "CoatedBody": "LayerStack",
+    "StackedBody": "LayerStack",
     "SlidingStack": "StackMedium",
     "is_bonded": "Layer.bonded, StackLayer.bonded",
 }

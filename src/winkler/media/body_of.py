@@ -26,7 +26,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Displacement, Medium
-from winkler.media.offers import PowerLaw, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
@@ -102,7 +102,7 @@ def exponent_of(medium: Medium) -> float:
     OutsideValidity
         If the medium cannot be read backwards.
     """
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         return medium.exponent
     if isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves):
         return 0.0
@@ -114,7 +114,7 @@ def exponent_of(medium: Medium) -> float:
 
 def thickness_of(medium: Medium) -> float:
     """Return how thick the layers of a medium are [m]; infinite if it has none."""
-    if isinstance(medium, RelaxingMedium):
+    if offers(medium, RelaxingMedium):
         return thickness_of(medium.elastic)
     return medium.thickness if offers(medium, PressedWaves) else math.inf
 
@@ -151,7 +151,7 @@ def slope(medium: Medium, imprint: Displacement, r: Array) -> Array:
 
 def _elastic(medium: Medium) -> Medium:
     """Return the medium as if it did not relax, which changes no shape."""
-    if not isinstance(medium, RelaxingMedium):
+    if not offers(medium, RelaxingMedium):
         return medium
     if not medium.in_proportion:
         raise medium.timeless()

@@ -18,7 +18,6 @@ from winkler.numerics.types import Array, Curve
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.materials.depth_grading import DepthGrading
     from winkler.media.interior.shear_field_punch import ShearField
-    from winkler.media.layered.pair_response import Mode
     from winkler.numerics.pixels.layered import GridResponse
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
@@ -26,7 +25,16 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
         """A response to a load, on a disc and on pixels."""
 
 
-__all__ = ["GradedInDepth", "PowerLaw", "PressedWaves", "PushedWaves", "Stack", "TwistModuli", "TwistedWaves", "offers"]
+__all__ = [
+    "GradedInDepth",
+    "LayerStack",
+    "PowerOfDepth",
+    "PressedWaves",
+    "PushedWaves",
+    "TwistModuli",
+    "TwistedWaves",
+    "offers",
+]
 
 Offer = TypeVar("Offer")
 
@@ -50,7 +58,7 @@ class TwistModuli(Medium, Protocol):
         ...
 
 
-class PowerLaw(TwistModuli, Protocol):
+class PowerOfDepth(TwistModuli, Protocol):
     """Moduli that follow one power of the depth."""
 
     @property
@@ -119,8 +127,9 @@ class PushedWaves(TwistedWaves, Protocol):
         """G* [Pa] of the surface and the other body."""
         ...
 
-    def responding(self, mode: Mode) -> GridWaves:
-        """The response of the pair to a load."""
+    @property
+    def turning_response(self) -> GridWaves:
+        """Of a shear load, the part that turns with twice the angle between it and the wave."""
         ...
 
     def punch_shear_stiffness(self, radius: Array) -> Array:
@@ -140,7 +149,7 @@ class PushedWaves(TwistedWaves, Protocol):
         ...
 
 
-class Stack(Protocol):
+class LayerStack(Protocol):
     """Layers on a half-space or a rigid base, against a homogeneous body."""
 
     @property

@@ -13,6 +13,7 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import StackMedium
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent, typical
@@ -53,12 +54,12 @@ def _general_body(item: Any, extent: float | None = None) -> Sheet:
 
 
 def _elastic(item: Any) -> Any:
-    relaxes = isinstance(item.medium, RelaxingMedium)
+    relaxes = offers(item.medium, RelaxingMedium)
     return dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
 
 
 def _beside_springs(item: Any, left: Panel, bed: Any, end: float) -> Sheet:
-    kind = "that relax" if isinstance(item.medium, RelaxingMedium) else stiffness_text(bed, end)
+    kind = "that relax" if offers(item.medium, RelaxingMedium) else stiffness_text(bed, end)
     return Sheet((left, springs_panel(at_first_touch(bed), end).plus(title=f"springs {kind} under $g(x)$")), height=3.3)
 
 

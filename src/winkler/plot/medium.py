@@ -19,7 +19,7 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.medium import Medium
-from winkler.media.offers import GradedInDepth, PowerLaw, PressedWaves, Stack, offers
+from winkler.media.offers import GradedInDepth, LayerStack, PowerOfDepth, PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text, points
@@ -58,7 +58,7 @@ class DepthInterval(NamedTuple):
 
 def interfaces(medium: object) -> tuple[float, ...]:
     """Return the depths of the interfaces between layers and under the last one [m]; none if there are no layers."""
-    if not offers(medium, Stack):
+    if not offers(medium, LayerStack):
         return ()
     return tuple(float(z) for z in np.cumsum([layer.thickness for layer in medium.layers]))
 
@@ -77,11 +77,11 @@ def typical_width(medium: Medium) -> float:
     InvalidInput
         If it has no length of its own.
     """
-    if offers(medium, Stack):
+    if offers(medium, LayerStack):
         return 4.0 * interfaces(medium)[-1]
     if offers(medium, GradedInDepth):
         return 2.0 * medium.grading.settled_at(0.05)
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         return DEPTH_SCALES_DRAWN * medium.depth_scale
     raise _uniform_medium(medium)
 
@@ -93,7 +93,7 @@ def _uniform_medium(medium: Medium) -> InvalidInput:
     )
 
 
-def _layer_intervals(medium: Stack, end: float) -> list[DepthInterval]:
+def _layer_intervals(medium: LayerStack, end: float) -> list[DepthInterval]:
     intervals, top, laid = [], 0.0, ""
     for place, layer in enumerate(medium.stack):
         bottom = top + layer.thickness
@@ -130,7 +130,7 @@ def _solid_text(solid: Elastic | TransverselyIsotropic) -> str:
 
 def _intervals(medium: Medium, end: float) -> list[DepthInterval]:
     """Return the first body from the surface down to `end` [m]."""
-    if offers(medium, Stack):
+    if offers(medium, LayerStack):
         return _layer_intervals(medium, end)
     if offers(medium, GradedInDepth):
         grading = medium.grading

@@ -6,6 +6,22 @@ all that the method needs: from it follow the flat punches (`winkler.numerics.tr
 :math:`k(a) = 2E^*\int_0^a\varphi\,\mathrm dx`, the springs :math:`c_N = E^*\varphi(a;a)^2` and g(a).  The equations
 are exact, the numbers good to about ten digits, whatever the thickness; films squeezed to many times their thickness
 lose some of them.
+
+A rigid shift of a disc moves its surface by (U, 0).  With the traction written as
+:math:`\tau_x+i\tau_y = \tau_0(r)+\tau_2(r)\,e^{2i\theta}`, a wave of it has the amplitudes :math:`T_0-T_2` along and
+:math:`T_0+T_2` across its direction.  That the surface moves by U alone, without a part that turns with
+:math:`2\theta`, leaves two equations for the cosine transforms :math:`p_L, p_T` of these amplitudes on the disc,
+
+.. math:: p_L + K_L\,p_L = \text{const} ,\qquad p_T + K_T\,p_T = \text{const} ,\qquad
+          \int_0^a p_L\,\mathrm dx = \int_0^a p_T\,\mathrm dx = \frac{F_x}{2\pi} ,
+
+each that of a flat punch pressed into a medium with the compliance :math:`C_L`, or :math:`C_T`: the pair of coupled
+dual integral equations falls apart, and the compliances are averaged,
+
+.. math:: \frac1{k_x} = \frac12\Big(\frac1{k_L}+\frac1{k_T}\Big) .
+
+The disc does not press (no normal traction); its surface may rise and sink.  A twist needs the waves across alone:
+:math:`k_\varphi = 16\,G_t\int_0^a x\,\theta\,\mathrm dx` (`winkler.numerics.transforms.odd_response`).
 """
 
 from __future__ import annotations
@@ -26,15 +42,15 @@ from winkler.media.layered import coated_interior, coated_load, flat_punch, punc
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
-from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.sheared import ShearedLayers
+from winkler.media.layered.pair_response import CouplingResponse, Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import SurfaceResponse
+from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
+from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
@@ -49,7 +65,7 @@ class PressedResponse(SurfaceResponse, GridResponse, Protocol):
     """A response to pressures."""
 
 
-class LayeredMedium(ShearedLayers):
+class LayeredMedium:
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Body
@@ -78,6 +94,19 @@ class LayeredMedium(ShearedLayers):
         """The response of the pair to shear across its wave, and to a twist."""
         return self.responding(Mode.ACROSS)
 
+    @functools.cached_property
+    def turning_response(self) -> PressedResponse:
+        """Of a shear load, the part that turns with twice the angle between it and the wave."""
+        return self.responding(Mode.TURNING)
+
+    @property
+    def coupling_response(self) -> WaveResponse:
+        """By how much farther pressures draw the first surface along than on a half-space of what lies at it."""
+        raise OutsideValidity(
+            f"{type(self).__name__}: how far a pressure draws its surface along is not known to winkler; leave the "
+            "coupling out, or give layers."
+        )
+
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
         raise NotImplementedError
@@ -105,7 +134,7 @@ class LayeredMedium(ShearedLayers):
 
     def punch_stiffness(self, radius: Array) -> Array:
         """k(a) [N/m]."""
-        return 2.0 * self.modulus * fredholm.area(self.response, radius)
+        return _stiffness(self.response, radius)
 
     def punch_pressure(self, r: Array, radius: Array) -> Array:
         """p1(r; a) [Pa/m]."""
@@ -124,6 +153,40 @@ class LayeredMedium(ShearedLayers):
     def normal_stiffness_slope(self, x: Array) -> Array:
         """c_N'(x) [Pa/m]."""
         return 2.0 * self.modulus * fredholm.edge(self.response, x) * fredholm.edge_slope(self.response, x)
+
+    @property
+    def shear_modulus(self) -> float:
+        """G* [Pa] of the uppermost layer and the other body: what the narrowest contacts feel."""
+        return self.tangential_response.modulus
+
+    @property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of the uppermost layer and the other body, of shear along a wave, as in plane strain."""
+        return self.along_response.modulus
+
+    @property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa] of the uppermost layer and the other body."""
+        return 0.5 * self.across_response.modulus
+
+    def punch_shear_stiffness(self, radius: Array) -> Array:
+        """k_x(a) [N/m] of a flat punch that is pushed along the surface and does not press, without tilt."""
+        along, across = (_stiffness(each, radius) for each in (self.along_response, self.across_response))
+        whole = along + across
+        return np.asarray(2.0 * along * across / np.where(whole > 0.0, whole, 1.0))
+
+    def punch_torsional_stiffness(self, radius: Array) -> Array:
+        """k_phi(a) [N m] of a flat punch that is twisted about its axis."""
+        radius = np.asarray(radius, dtype=float)
+        mean = fredholm.area(OddResponse(self.across_response), radius)
+        return np.asarray(16.0 / 3.0 * self.torsional_modulus * radius**2 * mean)
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) = k_x'(x)/2 [Pa]."""
+        along, across = self.along_response, self.across_response
+        first, second = (each.modulus * fredholm.mean(each, x) for each in (along, across))
+        of_along, of_across = (each.modulus * fredholm.edge(each, x) ** 2 for each in (along, across))
+        return np.asarray(2.0 * (second**2 * of_along + first**2 * of_across) / (first + second) ** 2)
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa]: flat punches superposed."""
@@ -254,6 +317,11 @@ class StackMedium(LayeredMedium):
             "that under a push it slides away; give layers that are bonded."
         )
 
+    @functools.cached_property
+    def coupling_response(self) -> CouplingResponse:
+        """By how much farther pressures draw the first surface along than on a half-space of the uppermost layer."""
+        return CouplingResponse(self.responding(Mode.NORMAL))
+
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
@@ -262,6 +330,11 @@ class StackMedium(LayeredMedium):
         """Stresses and displacements under a traction along +x: that of a load times a modulus; no layer slides."""
         _ = self.tangential_response
         return sheared_interior.field(load, self.stack, self.on, modulus, x, y, z)
+
+
+def _stiffness(response: SurfaceResponse, radius: Array) -> Array:
+    """Return the stiffness [N/m] of a flat punch on a medium with this response."""
+    return 2.0 * response.modulus * fredholm.area(response, radius)
 
 
 @value

@@ -29,8 +29,8 @@ from winkler.materials.elastic import Rigid
 from winkler.media.layered.coated_interior import WaveState, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
 from winkler.media.layered.wave_constants import constants_of
-from winkler.media.offers import Stack
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, wave_numbers
+from winkler.media.offers import LayerStack
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, WaveResponse, wave_numbers
 from winkler.numerics.types import Array
 
 __all__ = ["PlaneLayers", "PlaneWaves", "added_stresses", "plane_waves"]
@@ -43,7 +43,7 @@ PAIRS_PER_CHUNK = 1_000_000
 
 
 @offered("a medium of layers, such as CoatedHalfSpace(layers, on) or StackedHalfSpace(layers, on)")
-class PlaneLayers(Stack, Protocol):
+class PlaneLayers(LayerStack, Protocol):
     """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
 
     @property
@@ -59,6 +59,11 @@ class PlaneLayers(Stack, Protocol):
     @property
     def along_response(self) -> SurfaceResponse:
         """Of the pair to shear along its wave; refused where it does not reach the base."""
+        ...
+
+    @property
+    def coupling_response(self) -> WaveResponse:
+        """Of the first body: how much farther than its uppermost layer alone a pressure draws its surface along."""
         ...
 
 

@@ -21,7 +21,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
-from winkler.media.offers import PowerLaw, TwistedWaves, TwistModuli, offers
+from winkler.media.offers import PowerOfDepth, TwistedWaves, TwistModuli, offers
 from winkler.numerics.panels.kink_panels import Stretches
 from winkler.numerics.types import Array
 
@@ -115,7 +115,7 @@ def twist_kernel(medium: Medium, panels: Stretches) -> TwistKernel:
         from scipy.special import ellipkm1
 
         return TwistKernel(4.0 * medium.modulus / np.pi * ellipkm1((x[:, None] / x) ** 2) / x, x**2)
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         k = medium.exponent
         weight = x ** (2.0 + k) / medium.depth_scale**k
         bound = np.zeros((x.size, x.size))

@@ -17,7 +17,7 @@ from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import Twisted, clean_slope, twist_displacement, twist_traction
 from winkler.media.medium import Medium
-from winkler.media.offers import PowerLaw, TwistedWaves, offers
+from winkler.media.offers import PowerOfDepth, TwistedWaves, offers
 from winkler.media.twisting.kernels import no_kernel
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
@@ -50,7 +50,7 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
     if isinstance(medium, HomogeneousMedium) or twisted.radius == 0.0:
         return twist_traction(twisted, r)
     place = np.where(r > 0.0, r, 0.5 * twisted.radius)
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         from winkler.numerics.transforms.graded_pressure import pressure
 
         k = medium.exponent

@@ -18,7 +18,7 @@ from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
-from winkler.media.offers import Stack, offers
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.profiles.pyramids.pyramid import FORCE_CONSTANTS, PyramidShape, cross_section_constant
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
@@ -144,7 +144,7 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
     if not isinstance(tip, PyramidShape | RoundedPyramid):
         return ()
     cone = "The cone that stands for the pyramid has its force on a homogeneous half-space."
-    if not offers(medium, Stack) or not _is_coating(medium):
+    if not offers(medium, LayerStack) or not _is_coating(medium):
         text = f"{cone} By how much it is wrong on this body is not known; on layers it is up to 7 % with four faces."
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, SOURCE),)
     top, base, contrast = medium.layers[0].solid, medium.on, math.inf
@@ -163,7 +163,7 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
     return (Note(Assumption.SHAPE, standing, text, SOURCE),)
 
 
-def _is_coating(medium: Stack) -> bool:
+def _is_coating(medium: LayerStack) -> bool:
     """Return whether all layers are bonded and isotropic."""
     solids = [layer.solid for layer in medium.stack if layer.bonded]
     return len(solids) == len(medium.stack) and not any(

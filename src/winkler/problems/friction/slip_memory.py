@@ -14,6 +14,7 @@ before and after, displaced by one number, and all states of a path share it.  A
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import NamedTuple
 
@@ -27,6 +28,7 @@ from winkler.problems.friction.straight_step import (
     SpringPiece,
     StraightStep,
 )
+from winkler.values import words
 
 __all__ = ["LossPiece", "SlipMemory", "SlipRing", "WorkedStep"]
 
@@ -107,7 +109,8 @@ class WorkedStep(NamedTuple):
     staying: SlipMemory
 
 
-class SlipMemory(NamedTuple):
+@dataclasses.dataclass(frozen=True)
+class SlipMemory:
     """The sideways displacement of the springs over their gap, in straight pieces.
 
     Parameters
@@ -119,6 +122,19 @@ class SlipMemory(NamedTuple):
     outermost : SlipRing or None
         The stack: the piece at the edge, with those within it.
     """
+
+    __words__ = words(
+        stick_gap=(r"\gamma_c", "m", "gap of the outermost spring that sticks"),
+        corners=("", None, "depths and factors of the contacts that add up to the displacement"),
+        edges=(r"\gamma_j", "m", "gaps at which the straight pieces of the displacement meet"),
+        left=("u_t", "m", "displacement of the springs where a piece begins"),
+        right=("u_t", "m", "displacement of the springs where a piece ends"),
+        on_axis=("u_t", "m", "displacement of the spring that touches first"),
+        slides=(r"\sigma", "", "side to which springs slide: 1, -1, or 0 if they stick"),
+        dragged=("", "m", "how far the pieces of the displacement were dragged together"),
+        outermost=("", None, "the piece at the edge, with those within it"),
+        size=("m", None, "how many straight pieces the displacement has"),
+    )
 
     depth: float
     dragged: float = 0.0

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
-from winkler.media.offers import GradedInDepth, Stack, offers
+from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.validity import Assumption, Note, Standing
 
@@ -25,7 +25,7 @@ def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[No
         Those of a path.
     """
     medium = bed.medium
-    if offers(medium, Stack):
+    if offers(medium, LayerStack):
         slides = [number for number, layer in enumerate(medium.stack, 1) if not layer.bonded]
         if slides:
             yield Note(

@@ -12,7 +12,7 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.hankel_waves import blurred
-from winkler.media.offers import PressedWaves, Stack, offers
+from winkler.media.offers import LayerStack, PressedWaves, offers
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.onset.part_onset import PartOnset, onset_note
@@ -62,7 +62,7 @@ class YieldOnset:
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED}
 
     def __post_init__(self) -> None:
-        if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, Stack)):
+        if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, LayerStack)):
             raise InvalidInput(
                 f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
                 "isotropic bodies and layers only (a transversely isotropic body has no single strength, the strength "

@@ -6,8 +6,7 @@ from typing import cast
 
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.pair_response import Mode
-from winkler.media.offers import PowerLaw, PushedWaves, Stack, offers
+from winkler.media.offers import LayerStack, PowerOfDepth, PushedWaves, offers
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
@@ -28,13 +27,13 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     OutsideValidity
         If the modulus follows a power of the depth, or a layer slides.
     """
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         raise OutsideValidity(
             "The tractions of a height map on a GradedHalfSpace, whose modulus follows a power of the depth, are not "
             "known to winkler (the response to a push in one point is not built in); give a DepthGradedHalfSpace, "
             "or a Foundation(profile, medium)."
         )
-    if offers(medium, Stack) and not all(layer.bonded for layer in medium.stack):
+    if offers(medium, LayerStack) and not all(layer.bonded for layer in medium.stack):
         raise OutsideValidity(
             f"The layer of a {type(medium).__name__} that slides bears no tractions of a height map: under a push "
             "it slides away; give layers that are bonded."
@@ -45,6 +44,6 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     if not offers(medium, PushedWaves):
         return surface
     even, unit = in_own_lengths(medium.tangential_response)
-    turning = in_own_lengths(medium.responding(Mode.TURNING))[0]
+    turning = in_own_lengths(medium.turning_response)[0]
     layers = LayeredShear(cast(ShearResponse, even), turning, unit, medium.modulus / medium.shear_modulus)
     return surface._replace(layers=layers)

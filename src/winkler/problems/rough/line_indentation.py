@@ -18,7 +18,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.offers import PowerLaw, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
@@ -88,7 +88,7 @@ class RoughIndentation:
 
     def __post_init__(self) -> None:
         medium = getattr(self.bed, "medium", None)
-        if not (isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves) or offers(medium, PowerLaw)):
+        if not (isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves) or offers(medium, PowerOfDepth)):
             raise InvalidInput(
                 "RoughIndentation: roughness is known on elastic half-spaces, layered or not, alone; give "
                 "Foundation(profile, HalfSpace(...))."

@@ -9,7 +9,7 @@ from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.offers import GradedInDepth, PowerLaw, PressedWaves, offers
+from winkler.media.offers import GradedInDepth, PowerOfDepth, PressedWaves, offers
 from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
@@ -36,7 +36,7 @@ def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
     ----------
     medium : HomogeneousMedium, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     """
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         if medium.exponent == 1.0:
             raise OutsideValidity(
                 "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's "
@@ -103,7 +103,7 @@ def medium_notes(
             SULLIVAN,
         )
     graded = medium.notes if offers(medium, GradedInDepth) else ()
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         graded = medium.notes[1:]  # the first one is of one round contact
     lost = 0.0 if rough.periodic else layers.lost(rough.pixel)
     coarse = Note(

@@ -48,8 +48,9 @@ def disc_ratio(stiffness: float, medium: MappedMedium) -> float:
     Of homogeneous bodies it does not depend on the disc.  Of layers the part of the displacement that turns with the
     angle is left out.
     """
+    bodies = medium
     if math.isinf(stiffness) or not offers(medium, PushedWaves):
-        return medium.shear_modulus / medium.modulus
-    radius = radii_of(np.array([stiffness]), medium)
+        return bodies.shear_modulus / bodies.modulus
+    radius = radii_of(np.array([stiffness]), bodies)
     tangential = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, radius)
     return float(tangential[0] / stiffness)

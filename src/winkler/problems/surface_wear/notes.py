@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from winkler.media.offers import GradedInDepth, Stack, offers
+from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.surface_wear.states import SurfaceWearState
@@ -42,7 +42,7 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             ALEXANDER,
         ),
     ]
-    if offers(contact.medium, Stack):
+    if offers(contact.medium, LayerStack):
         share = last.worn_depth / contact.medium.layers[0].thickness
         notes.append(
             Note(

@@ -8,7 +8,7 @@ from winkler.checks.number_checks import Whole, between
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.offers import PowerLaw, PressedWaves, PushedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, PushedWaves, offers
 
 __all__ = ["Cells", "WearTolerance", "refuse_unless_pressed", "refuse_unless_rubbed"]
 
@@ -23,7 +23,7 @@ def refuse_unless_rubbed(owner: str, bed: Foundation) -> None:
 def refuse_unless_pressed(owner: str, bed: Foundation) -> None:
     """Refuse a bed whose pressure is not known for worn profiles."""
     medium = bed.medium
-    if not (isinstance(medium, HomogeneousMedium) or offers(medium, PowerLaw) or offers(medium, PressedWaves)):
+    if not (isinstance(medium, HomogeneousMedium) or offers(medium, PowerOfDepth) or offers(medium, PressedWaves)):
         raise OutsideValidity(
             f"{owner}: the pressure of a worn profile on a {type(medium).__name__} is not known; give elastic "
             "bodies: HalfSpace, GradedHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace or "

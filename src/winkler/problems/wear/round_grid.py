@@ -23,7 +23,7 @@ from winkler.errors import NotConverged
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Normal
 from winkler.media.body_of import exponent_of
-from winkler.media.offers import PowerLaw, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
@@ -86,7 +86,7 @@ class RoundGrid(WornGrid):
         medium = bed.medium
         self.k = exponent_of(medium)
         self.rings = _rings(medium, nodes, self.k)
-        scale = float(medium.depth_scale**self.k) if offers(medium, PowerLaw) else 1.0
+        scale = float(medium.depth_scale**self.k) if offers(medium, PowerOfDepth) else 1.0
         super().__init__(bed, self.rings, bed.gap(nodes), float(bed.medium.modulus / scale))  # type: ignore[attr-defined]
 
     @functools.cached_property

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.wear import PairWear, Unworn, WearLaw
 from winkler.loading import Depth, Force, LineForce
-from winkler.media.offers import PressedWaves, Stack, offers
+from winkler.media.offers import LayerStack, PressedWaves, offers
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.normal.indentation import Indentation
@@ -47,7 +47,7 @@ MODEL = "the profile is lowered by what is worn off, the compliance stays that o
 
 def refuse_without_layer(owner: str, medium: object) -> None:
     """Refuse a medium that has no layer to be worn."""
-    if not offers(medium, Stack):
+    if not offers(medium, LayerStack):
         raise InvalidInput(
             f"{owner}: layer_wears is True, and a {type(medium).__name__} has no layers; leave it out, or give a "
             "CoatedHalfSpace, SlidingFilm or StackedHalfSpace."
@@ -67,7 +67,7 @@ def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_we
                 f"{owner}: layer_wears is True, and the law of wear is a PairWear, whose first law is that of the "
                 "layer; leave layer_wears out, or give one law."
             )
-    if isinstance(wear, PairWear) and offers(medium, PressedWaves) and not offers(medium, Stack):
+    if isinstance(wear, PairWear) and offers(medium, PressedWaves) and not offers(medium, LayerStack):
         raise InvalidInput(
             f"{owner}: under a PairWear the first body wears, and a {type(medium).__name__} has no layers of which it "
             "is known how much may go; give one law, that of the other body, or a CoatedHalfSpace."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.media.offers import PowerLaw, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
@@ -80,7 +80,7 @@ tangential_formulas = followed_by(normal_formulas, TANGENTIAL_SPRINGS, TANGENTIA
 def torsion_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a twist: those of homogeneous bodies, or of bodies that change with depth."""
     medium = getattr(getattr(problem, "bed", None), "medium", None)
-    changing = offers(medium, PowerLaw) or offers(medium, PressedWaves)
+    changing = offers(medium, PowerOfDepth) or offers(medium, PressedWaves)
     more = (TWISTED_DEEP, TORQUE_DEEP) if changing else (TWISTED, TWIST_BOUND, TORQUE)
     return followed_by(normal_formulas, *more)(problem)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from winkler.media.offers import PowerLaw, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 
@@ -192,7 +192,7 @@ def bed_formulas(
     varied = springs or (VARIED_PINNED if pinned else VARIED, VARIED_FORCE)
     if is_a(bed, MEASURED_BED):
         return (MEASURED, *varied)
-    if offers(medium, PowerLaw):
+    if offers(medium, PowerOfDepth):
         return (GRADED_SPRINGS, GRADED_PROFILE, *varied, GRADED_PRESSURE)
     if offers(medium, PressedWaves):
         found = (TOP, COMPLIANCE, PUNCHES, LAYERED_SPRINGS, LAYERED_PROFILE)

@@ -10,7 +10,7 @@ from typing import Any
 
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.offers import Stack, offers
+from winkler.media.offers import LayerStack, offers
 from winkler.study.chapters import contents
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.study import Study
@@ -42,7 +42,7 @@ def physics_of(study: Study) -> str:
 
 def _normal(study: Study) -> str:
     medium: Any = getattr(study.problem.bed, "medium", None)
-    if offers(medium, Stack):
+    if offers(medium, LayerStack):
         return COATINGS
     if isinstance(medium, GradedHalfSpace | DepthGradedHalfSpace):
         return GRADED
