@@ -115,7 +115,11 @@ from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
 from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
-from winkler.problems.wear.line_limiting_profile import LineLimitingProfile, LineLimitingSolution
+from winkler.problems.wear.line_limiting_profile import (
+    LayeredLineLimitingSolution,
+    LineLimitingProfile,
+    LineLimitingSolution,
+)
 from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingWear
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 
@@ -133,8 +137,9 @@ __all__ = [
     "FlowFactors", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "HarmonicIndentation", "HeatFields",
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "JointStiffness", "JointStiffnessSolution",
-    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineSolution", "LimitingProfile",
-    "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
+    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineLimitingSolution",
+    "LayeredLineSolution", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution",
+    "LineConstriction", "LineConstrictionSolution",
     "LineFields", "LineForcePath", "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating",
     "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePartOnset",
     "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",

@@ -32,7 +32,9 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
+from winkler.numerics.transforms import strip_punches
 from winkler.numerics.transforms.cosine_transform import WaveResponse, faded
+from winkler.numerics.transforms.layered_strips import LayeredStrips
 from winkler.numerics.transforms.strip_equation import StripResponse, Waves, octaves, strip_responses, waves
 from winkler.numerics.transforms.strip_modes import (
     along_surface,
@@ -264,6 +266,21 @@ class LayeredLineFoundation(LineBed):
         rows = bessel_rows(found.k * half_width, punch.size)
         felt = float(((punch * signs(punch.size)) @ rows * rows[0] - 1.0) @ found.weights)
         return LineBed.stuck_compliance(self, half_width, unit) + 2.0 / np.pi * self.along_share * felt
+
+    def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
+        """Return how steep flat punches are that press and that push, as of `LineBed.punch_edges`."""
+        pressed, pushed = (
+            strip_punches.edge(of, half_width) for of in (self.medium.response, self.medium.along_response)
+        )
+        return pressed, pushed
+
+    def grid_transforms(self, nodes: Array) -> LayeredStrips:
+        """Return the transforms of worn contacts between nodes [m]."""
+        return LayeredStrips(nodes, self.medium.response)
+
+    def shear_transforms(self, nodes: Array) -> LayeredStrips:
+        """Return the same of tractions along the strip's width."""
+        return LayeredStrips(nodes, self.medium.along_response)
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a, by small differences."""

@@ -160,7 +160,17 @@ class Ghost:
 
 
 COATED = wk.CoatedHalfSpace([wk.Layer(SOLID, 0.2)], wk.Elastic(0.2, 0.4, strength=0.1), wk.Elastic(5.0, 0.2))
-ON_LAYERS = ("LineIndentation", "LineTangential", "LineFrictionHeating", "LineConstriction", "LineYieldOnset", *ROLLING)
+ON_LAYERS = (
+    "LineIndentation",
+    "LineTangential",
+    "LineFrictionHeating",
+    "LineConstriction",
+    "LineYieldOnset",
+    "LineLimitingProfile",
+    "LineFrettingWear",
+    "LineSlidingWear",
+    *ROLLING,
+)
 
 
 SLOW_ON_LAYERS = ("LineTangential", "LineTangential, bulk", "LineYieldOnset", "LineRolling, coupled")

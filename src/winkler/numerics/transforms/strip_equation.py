@@ -26,7 +26,17 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveRespons
 from winkler.numerics.transforms.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array
 
-__all__ = ["StripResponse", "Transforms", "Waves", "strip_responses", "waves"]
+__all__ = [
+    "MOST_MODES",
+    "PunchModes",
+    "StripResponse",
+    "Transforms",
+    "Waves",
+    "first_modes",
+    "punch_modes",
+    "strip_responses",
+    "waves",
+]
 
 FIRST_WAVE_NUMBER = 0.5
 """First panel of wave numbers, in units of 1 / span."""
@@ -62,6 +72,24 @@ class StripResponse(NamedTuple):
 
     closing: Array
     punch: Array
+
+
+class PunchModes(NamedTuple):
+    """Flat punches of several half-widths.
+
+    Parameters
+    ----------
+    settled
+        Whether there were enough modes.
+    edge
+        Sum of the modes of a punch that bears a load of one ``(a,)``.
+    adjoint
+        What a wave of the half-plane's pressure, times M / k, adds to the load of a contact, times `edge` ``(a, k)``.
+    """
+
+    settled: bool
+    edge: Array
+    adjoint: Array
 
 
 Transforms = Callable[[Array, Array], Array]
@@ -109,7 +137,7 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     for octave in np.unique(groups):
         found = waves(response, int(octave))
         (members,) = np.nonzero(groups == octave)
-        count = _modes_of(int(octave))
+        count = first_modes(int(octave))
         step = max(1, ENTRIES_PER_BLOCK // (found.k.size * count))
         for start in range(0, members.size, step):
             chosen = members[start : start + step]
@@ -124,12 +152,25 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     return result
 
 
-def _modes_of(octave: int) -> int:
+def first_modes(octave: int) -> int:
+    """Return with how many modes an octave of half-widths is tried."""
     return FEWEST_MODES + 8 * max(octave, -1)
 
 
+def punch_modes(found: Waves, half_width: Array, count: int, octave: int) -> PunchModes:
+    """Return flat punches of half-widths [m] ``(a,)`` of an octave, with so many modes."""
+    rows, coupled, matrix = _equations(found, half_width, count)
+    fourfold = 4.0 * np.arange(1, count)
+    own = np.linalg.solve(matrix, -fourfold[:, None] * coupled[:, 1:, :1])[..., 0]
+    punch = np.concatenate([np.ones((half_width.size, 1)), own], axis=1)
+    summed = np.linalg.solve(np.swapaxes(matrix, 1, 2), np.ones((half_width.size, count - 1, 1)))[..., 0]
+    allowed = VANISHED * 2.0 ** (0.5 * octave) * np.max(np.abs(punch), axis=1)
+    adjoint = np.einsum("an,ank->ak", fourfold * summed, rows[:, 1:])
+    return PunchModes(_vanished(punch, allowed), np.sum(punch, axis=1), adjoint)
+
+
 def _settled(found: Waves, half_width: Array, transforms: Array, octave: int) -> tuple[Array, Array]:
-    count, allowed = _modes_of(octave), VANISHED * 2.0 ** (0.5 * octave)
+    count, allowed = first_modes(octave), VANISHED * 2.0 ** (0.5 * octave)
     while True:
         closing, punch = _solved(found, half_width, transforms, count)
         scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * np.abs(transforms[:, 0]))
@@ -148,14 +189,18 @@ def _vanished(modes: Array, allowed: Array) -> bool:
     return bool(np.all(np.max(np.abs(modes[:, -TAIL:]), axis=1) <= allowed))
 
 
-def _solved(found: Waves, half_width: Array, transforms: Array, count: int) -> tuple[Array, Array]:
+def _equations(found: Waves, half_width: Array, count: int) -> tuple[Array, Array, Array]:
+    """Return s_n J_2n(ka) ``(a, n, k)``, their products ``(a, m, n)``, and the matrix of modes 1, 2, ..."""
     rows = np.moveaxis(bessel_rows(half_width[:, None] * found.k, count), 0, 1)
     rows *= signs(count)[:, None]
-    weighted = rows * found.weights
-    coupled = weighted @ np.swapaxes(rows, 1, 2)
-    pressed = np.einsum("ank,ak->an", weighted, transforms)
+    coupled = (rows * found.weights) @ np.swapaxes(rows, 1, 2)
+    return rows, coupled, np.eye(count - 1) + 4.0 * np.arange(1, count)[:, None] * coupled[:, 1:, 1:]
+
+
+def _solved(found: Waves, half_width: Array, transforms: Array, count: int) -> tuple[Array, Array]:
+    rows, coupled, matrix = _equations(found, half_width, count)
+    pressed = np.einsum("ank,ak->an", rows * found.weights, transforms)
     fourfold = 4.0 * np.arange(1, count)
-    matrix = np.eye(count - 1) + fourfold[:, None] * coupled[:, 1:, 1:]
     sides = -fourfold[:, None] * np.stack([pressed[:, 1:], coupled[:, 1:, 0]], axis=2)
     own = np.linalg.solve(matrix, sides)
     punch = np.concatenate([np.ones((half_width.size, 1)), own[..., 1]], axis=1)
