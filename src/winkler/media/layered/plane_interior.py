@@ -29,11 +29,22 @@ from winkler.materials.elastic import Rigid
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.coated_interior import WaveState, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
+from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["PlaneLayers", "PlaneWaves", "added_stresses", "plane_waves"]
+__all__ = ["PlaneLayers", "PlaneMedium", "PlaneWaves", "added_stresses", "plane_waves"]
+
+
+class PlaneResponse(SurfaceResponse, Protocol):
+    """A response of which the first body is known."""
+
+    @property
+    def first(self) -> Layered:
+        """The body that is not homogeneous."""
+        ...
+
 
 FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
@@ -42,8 +53,44 @@ MOST_WAVES = 200_000
 PAIRS_PER_CHUNK = 1_000_000
 
 
-@offered("a medium of layers, such as CoatedHalfSpace(layers, on) or StackedHalfSpace(layers, on)")
-class PlaneLayers(Protocol):
+@offered(
+    "a medium of layers or graded with depth, such as CoatedHalfSpace(layers, on) or DepthGradedHalfSpace(grading)"
+)
+class PlaneMedium(Protocol):
+    """A body whose moduli depend on the depth alone, against a homogeneous body."""
+
+    @property
+    def second(self) -> Body:
+        """The other body."""
+        ...
+
+    @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m]: of all layers together."""
+        ...
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the other body."""
+        ...
+
+    @property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
+        ...
+
+    @property
+    def response(self) -> PlaneResponse:
+        """Of the pair to a pressure."""
+        ...
+
+    @property
+    def along_response(self) -> PlaneResponse:
+        """Of the pair to shear along its wave; refused where it does not reach the base."""
+        ...
+
+
+class PlaneLayers(PlaneMedium, Protocol):
     """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
 
     @property
@@ -62,38 +109,8 @@ class PlaneLayers(Protocol):
         ...
 
     @property
-    def second(self) -> Body:
-        """The other body."""
-        ...
-
-    @property
-    def thickness(self) -> float:
-        """Of all layers together [m]."""
-        ...
-
-    @property
     def spans(self) -> tuple[tuple[float, float], ...]:
         """Depths between which each layer lies, and what carries them if it deforms [m]."""
-        ...
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa] of the uppermost layer and the other body."""
-        ...
-
-    @property
-    def along_modulus(self) -> float:
-        """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
-        ...
-
-    @property
-    def response(self) -> SurfaceResponse:
-        """Of the pair to a pressure."""
-        ...
-
-    @property
-    def along_response(self) -> SurfaceResponse:
-        """Of the pair to shear along its wave; refused where it does not reach the base."""
         ...
 
 
