@@ -94,7 +94,7 @@ Transforms = Callable[[Array, Array], Array]
 """G [m] of the half-plane's pressures under half-widths ``(a,)`` at wave numbers ``(k,)``: ``(a, k)``."""
 
 
-class _Pushed(NamedTuple):
+class _HalfPlanes(NamedTuple):
     """Strips, what half-planes would bear under them, and by how much that grows with the half-width."""
 
     half_width: Array
@@ -174,7 +174,7 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
         step = max(1, ENTRIES_PER_BLOCK // (_size(response, int(octave)) * count))
         for start in range(0, members.size, step):
             chosen = members[start : start + step]
-            pushed = _Pushed(half_width[chosen], transforms, slopes[chosen])
+            pushed = _HalfPlanes(half_width[chosen], transforms, slopes[chosen])
             parts.append((chosen, *_settled(response, pushed, int(octave))))
     most = max((closing.shape[1] for _, closing, _ in parts), default=1)
     result = StripResponse(np.zeros((half_width.size, most)), np.zeros((half_width.size, most)))
@@ -192,7 +192,7 @@ def _modes_of(octave: int) -> int:
     return FEWEST_MODES + 8 * max(octave, -1)
 
 
-def _settled(response: WaveResponse, pushed: _Pushed, octave: int) -> tuple[Array, Array]:
+def _settled(response: WaveResponse, pushed: _HalfPlanes, octave: int) -> tuple[Array, Array]:
     half_width, count = pushed.half_width, _modes_of(octave)
     coupled_by = _averaged if _has_tail(response) else _summed
     # modes fall geometrically, or like n^-5 and n^-3: then what is missing is about count / 2 last ones
@@ -253,7 +253,7 @@ def _rows_of(count: int) -> _Rows:
     )
 
 
-def _averaged(response: WaveResponse, pushed: _Pushed, count: int, _: int) -> tuple[Array, Array]:
+def _averaged(response: WaveResponse, pushed: _HalfPlanes, count: int, _: int) -> tuple[Array, Array]:
     """Return A and the right-hand side of the equation where M falls like 1 / xi: by modes at the same arguments ka."""
     table = _rows_of(count)
     coupled, pressed = np.empty((pushed.half_width.size, count, count)), np.empty((pushed.half_width.size, count))
@@ -268,7 +268,7 @@ def _averaged(response: WaveResponse, pushed: _Pushed, count: int, _: int) -> tu
     return coupled, pressed
 
 
-def _summed(response: WaveResponse, pushed: _Pushed, count: int, octave: int) -> tuple[Array, Array]:
+def _summed(response: WaveResponse, pushed: _HalfPlanes, count: int, octave: int) -> tuple[Array, Array]:
     """Return the same where M dies out like an exponential."""
     found, half_width = waves(response, octave), pushed.half_width
     rows = np.moveaxis(bessel_rows(half_width[:, None] * found.k, count), 0, 1)

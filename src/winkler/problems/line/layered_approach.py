@@ -45,8 +45,9 @@ WIDEST = 0.2
 
 
 def has_depth(medium: object) -> bool:
-    """Return whether a medium is layers on a rigid base under a rigid body, so that a depth needs no reference."""
-    return isinstance(getattr(medium, "on", None), Rigid) and isinstance(getattr(medium, "second", None), Rigid)
+    """Return whether a depth needs no reference: on layers that a rigid base holds, or moduli that grow forever."""
+    held = isinstance(getattr(medium, "on", None), Rigid) and isinstance(getattr(medium, "second", None), Rigid)
+    return held or getattr(medium, "exponent", 0.0) > 0.0
 
 
 def layered_approach(
