@@ -120,7 +120,9 @@ class Ghost:
     second, thickness, modulus, along_modulus = (
         delegated(name) for name in ("second", "thickness", "modulus", "along_modulus")
     )
-    response, along_response = delegated("response"), delegated("along_response")
+    response, along_response, coupling_response = (
+        delegated(name) for name in ("response", "along_response", "coupling_response")
+    )
 
 
 def test_a_grading_of_no_family_gives_the_same_numbers():
