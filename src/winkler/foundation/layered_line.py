@@ -129,12 +129,12 @@ class LayeredLineFoundation(LineBed):
     @property
     def half_plane(self) -> LineFoundation:
         """The same profile on a half-plane of the uppermost layer."""
-        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(self._body.top, self.medium.second))
+        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(self.layered_body.top, self.medium.second))
 
     @property
-    def _body(self) -> Layered:
+    def layered_body(self) -> Layered:
         """The layered body, as what it answers to waves."""
-        return self.medium.response.first
+        return cast(PlaneMedium, self.medium).response.first
 
     @property
     def layered(self) -> PlaneLayers:
@@ -145,7 +145,7 @@ class LayeredLineFoundation(LineBed):
         OutsideValidity
             If it is a grading, in which stresses are not known.
         """
-        if isinstance(self._body, GradedBody):
+        if isinstance(self.layered_body, GradedBody):
             raise OutsideValidity(
                 "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading "
                 "give a CoatedHalfSpace of layers that follow it."
@@ -160,7 +160,7 @@ class LayeredLineFoundation(LineBed):
     @property
     def surfaces(self) -> tuple[Body, Body]:
         """The solid of the uppermost layer, and the second body."""
-        return self.medium.layers[0].solid, self.medium.second
+        return self.layered_body.top, self.medium.second
 
     @property
     def similar(self) -> bool:
@@ -170,12 +170,12 @@ class LayeredLineFoundation(LineBed):
     @property
     def strained(self) -> Body:
         """What carries the layers, which a bulk stress strains together with them."""
-        return self._body.on
+        return self.layered_body.on
 
     @property
     def trial(self) -> float:
         """Half of the thickness of the uppermost layer, or of the depth over which a grading changes [m]."""
-        return 0.5 * self._body.unit[1]
+        return 0.5 * self.layered_body.unit[1]
 
     @property
     def single(self) -> bool:
@@ -404,7 +404,7 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
         if len(kept) > MOST_KEPT:
             kept.clear()
             missing = np.unique(half_width)
-        response, top = bed.medium.response, bed._body.unit[1]
+        response, top = bed.medium.response, bed.layered_body.unit[1]
         if response.smooth == response.length and missing[-1] > WIDEST * top:
             raise OutsideValidity(
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "

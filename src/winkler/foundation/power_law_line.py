@@ -72,7 +72,7 @@ class PowerLawLineFoundation(LineBed):
     """
 
     profile: Profile
-    medium: Annotated[
+    medium: Annotated[  # type: ignore[assignment]  # a push along it is refused
         GradedHalfSpace, Advice("homogeneous bodies go into a LineFoundation, layers into a LayeredLineFoundation")
     ]
 
@@ -113,7 +113,7 @@ class PowerLawLineFoundation(LineBed):
     @property
     def _scale(self) -> float:
         """P / E* over the integral of x f' (a^2 - x^2)^((k-1)/2) [m^-k]."""
-        return 2.0 / math.pi * graded_abel.half_beta(self.exponent) * self.medium.depth_scale**-self.exponent
+        return float(2.0 / math.pi * graded_abel.half_beta(self.exponent) * self.medium.depth_scale**-self.exponent)
 
     @property
     def _spread(self) -> float:

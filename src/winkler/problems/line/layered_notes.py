@@ -49,7 +49,7 @@ def layered_notes(
 
 def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
     """Return these notes but for that on yield."""
-    standing, body = bed.medium.response.first.in_plane
+    standing, body = bed.layered_body.in_plane
     response = Note(
         Assumption.RESPONSE,
         standing,
