@@ -1,6 +1,7 @@
 r"""The bed of a line contact on layers: a two-dimensional profile on a coated half-plane or a strip on a rigid base.
 
-The layers are isotropic or transversely isotropic, bonded or sliding: only their responses count.
+The layers are isotropic or transversely isotropic, bonded or sliding, or a body is graded with depth: only their
+responses count.
 
 The uppermost layer's half-plane carries :math:`E^*w(a)` as it does without layers; what the others add is the
 correction :math:`\beta` of `winkler.numerics.transforms.strip_equation`, with which
@@ -16,7 +17,7 @@ response to shear along the wave for that to pressures.
 from __future__ import annotations
 
 import functools
-from typing import Annotated, ClassVar, NamedTuple
+from typing import Annotated, ClassVar, NamedTuple, cast
 
 import numpy as np
 
@@ -26,7 +27,10 @@ from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.strip_waves import smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
-from winkler.media.layered.plane_interior import PlaneLayers
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.depth_response import GradedBody
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium
+from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.caching import cached_by_value
@@ -104,9 +108,9 @@ class LayeredLineFoundation(LineBed):
     ----------
     profile : Profile
         The gap f between the undeformed bodies, as of `LineFoundation`.
-    medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm or PlaneLayers
-        Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, against a
-        homogeneous body.
+    medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or PlaneMedium
+        Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, or a body graded
+        with depth; against a homogeneous body.
 
     References
     ----------
@@ -116,7 +120,7 @@ class LayeredLineFoundation(LineBed):
 
     profile: Profile
     medium: Annotated[
-        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | PlaneLayers,
+        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | PlaneMedium,
         Advice("homogeneous bodies go into a LineFoundation"),
     ]
 
@@ -129,8 +133,28 @@ class LayeredLineFoundation(LineBed):
     @property
     def half_plane(self) -> LineFoundation:
         """The same profile on a half-plane of the uppermost layer."""
-        top = self.medium.layers[0].solid
-        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(top, self.medium.second))
+        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(self.layered_body.top, self.medium.second))
+
+    @property
+    def layered_body(self) -> Layered:
+        """The layered body, as what it answers to waves."""
+        return cast(PlaneMedium, self.medium).response.first
+
+    @property
+    def layered(self) -> PlaneLayers:
+        """The medium, if it has layers.
+
+        Raises
+        ------
+        OutsideValidity
+            If it is a grading, in which stresses are not known.
+        """
+        if isinstance(self.layered_body, GradedBody):
+            raise OutsideValidity(
+                "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading "
+                "give a CoatedHalfSpace of layers that follow it."
+            )
+        return cast(PlaneLayers, self.medium)
 
     def refuse_dragged(self, friction: float) -> None:
         """Refuse friction [-] where a layer slides on what lies below it."""
@@ -140,7 +164,7 @@ class LayeredLineFoundation(LineBed):
     @property
     def surfaces(self) -> tuple[Body, Body]:
         """The solid of the uppermost layer, and the second body."""
-        return self.medium.layers[0].solid, self.medium.second
+        return self.layered_body.top, self.medium.second
 
     @property
     def similar(self) -> bool:
@@ -150,12 +174,12 @@ class LayeredLineFoundation(LineBed):
     @property
     def strained(self) -> Body:
         """What carries the layers, which a bulk stress strains together with them."""
-        return self.medium.on
+        return self.layered_body.on
 
     @property
     def trial(self) -> float:
-        """Half of the thickness of the uppermost layer [m]."""
-        return 0.5 * self.medium.layers[0].thickness
+        """Half of the thickness of the uppermost layer, or of the depth over which a grading changes [m]."""
+        return 0.5 * self.layered_body.unit[1]
 
     @property
     def single(self) -> bool:
@@ -228,6 +252,7 @@ class LayeredLineFoundation(LineBed):
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
         response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
+        _ = self.medium.coupling_response  # what rolls on a grading would need it, and is refused
         found = waves(response, int(octaves(response, away[-1:])[0]))
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
         near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
@@ -242,6 +267,7 @@ class LayeredLineFoundation(LineBed):
         names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
         response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
         far = x[:, None] - nodes
+        _ = self.medium.coupling_response  # as in `hat_compliance`
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
         unit = response.length * 2.0**octave
         if part is Wave.COUPLING:
@@ -262,9 +288,10 @@ class LayeredLineFoundation(LineBed):
         """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`."""
         response, one = self.medium.along_response, np.array([half_width])
         found = waves(response, int(octaves(response, one)[0]))
-        punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size))).punch[0]
+        punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size)), np.zeros(1)).punch[0]
         rows = bessel_rows(found.k * half_width, punch.size)
         felt = float(((punch * signs(punch.size)) @ rows * rows[0] - 1.0) @ found.weights)
+        felt += float((np.sum(punch) / (np.pi * found.shorter * half_width) - 1.0) @ found.shares)
         return LineBed.stuck_compliance(self, half_width, unit) + 2.0 / np.pi * self.along_share * felt
 
     def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
@@ -359,7 +386,7 @@ def _turns(found: Waves, x: Array) -> Array:
     """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
     step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
     rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
-    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights))
+    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights) + np.sum(found.shares))
 
 
 @cached_by_value(64)
@@ -403,14 +430,15 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
         if len(kept) > MOST_KEPT:
             kept.clear()
             missing = np.unique(half_width)
-        top = bed.medium.layers[0].thickness
-        if missing[-1] > WIDEST * top:
+        response, top = bed.medium.response, bed.layered_body.unit[1]
+        if response.smooth == response.length and missing[-1] > WIDEST * top:
             raise OutsideValidity(
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
                 f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."
             )
         plain = bed.half_plane
-        solved = strip_responses(bed.medium.response, missing, lambda a, k: transforms(plain, a, k))
+        slopes = plain.load_profile_slope(missing)
+        solved = strip_responses(bed.medium.response, missing, lambda a, k: transforms(plain, a, k), slopes)
         kept.update(zip(missing.tolist(), zip(solved.closing, solved.punch, strict=True), strict=True))
     rows = [kept[a] for a in places]
     result = StripResponse(*np.zeros((2, len(rows), max(closing.size for closing, _ in rows))))

@@ -49,12 +49,11 @@ def layered_notes(
 
 def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
     """Return these notes but for that on yield."""
+    standing, body = bed.layered_body.in_plane
     response = Note(
         Assumption.RESPONSE,
-        Standing.EXACT,
-        "Linear elastic layers in plane strain under normal load, each perfectly bonded to what lies below it or, as "
-        "given, sliding there without friction and gap: the Fourier response of the stack, solved in Chebyshev modes; "
-        "the ends of a body of finite length are not included.",
+        standing,
+        f"{body}, solved in Chebyshev modes; the ends of a body of finite length are not included.",
         WAVES,
     )
     notes = shape_notes(bed, half_width, response)
