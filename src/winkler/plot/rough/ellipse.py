@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.stresses import stress_map
@@ -86,7 +87,7 @@ def _stress_panels(
     medium = item.problem.medium
     if first is None:
         known = [isinstance(getattr(medium, name, None), Elastic) for name in ("first", "second")]
-        if not any(known):
+        if not any(known) or not isinstance(medium, HalfSpace):
             return ()
         first = known[0]
     sign = 1.0 if first else -1.0

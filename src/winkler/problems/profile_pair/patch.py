@@ -7,12 +7,12 @@ import math
 import numpy as np
 
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.creepages import creepage_at
 from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.profile_pair.pressing import Region
 from winkler.problems.rolling.creepage import Creepage
-from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.values import value, words

@@ -11,13 +11,13 @@ from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.layered.pair_response import Mode
+from winkler.media.mapped import MappedMedium
 from winkler.media.stacked.stacked import SlidingStack
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
-from winkler.problems.rough.mapped_medium import MappedMedium
 
 __all__ = ["compliance_of"]
 

@@ -9,11 +9,11 @@ import numpy as np
 
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms import fredholm
 from winkler.problems.rough.contact_springs import radii_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 
