@@ -39,14 +39,14 @@ from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
 from winkler.problems.pressed_shape.notes import pixel_notes
-from winkler.problems.pressed_shape.pressed_map import PressedMap, edge_error, grid_error, pressed_levels
+from winkler.problems.pressed_shape.pressed_map import PIXELS, PressedMap, edge_error, grid_error, pressed_levels
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["EllipticIndentation", "EllipticSolution"]
+__all__ = ["EDGE_ERROR", "EllipticIndentation", "EllipticSolution", "pressed_ellipse"]
 
 ELLIPSE = Note(
     Assumption.RESPONSE,
@@ -174,7 +174,9 @@ DepthGradedHalfSpace or GradedHalfSpace
 
 
 @cached_by_value(8)
-def pressed_ellipse(bodies: CurvedBodies, medium: MappedMedium, load: Force | Depth) -> tuple[PressedMap, PressedMap]:
+def pressed_ellipse(
+    bodies: CurvedBodies, medium: MappedMedium, load: Force | Depth, pixels: int = PIXELS
+) -> tuple[PressedMap, PressedMap]:
     """Return the bodies pressed by pixels under one positive load, on a coarse grid and on a fine one.
 
     Parameters
@@ -182,6 +184,8 @@ def pressed_ellipse(bodies: CurvedBodies, medium: MappedMedium, load: Force | De
     bodies : CurvedBodies
     medium : CoatedHalfSpace, SlidingFilm, StackedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     load : Force or Depth
+    pixels : int
+        Along each side of the fine grid.
 
     Raises
     ------
@@ -195,7 +199,7 @@ def pressed_ellipse(bodies: CurvedBodies, medium: MappedMedium, load: Force | De
 
     hertz = EllipticIndentation(bodies, HalfSpace(Elastic(medium.modulus, 0.0)), load).solve()  # a first guess
     start = float(hertz.longitudinal_semi_axis), float(hertz.lateral_semi_axis)
-    return pressed_levels("EllipticIndentation", gap, medium, load, start)
+    return pressed_levels("EllipticIndentation", gap, medium, load, start, pixels=pixels)
 
 
 @value

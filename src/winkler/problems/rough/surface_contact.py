@@ -32,13 +32,13 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.pressed_shape.force_at_yield import force_at_yield
 from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
 from winkler.problems.rough.map_advice import last_load_notes
 from winkler.problems.rough.map_loads import check_loads
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
 from winkler.problems.rough.mapped_medium import homogeneous, medium_notes
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.map_yield import greatest_share
 from winkler.problems.subsurface.surface_load import SurfaceLoad
