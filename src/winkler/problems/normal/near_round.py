@@ -155,8 +155,8 @@ DepthGradedHalfSpace or GradedHalfSpace
             body.refuse_beyond(contours[number], fine)
             errors = grid_error(coarse, fine), edge_error(coarse, fine, body.angles)
             rows[:, number] = fine.depth, fine.force, fine.stiffness, *errors
-        d, f, k, *errors = (shaped(row, loads.shape) for row in rows)
-        return NearlyRoundSolution(self, d, f, k, contours.reshape((*loads.shape, -1)), *errors)
+        d, f, k, grid, edge = (shaped(row, loads.shape) for row in rows)
+        return NearlyRoundSolution(self, d, f, k, contours.reshape((*loads.shape, -1)), grid, edge)
 
 
 @value

@@ -176,7 +176,8 @@ def grid_error(coarse: PressedMap, fine: PressedMap) -> float:
     """
     words = ("depth", "force", "peak_pressure")
     between = 0.5 * (2.0 / min(fine.pressure.shape)) ** 2
-    return max(between, *(abs(getattr(coarse, word) / getattr(fine, word) - 1.0) for word in words))
+    changes = [float(getattr(coarse, word)) / float(getattr(fine, word)) - 1.0 for word in words]
+    return max(between, *map(abs, changes))
 
 
 def edge_error(coarse: PressedMap, fine: PressedMap, angles: ArrayLike) -> float:
@@ -188,7 +189,7 @@ def edge_error(coarse: PressedMap, fine: PressedMap, angles: ArrayLike) -> float
 
 
 def _number(load: Force | Depth) -> float:
-    return float(load.force) if isinstance(load, Force) else float(load.depth)
+    return float(np.asarray(load.force if isinstance(load, Force) else load.depth))
 
 
 def _pressed(gap: Gap, medium: MappedMedium, load: Force | Depth, half: tuple[float, float], pixels: int) -> PressedMap:
@@ -250,5 +251,6 @@ def _wanted(side: float, touching: Array, limit: float) -> float:
     rows = np.flatnonzero(touching)
     if side < limit and (rows[0] == 0 or rows[-1] == touching.size - 1):
         return min(2.0 * side, limit)
-    reach = max(abs(2.0 * rows[0] / touching.size - 1.0), abs(2.0 * (rows[-1] + 1) / touching.size - 1.0))
+    first, last = 2.0 * float(rows[0]) / touching.size - 1.0, 2.0 * float(rows[-1] + 1) / touching.size - 1.0
+    reach = max(abs(first), abs(last))
     return min(MARGIN * reach * side, limit)
