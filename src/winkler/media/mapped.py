@@ -7,16 +7,18 @@ from typing import TypeAlias, cast
 from winkler.errors import OutsideValidity
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 
 __all__ = ["MappedMedium", "layers_of"]
 
-MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace | GradedHalfSpace
+MappedMedium: TypeAlias = (
+    HomogeneousMedium | CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | GradedHalfSpace
+)
 """A medium under a height map."""
 
 
@@ -32,14 +34,14 @@ def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
     OutsideValidity
         If the modulus of a power law is proportional to the depth.
     """
-    if isinstance(medium, HomogeneousMedium):
-        return None
-    if isinstance(medium, GradedHalfSpace):
+    if offers(medium, PowerOfDepth):
         if medium.exponent == 1.0:
             raise OutsideValidity(
                 "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's "
                 "boundary elements do not hold; give an exponent below 1."
             )
         return PowerLawSurface(medium.exponent, medium.depth_scale)
+    if not offers(medium, PressedWaves):
+        return None
     own, unit = in_own_lengths(medium.response)
     return LayeredSurface(cast(GridResponse, own), unit)

@@ -17,10 +17,8 @@ from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.stacked.sliding_film import SlidingFilm
-from winkler.media.stacked.stacked import StackedHalfSpace
 from winkler.problems.normal.elliptic import EllipticIndentation, pressed_ellipse
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.near_round import NearlyRoundIndentation

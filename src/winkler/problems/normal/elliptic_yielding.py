@@ -19,8 +19,7 @@ from winkler.errors import InvalidInput
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
@@ -82,7 +81,7 @@ class EllipticYieldOnset:
     )
 
     bodies: CurvedBodies | CurvedPair
-    medium: HalfSpace | CoatedHalfSpace | SlidingStack
+    medium: HalfSpace | CoatedHalfSpace | SlidingFilm | StackedHalfSpace
     friction: Overcome = FRICTIONLESS
     angle: float = 0.0
 

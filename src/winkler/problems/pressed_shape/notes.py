@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.mapped import MappedMedium
+from winkler.media.offers import GradedInDepth, PowerOfDepth, offers
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["PIXELS_ON_LAYERS", "SULLIVAN", "graded_notes", "pixel_notes"]
@@ -23,9 +22,9 @@ FINE, COARSE = 0.05, 0.2
 
 def graded_notes(medium: MappedMedium) -> tuple[Note, ...]:
     """Return what is assumed of a medium whose moduli vary with the depth; nothing of layers."""
-    if isinstance(medium, GradedHalfSpace):
+    if offers(medium, PowerOfDepth):
         return medium.notes[1:]  # the first one is of one round contact
-    return medium.notes if isinstance(medium, DepthGradedHalfSpace) else ()
+    return medium.notes if offers(medium, GradedInDepth) else ()
 
 
 def pixel_notes(medium: MappedMedium, grid_error: float, edge_error: float) -> tuple[Note, ...]:

@@ -18,8 +18,8 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.loading import Depth, Force
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.mapped import MappedMedium, layers_of
+from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
@@ -213,7 +213,7 @@ def _pressed(gap: Gap, medium: MappedMedium, load: Force | Depth, half: tuple[fl
 def _stiffened(pressed: PressedMap, medium: MappedMedium) -> PressedMap:
     touching, pixel = pressed.pressure > 0.0, pressed.pixel
     under = punch(touching, pixel, periodic=False, tolerance=PUNCH_TOLERANCE, layers=layers_of(medium))
-    power = 2.0 / (1.0 + medium.exponent) if isinstance(medium, GradedHalfSpace) else 2.0
+    power = 2.0 / (1.0 + medium.exponent) if offers(medium, PowerOfDepth) else 2.0
     stiffness = medium.modulus * math.prod(pixel) * float(np.sum(under))
     return pressed._replace(stiffness=stiffness, edge_power=power)
 

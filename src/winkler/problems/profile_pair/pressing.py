@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.mapped import MappedMedium, layers_of
+from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.surfaces.pressed_grid import ByDepth, press
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
@@ -113,7 +113,7 @@ def pressed_by_drop(
         Of both.
     drop : float
         [m].
-    medium : HomogeneousMedium, CoatedHalfSpace, SlidingStack, DepthGradedHalfSpace or GradedHalfSpace
+    medium : HomogeneousMedium, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     pixels : int
         Along a side of each window.
@@ -166,7 +166,7 @@ def _pressed(gaps: GapMap, sunk: Array, medium: MappedMedium, tolerance: float) 
 def _sunk(gaps: GapMap, others: list[Region], medium: MappedMedium) -> Array:
     """Return how far the forces of other windows open the gap of this one, as forces at points [m]."""
     opened, layers = np.zeros(gaps.gap.shape), layers_of(medium)
-    if isinstance(medium, GradedHalfSpace):
+    if offers(medium, PowerOfDepth):
         raise OutsideValidity(
             "ProfilePair: the bodies touch in places far from each other; how a force sinks places far away is known "
             "for layers and homogeneous bodies, not for power laws: give a DepthGradedHalfSpace, or another load."
