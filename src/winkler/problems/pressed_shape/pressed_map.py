@@ -175,9 +175,9 @@ def grid_error(coarse: PressedMap, fine: PressedMap) -> float:
     It is not less than what the greatest pressure may lose between the middles of pixels.
     """
     words = ("depth", "force", "peak_pressure")
-    between = 0.5 * (2.0 / min(fine.pressure.shape)) ** 2
+    between = 0.5 * (2.0 / float(min(fine.pressure.shape))) ** 2
     changes = [float(getattr(coarse, word)) / float(getattr(fine, word)) - 1.0 for word in words]
-    return max(between, *map(abs, changes))
+    return float(max(between, *map(abs, changes)))
 
 
 def edge_error(coarse: PressedMap, fine: PressedMap, angles: ArrayLike) -> float:
