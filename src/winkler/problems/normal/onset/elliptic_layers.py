@@ -62,7 +62,7 @@ def coarse_layers(thickness: float, semi_axis: float) -> bool:
     return PIXELS_PER_LAYER * 2.0 * semi_axis > MOST_PIXELS * thickness
 
 
-class _Search:
+class _StressedParts:
     """The greatest stresses over the strength under any force."""
 
     def __init__(self, bodies: CurvedBodies, medium: object, traction: tuple[float, float]) -> None:
@@ -148,7 +148,7 @@ def onsets_in_layers(bodies: CurvedBodies, medium: object, traction: tuple[float
     OutsideValidity, NotConverged
         If pressures, stresses or a force are not found.
     """
-    search = _Search(bodies, medium, traction)
+    search = _StressedParts(bodies, medium, traction)
     parts = strong_parts(medium)
     a, b = bodies.semi_axes(medium.modulus, 1.0)  # type: ignore[attr-defined]
     pressure = FIRST_PRESSURE * min(part.solid.strength for part in parts)
@@ -170,7 +170,7 @@ def onsets_in_layers(bodies: CurvedBodies, medium: object, traction: tuple[float
 class _Follow:
     """The greatest stress of one part under one force after the other, each sought near the place of the one before."""
 
-    def __init__(self, search: _Search, part: StrongPart) -> None:
+    def __init__(self, search: _StressedParts, part: StrongPart) -> None:
         self.search, self.part, self.near = search, part, 0.0
 
     def coarse(self, force: float) -> float:
