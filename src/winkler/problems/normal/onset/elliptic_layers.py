@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.loading import Force
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
@@ -24,6 +25,8 @@ PIXELS_PER_LAYER = 2.0
 """Pixels along the longer semi-axis, in one thickness of the uppermost layer;"""
 FEWEST_PIXELS, MOST_PIXELS, PIXEL_STEP = 64, 128, 32
 """along each side of the map of pressures, not less and not more."""
+MOST_SLENDER = 6.0
+"""Ratio of the semi-axes of Hertz up to which stresses in layers are summed over directions in seconds."""
 FIRST_PRESSURE = 1.6
 """Greatest pressure over the strength from which the force is sought: that of a ball."""
 DEEPEST = 3.0
@@ -151,6 +154,11 @@ def onsets_in_layers(bodies: CurvedBodies, medium: object, traction: tuple[float
     search = _StressedParts(bodies, medium, traction)
     parts = strong_parts(medium)
     a, b = bodies.semi_axes(medium.modulus, 1.0)  # type: ignore[attr-defined]
+    if max(a, b) > MOST_SLENDER * min(a, b):
+        raise OutsideValidity(
+            f"EllipticYieldOnset: on layers an ellipse {max(a, b) / min(a, b):.3g} times as long as wide takes too many "
+            f"waves, {MOST_SLENDER:.0f} times are allowed; take LineYieldOnset for its middle."
+        )
     pressure = FIRST_PRESSURE * min(part.solid.strength for part in parts)
     force, rows, error = (2.0 * math.pi * a * b * pressure / 3.0) ** 3, [], 0.0
     for number, part in enumerate(parts, 1):
