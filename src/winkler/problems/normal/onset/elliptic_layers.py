@@ -156,8 +156,8 @@ def onsets_in_layers(bodies: CurvedBodies, medium: object, traction: tuple[float
     a, b = bodies.semi_axes(medium.modulus, 1.0)  # type: ignore[attr-defined]
     if max(a, b) > MOST_SLENDER * min(a, b):
         raise OutsideValidity(
-            f"EllipticYieldOnset: on layers an ellipse {max(a, b) / min(a, b):.3g} times as long as wide takes too many "
-            f"waves, {MOST_SLENDER:.0f} times are allowed; take LineYieldOnset for its middle."
+            f"EllipticYieldOnset: an ellipse {max(a, b) / min(a, b):.3g} times as long as wide needs too many "
+            f"waves in layers, {MOST_SLENDER:.0f} times are allowed; take LineYieldOnset for its middle."
         )
     pressure = FIRST_PRESSURE * min(part.solid.strength for part in parts)
     force, rows, error = (2.0 * math.pi * a * b * pressure / 3.0) ** 3, [], 0.0
