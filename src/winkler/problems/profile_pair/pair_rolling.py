@@ -15,9 +15,10 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Finite, NonNegative, between
-from winkler.errors import NotConverged, OutsideValidity
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.loading import Force
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.creepages import Drift
@@ -114,6 +115,11 @@ class ProfilePairRolling:
 
     def __post_init__(self) -> None:
         refuse_rest("ProfilePairRolling", self.friction, self.speed)
+        if not isinstance(self.pair.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"ProfilePairRolling: the medium of the pair is a {type(self.pair.medium).__name__}; profiles roll on "
+                "homogeneous bodies: give a HalfSpace, or press the pair with ProfilePair and roll with SurfaceRolling."
+            )
 
     def solve(self) -> ProfilePairRollingSolution:
         """Return the patches with their creep forces, and the sums of these.
