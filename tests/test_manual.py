@@ -147,7 +147,8 @@ def test_what_a_medium_leaves_out_is_left_out_by_each_problem_on_it(cells):
     assert sorted(left_out) == ["depth_graded_half_space", "graded_half_space"]
     for (kind, medium), cell in cells.cells.items():
         if cell.word != "refused":
-            assert set(left_out.get(medium, ())) <= set(cell.rests), (kind, medium)
+            for rest in left_out.get(medium, ()):  # lines say it in a sentence of their own
+                assert {rest, f"{rest}_in_lines"} & set(cell.rests), (kind, medium)
 
 
 @pytest.mark.parametrize("medium", [*LAYERED, *(pytest.param(medium, marks=pytest.mark.slow) for medium in OTHERS)])
@@ -170,7 +171,8 @@ QUICK_CELLS = [
     ("tangential", "transversely_isotropic_half_space", "approximate"),
     ("torsion", "stacked_half_space", "approximate"),
     ("torsion", "coated_half_space", "exact"),
-    ("elliptic_indentation", "coated_half_space", "refused"),
+    ("elliptic_indentation", "coated_half_space", "exact"),
+    ("roller_contact", "coated_half_space", "refused"),
     ("viscoelastic_tangential", "relaxing_in_proportion", "refused"),
 ]
 

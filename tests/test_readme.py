@@ -139,7 +139,7 @@ def test_links_inside_the_project_lead_somewhere():
     bad = []
     for page in PAGES:
         for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
-            made_by_the_build = target.startswith(("gallery/", "../gallery/"))
+            made_by_the_build = target.removeprefix("../").removeprefix("../").startswith("gallery/")
             if not made_by_the_build and not (page.parent / target).exists():
                 bad.append(f"{page.name}: {target}")
     assert bad == []

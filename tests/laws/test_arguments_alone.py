@@ -46,11 +46,13 @@ GIVEN: dict[str, Any] = {
     "impact.angular_velocity": 20.0,
     "joule_heating.law": wk.WiedemannFranz(3e-8),
     "joule_heating.temperature": 350.0,
+    "line_fretting_wear.layer_wears": True,
     "line_friction_heating.partition": wk.FixedShare(0.2),
     "line_profile_contact.alignment": wk.Tilt(1e-5),
     "line_rolling.coupled": True,
     "line_rolling_start.reference": 1e-2,
     "line_shakedown.friction": wk.Coulomb(0.2),
+    "line_sliding_wear.layer_wears": True,
     "line_yield_onset.friction": wk.Coulomb(0.2),
     "master_curve.entropic": True,
     "master_curve.fluid": True,
@@ -95,7 +97,9 @@ TOGETHER = {
     "impact.inertia": "lever",
     "impact.lever": "inertia",
     "impact.angular_velocity": "lever",
+    "line_fretting_wear.layer_wears": "no layers",
     "line_rolling_start.reference": "reference",
+    "line_sliding_wear.layer_wears": "no layers",
     "thermal_joint.jump_distance": "gap_conductivity",
 }
 """Arguments that are refused alone, and what the sentence asks for."""

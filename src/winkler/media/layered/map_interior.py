@@ -46,7 +46,7 @@ TABLE = 600
 FARTHEST_DECAY = 40.0
 
 
-class _Waves(NamedTuple):
+class _DirectedWaves(NamedTuple):
     """Long waves of one quadrant: k, their direction, and quadrature weight times the transform of the pressure."""
 
     k: Array
@@ -88,7 +88,7 @@ class MapInLayers:
         step = 1.0 / (1.0 + np.exp(np.clip(1.0 / (1.0 - t) - 1.0 / t, -700.0, 700.0)))
         return np.where(k <= self.join, 1.0, np.where(k >= 2.0 * self.join, 0.0, step))
 
-    def _long(self) -> _Waves:
+    def _long(self) -> _DirectedWaves:
         """Return the long waves, without those that bear next to nothing."""
         end, (a, b) = 2.0 * self.join, self.sides
         k, dk = wave_numbers(FIRST_WAVE / self.medium.response.span, 0.5 * LARGEST_PHASE / math.hypot(a, b), end)
@@ -110,7 +110,7 @@ class MapInLayers:
         waves, angles, weight = np.concatenate(kept, axis=1)
         c, s = np.cos(angles), np.sin(angles)
         phases = np.outer(waves * c, self.x), np.outer(waves * s, self.y)
-        return _Waves(
+        return _DirectedWaves(
             waves,
             c,
             s,

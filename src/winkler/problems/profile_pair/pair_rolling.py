@@ -100,6 +100,7 @@ class ProfilePairRolling:
         yaw_rate=("", "rad/m", "turn of the upper body about the vertical per distance rolled"),
         roll_rate=("", "rad/m", "turn of the upper body about the direction along per distance rolled"),
         speed=("V", "m/s", "speed of rolling"),
+        rolled_medium=("", None, "both bodies, which are homogeneous"),
     )
 
     pair: ProfilePair

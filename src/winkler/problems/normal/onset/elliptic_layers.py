@@ -162,10 +162,10 @@ def onsets_in_layers(bodies: CurvedBodies, medium: object, traction: tuple[float
     pressure = FIRST_PRESSURE * min(part.solid.strength for part in parts)
     force, rows, error = (2.0 * math.pi * a * b * pressure / 3.0) ** 3, [], 0.0
     for number, part in enumerate(parts, 1):
-        follow = _Follow(search, part)
+        follow = _PartSearch(search, part)
         force = force_at_yield(follow.coarse, force, follow.coarse(force), OWNER)
         if search.spot(force, part, coarse=True).share > 1.0 + OVERTAKEN:  # by another place than the one followed
-            follow = _Follow(search, part)
+            follow = _PartSearch(search, part)
             force = force_at_yield(follow.coarse, force, follow.coarse(force), OWNER)
         force = force_at_yield(follow.fine, force, follow.fine(force), OWNER)
         spot, rough = search.spot(force, part, follow.near), search.spot(force, part, follow.near, coarse=True)
@@ -175,7 +175,7 @@ def onsets_in_layers(bodies: CurvedBodies, medium: object, traction: tuple[float
     return LayeredOnsets(tuple(rows), error)
 
 
-class _Follow:
+class _PartSearch:
     """The greatest stress of one part under one force after the other, each sought near the place of the one before."""
 
     def __init__(self, search: _StressedParts, part: StrongPart) -> None:
