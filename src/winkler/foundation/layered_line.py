@@ -16,13 +16,14 @@ response to shear along the wave for that to pressures.
 from __future__ import annotations
 
 import functools
+import math
 from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
+from winkler.checks.number_checks import Advice, NonNegative, Positive
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.strip_waves import smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace
@@ -31,7 +32,9 @@ from winkler.media.layered.wave_constants import Body
 from winkler.media.stacked.sliding_film import SlidingFilm
 from winkler.media.stacked.stacked import StackedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.transforms.strip_equation import StripResponse, Waves, octaves, strip_responses, waves
 from winkler.numerics.transforms.strip_modes import (
     along_surface,
@@ -45,11 +48,15 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
-__all__ = ["Carried", "LayeredLineFoundation"]
+__all__ = ["Carried", "LayeredLineFoundation", "ZonedLayers"]
 
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 PAIRS_PER_CHUNK = 1_000_000
+LEAST_NODES = 12
+"""Flat punches that stand for the attraction beside a strip, at the fewest."""
+STEP = 1e-4
+"""Of differences, over the length that is changed."""
 KERNEL_TOLERANCE = 1e-12
 """Error of what the layers add to the displacement of an element, over its greatest value."""
 MOST_KEPT = 4096
@@ -58,6 +65,27 @@ MOST_EXAMINED = 16
 """Half-widths of many whose contacts are examined for tension and overlap."""
 PLACES_BESIDE = np.geomspace(1e-3, 1.0, 25)[:-1]
 """Where the distance beside a strip is examined, between its edge and the farthest place."""
+
+
+class EndedZones(NamedTuple):
+    """Strips beside which a constant stress attracts.
+
+    Parameters
+    ----------
+    gap
+        Distance of the surfaces where the attraction ends [m].
+    load
+        Load per length over E* [m].
+    edge
+        Its derivative by the half-width while the end stays [-].
+    closing
+        By how much a flat punch as wide brings the surfaces closer at the end, over its load over E* [-].
+    """
+
+    gap: Array
+    load: Array
+    edge: Array
+    closing: Array
 
 
 class Carried(NamedTuple):
@@ -127,6 +155,18 @@ class LayeredLineFoundation(LineBed):
         top = self.medium.layers[0].solid
         return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(top, self.medium.second))
 
+    def own_modes(self, half_width: Array) -> Array | None:
+        """Return the modes of the half-planes' pressures ``(a, n)``, as of `smooth_modes`."""
+        return smooth_modes(self.half_plane, half_width)
+
+    def own_transforms(self, half_width: Array, k: Array) -> Array:
+        """Return the transforms of the half-planes' pressures over E* [m] at wave numbers k [1/m] ``(a, k)``."""
+        return transforms(self.half_plane, half_width, k)
+
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
+        return np.zeros(0), np.zeros(0)
+
     def refuse_dragged(self, friction: float) -> None:
         """Refuse friction [-] where a layer slides on what lies below it."""
         if friction != 0.0:
@@ -166,6 +206,61 @@ class LayeredLineFoundation(LineBed):
             order = np.arange(found.closing.shape[1])
             inner = 2.0 / half_width[touching] * (found.closing @ order**2)
             result[touching] = (result[touching] - inner) / np.sum(found.punch, axis=1)
+        return result
+
+    def edge_share(self, half_width: Array) -> Array:
+        """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
+        half_width = np.asarray(half_width, dtype=float)
+        result, touching = np.ones(half_width.shape), half_width > 0.0
+        if touching.any():
+            result[touching] = np.sum(_responses(self, half_width[touching]).punch, axis=1)
+        return result
+
+    def edge_share_slope(self, half_width: Array) -> Array:
+        """Return its derivative by the half-width [1/m].
+
+        A punch that widens adds a pressure whose singularity is that of the derivative of 1/sqrt(a^2 - x^2): of the
+        half-plane's, -k J_1(ka), the layers take away what closes at the edge.
+        """
+        half_width = np.asarray(half_width, dtype=float)
+        result, touching = np.zeros(half_width.shape), half_width > 0.0
+        if touching.any():
+            result[touching] = _edge_slopes(self, half_width[touching])
+        return result
+
+    def zoned(self, strength: float, half_width: float, outer: float) -> ZonedLayers:
+        """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
+        return ZonedLayers(self.profile, self.medium, strength, half_width, outer)
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Return the distance where an attraction ends, as of `LineBed.zone_gap`; the slope is that of half-planes."""
+        return _zones(self, half_width, span, strength).gap, self.half_plane.zone_gap(half_width, span, strength)[1]
+
+    def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return the load per length over E* of strip and attraction, as of `LineBed.zone_load`."""
+        return _zones(self, half_width, span, strength).load
+
+    def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return its derivative by the half-width, as of `LineBed.zone_load_slope`; to about 1e-8.
+
+        As a strip widens beside an attraction that ends at c it adds a flat punch, which brings the surfaces at c
+        closer.  Where c lies close to the edge that cancels against the longer attraction: differences are taken
+        at one l.
+        """
+        result = np.empty(half_width.shape)
+        for own, near in ((half_width > span, True), (half_width <= span, False)):
+            a, reach = half_width[own], span[own]
+            if a.size == 0:
+                continue
+            farther, nearer = (_zones(self, a, reach * (1.0 + step), strength) for step in (STEP, -STEP))
+            ratio = (farther.load - nearer.load) / (farther.gap - nearer.gap)
+            if near:
+                wider, narrower = (_zones(self, a * (1.0 + step), reach, strength) for step in (STEP, -STEP))
+                rise = (wider.load - narrower.load) - ratio * (wider.gap - narrower.gap)
+                result[own] = rise / (2.0 * STEP * a)
+            else:
+                edge, closing = 0.5 * (farther.edge + nearer.edge), 0.5 * (farther.closing + nearer.closing)
+                result[own] = edge * (1.0 + ratio * closing)
         return result
 
     def carried(self, half_width: float, rim_load: float) -> Carried:
@@ -277,7 +372,7 @@ class LayeredLineFoundation(LineBed):
         rows = bessel_rows(k * carried.half_width, carried.modes.size)
         found = (carried.modes * signs(carried.modes.size)) @ rows
         if carried.own is None:
-            found = found + transforms(self.half_plane, np.array([carried.half_width]), k)[0]
+            found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
         return np.asarray(found)
 
     def sunk(self, x: Array, carried: Carried) -> Array:
@@ -290,6 +385,105 @@ class LayeredLineFoundation(LineBed):
         step = max(1, PAIRS_PER_CHUNK // found.k.size)
         parts = [np.cos(np.outer(x[i : i + step], found.k)) @ weights for i in range(0, x.size, step)]
         return np.asarray(at_edge - np.concatenate(parts))
+
+
+@value
+class ZonedLayers(LayeredLineFoundation):
+    """A line contact on layers, and the attraction beside one strip of it.
+
+    Parameters
+    ----------
+    strength : float
+        The stress sigma_0 [Pa].
+    contact, outer : float
+        a and c [m].
+    """
+
+    __words__ = ZONE_WORDS
+
+    strength: Positive
+    contact: NonNegative
+    outer: Positive
+
+    @property
+    def half_plane(self) -> ZonedBed:
+        """The same on a half-plane of the uppermost layer."""
+        plain = LayeredLineFoundation(self.profile, self.medium).half_plane
+        return plain.zoned(self.strength, self.contact, self.outer)
+
+    def own_modes(self, half_width: Array) -> None:
+        """None: the stress beside the strip is no mode of its pressure."""
+
+    def own_transforms(self, half_width: Array, k: Array) -> Array:
+        """Return the transform of the half-plane's pressure and of the attraction."""
+        widths, loads = self.half_plane.beside(self.contact)
+        pulled = _of_punches(widths[None, :], loads[None, :], k)
+        return LayeredLineFoundation.own_transforms(self, half_width, k) + pulled
+
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]."""
+        return self.half_plane.beside(half_width)
+
+
+def _of_punches(widths: Array, loads: Array, k: Array) -> Array:
+    """Return the transforms of flat punches that bear loads ``(a, n)`` [m] at wave numbers ``(a, k)``."""
+    from scipy.special import j0
+
+    step = max(1, PAIRS_PER_CHUNK // (widths.shape[1] * k.size))
+    parts = (slice(start, start + step) for start in range(0, widths.shape[0], step))
+    return np.concatenate([np.einsum("akn,an->ak", j0(widths[i, None, :] * k[:, None]), loads[i]) for i in parts])
+
+
+def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength: float) -> EndedZones:
+    """Return strips beside which a stress [Pa] attracts over the spans l [m]."""
+    response, plain, outer = bed.medium.response, bed.half_plane, np.hypot(half_width, span)
+    ends = dict(zip(half_width.tolist(), span.tolist(), strict=True))
+    node, weight = gauss_legendre(
+        LEAST_NODES + math.ceil(0.5 * DECAY_SPAN / response.length * float(np.max(span, initial=0.0)))
+    )
+
+    def pressed(a: Array, k: Array) -> Array:
+        reach = np.array([ends[one] for one in a.tolist()])[:, None]
+        widths = np.sqrt(a[:, None] ** 2 + reach**2 * (1.0 - node**2))
+        pulled = _of_punches(widths, -2.0 * strength / bed.medium.modulus * reach * weight, k)
+        touching = a > 0.0
+        pulled[touching] += bed.own_transforms(a[touching], k)
+        return pulled
+
+    gap, load = plain.zone_gap(half_width, span, strength)[0], plain.zone_load(half_width, span, strength)
+    edge = plain.load_profile_slope(half_width) + 2.0 * strength / bed.medium.modulus * half_width / span
+    closing, added = np.zeros(half_width.size), np.zeros((2, half_width.size, 1))
+    (strips,) = np.nonzero(half_width > 0.0)
+    if strips.size:
+        found = strip_responses(response, half_width[strips], pressed)
+        order = np.arange(found.closing.shape[1])
+        added = np.zeros((2, half_width.size, order.size))
+        added[:, strips] = found
+        load = load + added[0, :, 0]
+        inner = 2.0 / half_width[strips] * (found.closing @ order**2)
+        edge[strips] = (edge[strips] - inner) / np.sum(found.punch, axis=1)
+        for i in strips:
+            gap[i] -= lowered(added[0, i], float(half_width[i]), outer[i : i + 1])[0]
+            closing[i] += lowered(added[1, i], float(half_width[i]), outer[i : i + 1])[0]
+    groups = octaves(response, 0.5 * (half_width + outer))
+    for octave in np.unique(groups):
+        (own,) = np.nonzero(groups == octave)
+        wave, a = waves(response, int(octave)), half_width[own]
+        rows = bessel_rows(a[:, None] * wave.k, added.shape[2])
+        modes = np.einsum("man,nak->mak", added[:, own] * signs(added.shape[2]), rows)
+        apart = 2.0 / np.pi * wave.weights * (np.cos(a[:, None] * wave.k) - np.cos(outer[own, None] * wave.k))
+        gap[own] -= np.sum(apart * (modes[0] + pressed(a, wave.k)), axis=1)
+        closing[own] += np.sum(apart * modes[1], axis=1)
+    return EndedZones(gap, load, edge, closing)
+
+
+def _edge_slopes(bed: LayeredLineFoundation, half_width: Array) -> Array:
+    from scipy.special import j1
+
+    punch = _responses(bed, half_width).punch
+    share, order = np.sum(punch, axis=1), np.arange(punch.shape[1])
+    widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k))
+    return np.asarray(2.0 / half_width * (punch @ order**2) - share**2 * widened.closing[:, 0])
 
 
 def _turns(found: Waves, x: Array) -> Array:
@@ -319,8 +513,7 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
                 f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."
             )
-        plain = bed.half_plane
-        solved = strip_responses(bed.medium.response, missing, lambda a, k: transforms(plain, a, k))
+        solved = strip_responses(bed.medium.response, missing, bed.own_transforms)
         kept.update(zip(missing.tolist(), zip(solved.closing, solved.punch, strict=True), strict=True))
     rows = [kept[a] for a in places]
     result = StripResponse(*np.zeros((2, len(rows), max(closing.size for closing, _ in rows))))
@@ -333,6 +526,6 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
 def _carried(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> Carried:
     one = np.array([half_width])
     found = _responses(bed, one)
-    own = smooth_modes(bed.half_plane, one)
+    own = bed.own_modes(one)
     added = found.closing[0] + rim_load * found.punch[0]
     return Carried(half_width, None if own is None else own[0], added, rim_load * float(np.sum(found.punch[0])))

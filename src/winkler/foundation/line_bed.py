@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -52,6 +52,11 @@ class LineBed:
 
     sheared_as_pressed: ClassVar[bool] = False
     """Whether tractions move the surfaces along as pressures sink them, but for the factor `along_share`."""
+
+    @property
+    def half_plane(self) -> Any:
+        """The same profile on half-planes of what carries the surface: a bed of which all is known in closed form."""
+        raise NotImplementedError
 
     @property
     def hertz_radius(self) -> float:
@@ -187,6 +192,41 @@ class LineBed:
             Ascending, symmetric about the middle [m]; displacements are counted from the distance of the last one.
         """
         return self.along_share * element_compliance(edges / edges[-1])
+
+    def edge_share(self, half_width: Array) -> Array:
+        """Return the tension at the edges of a flat punch that is pulled, over that on half-planes [-]."""
+        return np.ones(np.shape(half_width))
+
+    def edge_share_slope(self, half_width: Array) -> Array:
+        """Return its derivative by the half-width [1/m]."""
+        return np.zeros(np.shape(half_width))
+
+    def zoned(self, strength: float, half_width: float, outer: float) -> LineBed:
+        """Return the bed with an attraction of a constant stress [Pa] beside a strip, up to `outer` [m].
+
+        Its `load_profile` is still that of the profile alone, on half-planes.
+        """
+        raise NotImplementedError
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Return the distance of the surfaces [m] where a constant attraction beside strips ends, and its slope.
+
+        Parameters
+        ----------
+        half_width, span : ndarray, (m,)
+            a and l = sqrt(c^2 - a^2) [m], the attraction ends at c; the slope is that by l [-].
+        strength : float
+            sigma_0 [Pa].
+        """
+        raise NotImplementedError
+
+    def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return the load per length over E* of strips with an attraction beside them [m], as of `zone_gap`."""
+        raise NotImplementedError
+
+    def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return its derivative by the half-width [-], while the distance where the attraction ends stays."""
+        raise NotImplementedError
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
         """Return the displacement of a strip that sticks, over the shear force per length over E* [-].

@@ -150,10 +150,17 @@ class Ghost:
 
 
 COATED = wk.CoatedHalfSpace([wk.Layer(SOLID, 0.2)], wk.Elastic(0.2, 0.4, strength=0.1), wk.Elastic(5.0, 0.2))
-ON_LAYERS = ("LineIndentation", "LineTangential", "LineFrictionHeating", "LineConstriction", "LineYieldOnset")
+ON_LAYERS = (
+    "LineIndentation",
+    "LineTangential",
+    "LineFrictionHeating",
+    "LineConstriction",
+    "LineYieldOnset",
+    "LineAdhesion",
+)
 
 
-SLOW_ON_LAYERS = ("LineTangential", "LineTangential, bulk", "LineYieldOnset")
+SLOW_ON_LAYERS = ("LineTangential", "LineTangential, bulk", "LineYieldOnset", "LineAdhesion, Dugdale")
 
 
 @pytest.mark.parametrize(

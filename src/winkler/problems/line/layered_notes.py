@@ -19,7 +19,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["greatest_of_part", "layered_notes", "strip_notes"]
+__all__ = ["greatest_of_part", "layered_notes", "strip_notes", "yield_notes"]
 
 WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"
 PLACES, DEPTHS = 33, 25
@@ -44,11 +44,13 @@ def layered_notes(
     friction : float
         Traction over pressure [-] of a contact that slides everywhere.
     """
-    return (*strip_notes(bed, half_width, rim_load), *_yield_notes(bed, half_width, rim_load, friction))
+    return (*strip_notes(bed, half_width, rim_load), *yield_notes(bed, half_width, rim_load, friction))
 
 
-def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
-    """Return these notes but for that on yield."""
+def strip_notes(
+    bed: LayeredLineFoundation, half_width: float, rim_load: float, *, sticking: bool = False
+) -> tuple[Note, ...]:
+    """Return these notes but for that on yield, and of edges that may pull without that on a single strip."""
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
@@ -57,14 +59,17 @@ def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) 
         "the ends of a body of finite length are not included.",
         WAVES,
     )
-    notes = shape_notes(bed, half_width, response)
+    notes = shape_notes(bed, half_width, response, examined=not sticking)
     if half_width > 0.0 and has_depth(bed.medium):
         strain = layered_approach(bed, half_width, rim_load, None, None) / bed.medium.thickness
         notes = (*notes, film_note(strain, strain))
     return notes
 
 
-def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float, friction: float) -> tuple[Note, ...]:
+def yield_notes(
+    bed: LayeredLineFoundation, half_width: float, rim_load: float, friction: float = 0.0
+) -> tuple[Note, ...]:
+    """Return whether the layer that comes nearest to its strength stays elastic, as of `layered_notes`."""
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
         return ()

@@ -81,6 +81,16 @@ STICKING = Equation(
 STRETCHED = Equation(
     "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
 )
+LAYERED_STICKING = Equation(
+    "The edges pull like those of a flat punch on the layers, s times as steep as on half-planes of the uppermost one, "
+    "until the stress intensity releases the work of adhesion γ",
+    r"P = E^*\,(w(a)+\beta_0) - \frac{\sqrt{2\pi a E^*\gamma}}{s(a)}, \quad K_I = \sqrt{2E^*\gamma}",
+)
+LAYERED_RANGED = Equation(
+    "Beside the contact, up to c, the surfaces attract each other with the stress of the law; G is then the transform "
+    "of both",
+    r"P = E^*\,(w(a)+\beta_0) - 2\sigma_0\sqrt{c^2-a^2}",
+)
 RANGED = Equation(
     "Beside the contact, up to c, the surfaces attract each other with the stress of the law",
     r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}",
@@ -112,6 +122,10 @@ def line_yield_formulas(problem: Any) -> tuple[Equation, ...]:
 
 def line_adhesion_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a strip that sticks under the law of a problem."""
+    if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
+        ranged = is_a(problem.law, "winkler.laws.adhesion:Dugdale")
+        law = (LAYERED_RANGED, RANGE_END) if ranged else (LAYERED_STICKING,)
+        return (MODULUS, LOAD_PROFILE, LAYERED_RESPONSE, LAYERED_MODES, *law, STABLE)
     law = (RANGED, RANGE_END) if is_a(problem.law, "winkler.laws.adhesion:Dugdale") else (STICKING, STRETCHED)
     return (MODULUS, LOAD_PROFILE, *law, PRESSURE, STABLE)
 
