@@ -25,9 +25,10 @@ from winkler.checks.number_checks import Advice, NonNegative, Positive
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed
-from winkler.foundation.strip_waves import smooth_modes, transforms
+from winkler.foundation.periodic import from_line
+from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.plane_interior import PlaneLayers
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves, plane_waves
 from winkler.media.layered.wave_constants import Body
 from winkler.media.stacked.sliding_film import SlidingFilm
 from winkler.media.stacked.stacked import StackedHalfSpace
@@ -35,7 +36,16 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
-from winkler.numerics.transforms.strip_equation import StripResponse, Waves, octaves, strip_responses, waves
+from winkler.numerics.transforms.strip_equation import (
+    TAIL,
+    VANISHED,
+    StripResponse,
+    Waves,
+    octaves,
+    settled_strips,
+    strip_responses,
+    waves,
+)
 from winkler.numerics.transforms.strip_modes import (
     along_surface,
     bessel_rows,
@@ -48,11 +58,13 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
-__all__ = ["Carried", "LayeredLineFoundation", "ZonedLayers"]
+__all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 PAIRS_PER_CHUNK = 1_000_000
+MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
+"""Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
 LEAST_NODES = 12
 """Flat punches that stand for the attraction beside a strip, at the fewest."""
 STEP = 1e-4
@@ -166,6 +178,23 @@ class LayeredLineFoundation(LineBed):
     def beside(self, half_width: float) -> tuple[Array, Array]:
         """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
         return np.zeros(0), np.zeros(0)
+
+    def repeated(self, profile: Profile, pitch: float) -> PeriodicLayers:
+        """Return the bed of strips at a pitch [m], as of `LineFoundation.repeated`."""
+        return PeriodicLayers(profile, self.medium, pitch)
+
+    def solved(self, half_width: Array) -> StripResponse:
+        """Return what the layers add under strips [m]."""
+        return strip_responses(self.medium.response, half_width, self.own_transforms)
+
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
+        """Return the pressure of a strip as waves, for places up to a distance [m] from the middle."""
+        carried = self.carried(half_width, rim_load)
+
+        def transform(k: Array) -> Array:
+            return np.asarray(self.medium.modulus * self.transform(k, carried))
+
+        return plane_waves(self.medium, half_width, farthest, transform)
 
     def refuse_dragged(self, friction: float) -> None:
         """Refuse friction [-] where a layer slides on what lies below it."""
@@ -388,6 +417,118 @@ class LayeredLineFoundation(LineBed):
 
 
 @value
+class PeriodicLayers(LayeredLineFoundation):
+    r"""Strips at one pitch on layers, over the u of `winkler.foundation.periodic`.
+
+    The half-plane of the uppermost layer carries the pressure over u of a single strip.  The layers feel the waves
+    :math:`k_m = 2\pi m/\lambda` alone: sums over them stand for the integrals of a single strip, and for
+    :math:`(-1)^nJ_{2n}(ka)` the transform of a mode over u,
+
+    .. math:: B_n(m) = \frac2\pi\int_0^{\pi/2}\cos(2n\phi)\,\cos\big(2m\arcsin(\tfrac{\pi a}\lambda\cos\phi)\big)
+              \,\mathrm d\phi ,
+
+    zero for n > m: sin^2 of the places is a polynomial of u.  Of a flat punch it is half of
+    :math:`P_m(y)+P_{m-1}(y)`, Legendre's polynomials at :math:`y = 1-2(\pi a/\lambda)^2`.
+
+    Parameters
+    ----------
+    pitch : float
+        lambda [m].
+    """
+
+    pitch: Positive
+
+    @property
+    def discrete(self) -> Waves:
+        """The waves, and 2 pi M / (lambda k)."""
+        response = self.medium.response
+        count = math.ceil(0.5 * DECAY_SPAN * self.pitch / (math.pi * response.length))
+        if count > MOST_HARMONICS:
+            raise OutsideValidity(
+                f"A pitch of {self.pitch:.6g} m is too long for an uppermost layer whose response fades over "
+                f"{response.length:.6g} m: {count} waves would be felt, {MOST_HARMONICS} at most; give a thicker layer."
+            )
+        k = 2.0 * math.pi / self.pitch * np.arange(1, count + 1)
+        return Waves(k, 2.0 * math.pi / self.pitch * response.excess(k) / k)
+
+    def rows(self, half_width: Array, count: int, orders: int) -> Array:
+        """Return B_n(m) of so many modes for m = 1 ... `orders` under strips of half-widths over u ``(a, n, m)``."""
+        points = count + orders + 1
+        angle = 0.5 * math.pi * (np.arange(points) + 0.5) / points
+        modes = np.cos(2.0 * np.outer(np.arange(count), angle)) / points
+        turned = np.arcsin(np.minimum(math.pi / self.pitch * np.outer(half_width, np.cos(angle)), 1.0))
+        found = np.empty((half_width.size, count, orders))
+        for row, one in enumerate(turned):
+            found[row] = modes @ np.cos(2.0 * np.outer(one, np.arange(1, orders + 1)))
+        return np.asarray(np.triu(found, -1))  # the first wave, m = 1, has the modes 0 and 1
+
+    def own_transforms(self, half_width: Array, k: Array) -> Array:
+        """Return the transforms of the half-planes' pressures over E* [m] at the waves ``(a, m)``."""
+        modes = self.own_modes(half_width)
+        if modes is not None:
+            used = 1 + int(np.max(np.nonzero(np.any(modes != 0.0, axis=0))[0], initial=0))
+            return np.asarray(np.einsum("an,anm->am", modes[:, :used], self.rows(half_width, used, k.size)))
+        found = np.empty((half_width.size, k.size))
+        for place, a in enumerate(half_width.tolist()):
+            widths, loads = punches(self.half_plane, a, float(k[-1]))
+            level = 1.0 - 2.0 * (math.pi / self.pitch * widths) ** 2
+            before, now = np.ones(widths.size), level
+            for m in range(k.size):
+                found[place, m] = 0.5 * float(loads @ (before + now))
+                before, now = now, ((2.0 * m + 3.0) * level * now - (m + 1.0) * before) / (m + 2.0)
+        return found
+
+    def solved(self, half_width: Array) -> StripResponse:
+        """Return what the layers add under strips [m]."""
+        found = self.discrete
+        whole = found.k.size + 1 + TAIL  # no wave has more modes
+        step = max(1, PAIRS_PER_CHUNK // whole)
+
+        def settled(a: Array) -> StripResponse:
+            octave = max(0.0, float(np.log2(np.max(a) / self.medium.response.length)))
+            rounding, pressed = VANISHED * 2.0 ** (0.5 * octave), self.own_transforms(a, found.k)
+            first = min(FIRST_MODES + 8 * math.ceil(octave), whole)
+            return settled_strips(
+                lambda count: self.rows(a, count, found.k.size), found.weights, pressed, first, rounding, whole
+            )
+
+        parts = [settled(half_width[i : i + step]) for i in range(0, half_width.size, step)]
+        most = max(part.closing.shape[1] for part in parts)
+        return StripResponse(
+            *(
+                np.concatenate([np.pad(part[i], ((0, 0), (0, most - part[i].shape[1]))) for part in parts])
+                for i in (0, 1)
+            )
+        )
+
+    def transform(self, k: Array, carried: Carried) -> Array:
+        """Return the transform of a pressure over E* [m] at the waves `discrete`."""
+        rows = self.rows(np.array([carried.half_width]), carried.modes.size, k.size)[0]
+        found = carried.modes @ rows
+        if carried.own is None:
+            found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
+        return np.asarray(found)
+
+    def sunk(self, x: Array, carried: Carried) -> Array:
+        """Return by how much less the layers below let the surface sink at places u >= a [m] than at the edge."""
+        found = self.discrete
+        weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
+        at_edge, places = (from_line(np.asarray(u), self.pitch) for u in (carried.half_width, x))
+        return np.asarray(np.cos(found.k * at_edge) @ weights - np.cos(np.outer(places, found.k)) @ weights)
+
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
+        """Return the pressure of all strips as waves; an even load of `rim_load` E* per strip beside them.
+
+        The even part of the load is the wave that is long against all depths.
+        """
+        found, carried = self.discrete, self.carried(half_width, 0.0)
+        level = 2.0 / self.pitch * self.medium.modulus
+        load = float(self.load_profile(np.array([half_width]))[0]) + rim_load
+        k = np.append(LONGEST / max(self.medium.response.span, self.pitch), found.k)
+        return PlaneWaves(k, level * np.append(0.5 * load, self.transform(found.k, carried)))
+
+
+@value
 class ZonedLayers(LayeredLineFoundation):
     """A line contact on layers, and the attraction beside one strip of it.
 
@@ -513,7 +654,7 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
                 f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."
             )
-        solved = strip_responses(bed.medium.response, missing, bed.own_transforms)
+        solved = bed.solved(missing)
         kept.update(zip(missing.tolist(), zip(solved.closing, solved.punch, strict=True), strict=True))
     rows = [kept[a] for a in places]
     result = StripResponse(*np.zeros((2, len(rows), max(closing.size for closing, _ in rows))))

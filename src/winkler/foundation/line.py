@@ -140,6 +140,10 @@ class LineFoundation(LineBed):
         """The bed itself."""
         return self
 
+    def repeated(self, profile: Profile, pitch: float) -> LineFoundation:
+        """Return the bed of strips at a pitch [m] whose profile over u is given (`winkler.foundation.periodic`)."""
+        return LineFoundation(profile, self.medium)
+
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedBed:
         """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
         return ZonedBed(self.profile, self.medium, strength, half_width, outer)

@@ -50,6 +50,9 @@ class LineBed:
     punches_push: ClassVar[bool] = True
     """Whether flat punches nowhere pull, and leave the surface beside them below: no contact whose load grows parts."""
 
+    edges_bear: ClassVar[bool] = True
+    """Whether the edges bear what a load has beside that of the profile."""
+
     sheared_as_pressed: ClassVar[bool] = False
     """Whether tractions move the surfaces along as pressures sink them, but for the factor `along_share`."""
 
@@ -201,6 +204,10 @@ class LineBed:
         """Return its derivative by the half-width [1/m]."""
         return np.zeros(np.shape(half_width))
 
+    def repeated(self, profile: Profile, pitch: float) -> LineBed:
+        """Return the bed of strips at a pitch [m] whose profile over u is given (`winkler.foundation.periodic`)."""
+        raise NotImplementedError
+
     def zoned(self, strength: float, half_width: float, outer: float) -> LineBed:
         """Return the bed with an attraction of a constant stress [Pa] beside a strip, up to `outer` [m].
 
@@ -239,6 +246,10 @@ class LineBed:
             The distance from which displacements are counted [m].
         """
         return -2.0 / math.pi * self.along_share * math.log(0.5 * half_width / unit)
+
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> Any:
+        """Return the pressure of a strip as waves that layers feel, for places up to a distance [m]."""
+        raise NotImplementedError
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""

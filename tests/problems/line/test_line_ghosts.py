@@ -151,6 +151,7 @@ class Ghost:
 
 COATED = wk.CoatedHalfSpace([wk.Layer(SOLID, 0.2)], wk.Elastic(0.2, 0.4, strength=0.1), wk.Elastic(5.0, 0.2))
 ON_LAYERS = (
+    "PeriodicIndentation",
     "LineIndentation",
     "LineTangential",
     "LineFrictionHeating",
@@ -160,7 +161,13 @@ ON_LAYERS = (
 )
 
 
-SLOW_ON_LAYERS = ("LineTangential", "LineTangential, bulk", "LineYieldOnset", "LineAdhesion, Dugdale")
+SLOW_ON_LAYERS = (
+    "PeriodicIndentation",
+    "LineTangential",
+    "LineTangential, bulk",
+    "LineYieldOnset",
+    "LineAdhesion, Dugdale",
+)
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,7 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveRespons
 from winkler.numerics.transforms.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array
 
-__all__ = ["StripResponse", "Transforms", "Waves", "strip_responses", "waves"]
+__all__ = ["TAIL", "VANISHED", "StripResponse", "Transforms", "Waves", "settled_strips", "strip_responses", "waves"]
 
 FIRST_WAVE_NUMBER = 0.5
 """First panel of wave numbers, in units of 1 / span."""
@@ -64,6 +64,8 @@ class StripResponse(NamedTuple):
     punch: Array
 
 
+Rows = Callable[[int], Array]
+"""Transforms of so many modes of several strips at wave numbers: ``(a, n, k)``."""
 Transforms = Callable[[Array, Array], Array]
 """G [m] of the half-plane's pressures under half-widths ``(a,)`` at wave numbers ``(k,)``: ``(a, k)``."""
 
@@ -113,9 +115,10 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
         step = max(1, ENTRIES_PER_BLOCK // (found.k.size * count))
         for start in range(0, members.size, step):
             chosen = members[start : start + step]
-            parts.append(
-                (chosen, *_settled(found, half_width[chosen], transforms(half_width[chosen], found.k), int(octave)))
-            )
+            a = half_width[chosen]
+            allowed = VANISHED * 2.0 ** (0.5 * octave)
+            solved = settled_strips(_signed(a, found.k), found.weights, transforms(a, found.k), count, allowed)
+            parts.append((chosen, *solved))
     most = max((closing.shape[1] for _, closing, _ in parts), default=1)
     result = StripResponse(np.zeros((half_width.size, most)), np.zeros((half_width.size, most)))
     for chosen, closing, punch in parts:
@@ -124,41 +127,73 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     return result
 
 
+def _signed(half_width: Array, k: Array) -> Rows:
+    """Return what gives the transforms of modes: (-1)^n J_2n(ka)."""
+
+    def rows_of(count: int) -> Array:
+        rows = np.moveaxis(bessel_rows(half_width[:, None] * k, count), 0, 1)
+        rows *= signs(count)[:, None]
+        return rows
+
+    return rows_of
+
+
 def _modes_of(octave: int) -> int:
     return FEWEST_MODES + 8 * max(octave, -1)
 
 
-def _settled(found: Waves, half_width: Array, transforms: Array, octave: int) -> tuple[Array, Array]:
-    count, allowed = _modes_of(octave), VANISHED * 2.0 ** (0.5 * octave)
+def settled_strips(
+    rows_of: Rows, weights: Array, transforms: Array, count: int, vanished: float, most: int = MOST_MODES
+) -> StripResponse:
+    """Return corrections and flat punches of strips whose modes are known as waves.
+
+    Parameters
+    ----------
+    rows_of
+        Takes a number of modes, returns their transforms at the wave numbers ``(a, n, k)``.
+    weights : ndarray, (k,)
+        Of the quadrature, times M / k.
+    transforms : ndarray, (a, k)
+        G [m] of the half-planes' pressures.
+    count : int
+        Modes to begin with.
+    vanished : float
+        What the last modes may be, over the largest.
+    most : int
+        More modes are not tried, nor more than 384.
+
+    Raises
+    ------
+    NotConverged
+        If so many modes do not suffice.
+    """
     while True:
-        closing, punch = _solved(found, half_width, transforms, count)
+        closing, punch = _solved(rows_of(count), weights, transforms)
         scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * np.abs(transforms[:, 0]))
-        if _vanished(closing, allowed * scale) and _vanished(punch, allowed * np.max(np.abs(punch), axis=1)):
-            return closing, punch
-        if count >= MOST_MODES:
+        if _vanished(closing, vanished * scale) and _vanished(punch, vanished * np.max(np.abs(punch), axis=1)):
+            return StripResponse(closing, punch)
+        if count >= min(most, MOST_MODES):
             raise NotConverged(
-                f"The pressure on a strip of the half-width {float(np.max(half_width)):.6g} m is not resolved by "
-                f"{MOST_MODES} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give "
-                "a thicker layer."
+                f"The pressure on a strip is not resolved by {count} modes: the layer is too thin for it; round a "
+                "sharp tip or kink off, press less, or give a thicker layer."
             )
-        count = min(2 * count, MOST_MODES)
+        count = min(2 * count, most, MOST_MODES)
 
 
 def _vanished(modes: Array, allowed: Array) -> bool:
     return bool(np.all(np.max(np.abs(modes[:, -TAIL:]), axis=1) <= allowed))
 
 
-def _solved(found: Waves, half_width: Array, transforms: Array, count: int) -> tuple[Array, Array]:
-    rows = np.moveaxis(bessel_rows(half_width[:, None] * found.k, count), 0, 1)
-    rows *= signs(count)[:, None]
-    weighted = rows * found.weights
+def _solved(rows: Array, weights: Array, transforms: Array) -> tuple[Array, Array]:
+    weighted = rows * weights
     coupled = weighted @ np.swapaxes(rows, 1, 2)
     pressed = np.einsum("ank,ak->an", weighted, transforms)
-    fourfold = 4.0 * np.arange(1, count)
-    matrix = np.eye(count - 1) + fourfold[:, None] * coupled[:, 1:, 1:]
+    fourfold = 4.0 * np.arange(1, rows.shape[1])
+    matrix = np.eye(fourfold.size) + fourfold[:, None] * coupled[:, 1:, 1:]
     sides = -fourfold[:, None] * np.stack([pressed[:, 1:], coupled[:, 1:, 0]], axis=2)
     own = np.linalg.solve(matrix, sides)
-    punch = np.concatenate([np.ones((half_width.size, 1)), own[..., 1]], axis=1)
-    free = np.concatenate([np.zeros((half_width.size, 1)), own[..., 0]], axis=1)
+    first = np.ones((rows.shape[0], 1))
+    punch = np.concatenate([first, own[..., 1]], axis=1)
+    free = np.concatenate([0.0 * first, own[..., 0]], axis=1)
     edge = np.sum(free, axis=1) / np.sum(punch, axis=1)
     return free - edge[:, None] * punch, punch

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["greatest_of_part", "layered_notes", "strip_notes", "yield_notes"]
+__all__ = ["WAVES", "greatest_of_part", "layered_notes", "strip_notes", "yield_notes"]
 
 WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"
 PLACES, DEPTHS = 33, 25
@@ -66,9 +67,7 @@ def strip_notes(
     return notes
 
 
-def yield_notes(
-    bed: LayeredLineFoundation, half_width: float, rim_load: float, friction: float = 0.0
-) -> tuple[Note, ...]:
+def yield_notes(bed: Any, half_width: float, rim_load: float, friction: float = 0.0) -> tuple[Note, ...]:
     """Return whether the layer that comes nearest to its strength stays elastic, as of `layered_notes`."""
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
@@ -88,7 +87,7 @@ def yield_notes(
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
 
 
-def greatest_of_part(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, friction: float) -> Placed:
+def greatest_of_part(bed: Any, strip: Strip, part: StrongPart, friction: float) -> Placed:
     """Return the greatest von Mises stress of a part at sampled places, and its place."""
     a, sharp = strip.half_width, is_sharp(bed, *strip)
     x = 2.0 * math.hypot(a, part.top) * np.linspace(0.0, 1.0, PLACES)  # as far as the load has spread
