@@ -87,6 +87,19 @@ def bench_a_loop_of_a_thousand_steps(benchmark, below, steel_on_steel, name):
 
 
 @pytest.mark.parametrize("load", [wk.Shift, wk.ShearForce])
+def bench_a_shrinking_loop(benchmark, below, steel_on_steel, load):
+    """Every turning point is remembered: ten thousand of them by shift, two thousand by force."""
+    bed, force = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel), 1000.0
+    depth = wk.Indentation(bed, wk.Force(force)).solve().depth
+    count, most, limit = (10_000, 0.25 * depth, 1.2) if load is wk.Shift else (2_000, 0.27 * force, 1.0)
+    turns = np.arange(count)
+    path = Path(turns * 1.0, wk.Force(force), load(most * (-1.0) ** turns * (1.0 - turns / count)))
+    problem = wk.Tangential(bed, Coulomb(0.3), path)
+    assert benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1).states[-1].memory.size > count // 3
+    below(limit, f"shrinking loop of {count} turning points, {load.__name__}")
+
+
+@pytest.mark.parametrize("load", [wk.Shift, wk.ShearForce])
 def bench_a_loop_of_a_thousand_points_on_a_coating(benchmark, below, load):
     """Under a steady load, by turning points: 1 s, the tables of the layers computed before."""
     layer = wk.Layer(wk.Elastic(400e9, 0.3), thickness=2e-6)

@@ -57,18 +57,28 @@ napoleon_use_ivar = True
 napoleon_use_rtype = False
 
 
-_shown: weakref.WeakSet[Figure] = weakref.WeakSet()
+_shown: weakref.WeakKeyDictionary[Figure, tuple[str, list[str]]] = weakref.WeakKeyDictionary()
+"""Where a figure is saved, and what was in it then."""
 
 
 def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
-    """Give the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them."""
+    """Give the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them.
+
+    One that a later block goes on with is saved once more, so that the page shows it as it is in the end.
+    """
     paths = []
     for item in list(block_vars["example_globals"].values()):
-        if isinstance(item, Figure) and item not in _shown:
-            _shown.add(item)
+        if not isinstance(item, Figure):
+            continue
+        content = [str(artist) for artist in item.findobj()]
+        if item not in _shown:
             paths.append(next(block_vars["image_path_iterator"]))
-            item.savefig(paths[-1], dpi=110, bbox_inches="tight")
-            pyplot.close(item)
+        elif _shown[item][1] == content:
+            continue
+        path = _shown[item][0] if item in _shown else paths[-1]
+        item.savefig(path, dpi=110, bbox_inches="tight")
+        _shown[item] = path, [str(artist) for artist in item.findobj()]
+        pyplot.close(item)
     return str(figure_rst(paths, gallery_conf["src_dir"]))
 
 

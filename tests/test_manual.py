@@ -48,6 +48,27 @@ def test_the_interface_lists_all_public_names(root):
     assert sorted(documented) == sorted(name for name in wk.__all__ if not name.startswith("__"))
 
 
+def test_each_chapter_opens_with_a_picture_that_an_example_draws(root):
+    pages = [*project_files(root / "docs" / "chapters", "*.md"), *project_files(root / "docs" / "tutorials", "*.md")]
+    pages = [page for page in pages if page.name != "index.md"]
+    assert len(pages) > 35
+    without = []
+    for page in pages:
+        opening = "\n".join(page.read_text(encoding="utf-8").split("\n")[:16])
+        drawn = re.search(r"!\[[^\]]{20,}\]\(((?:\.\./)+)gallery/(\w+)/images/sphx_glr_(\w+)_\d{3}\.png\)", opening)
+        beside = re.search(r"!\[[^\]]{20,}\]\(((?:\.\./)+figures/\w+\.png)\)", page.read_text(encoding="utf-8"))
+        if drawn:
+            up, folder, script = drawn.groups()
+            found = (page.parent / up).resolve() == root / "docs" and (
+                root / "examples" / folder / f"{script}.py"
+            ).exists()
+        else:
+            found = bool(beside) and (page.parent / beside.group(1)).exists()
+        if not found:
+            without.append(page.name)
+    assert without == []
+
+
 @pytest.fixture
 def media(root):
     """Return what writes the table of media and problems."""

@@ -12,8 +12,8 @@ from winkler.checks.outline import refuse_unless_round
 from winkler.fields import below_surface, springs_of
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
-from winkler.media.families import LayeredBody
 from winkler.media.interior.peak import greatest, greatest_around
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_self_restoring
 from winkler.problems.friction.torsion_fields import body_of_twisted
@@ -114,7 +114,7 @@ def peak_stress(
 
 def _spans(medium: object, sign: float) -> tuple[tuple[float, float], ...]:
     """Return the depths between which stresses are continuous [m]: those of layers, or of all of the body."""
-    if sign < 0.0 or not isinstance(medium, LayeredBody):
+    if sign < 0.0 or not offers(medium, LayerStack):
         return ((0.0, math.inf),)
     return tuple((top * (1.0 + INTERFACE_OFFSET), bottom) for top, bottom in medium.spans)
 

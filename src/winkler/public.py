@@ -127,14 +127,12 @@ from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.poroelastic import PoroelasticFilm
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.media.stacked.sliding_film import SlidingFilm
-from winkler.media.stacked.stacked import StackedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start

@@ -22,7 +22,7 @@ from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.numerics.fields.disc_charges import currents
 from winkler.problems.conduction.spots import SpotClusterSolution
 from winkler.problems.friction.spring_march import SpringMarch
-from winkler.problems.line_rolling.coupled import coupled_strip, creepage_error, loss_error
+from winkler.problems.line_rolling.rolled_strip import creepage_error, loss_error, rolled_strip
 from winkler.problems.rolling.linear_theory import _forces, linear_creep_coefficients
 from winkler.problems.viscoelastic.layered_path import stepped
 
@@ -394,13 +394,16 @@ def measured_section(rng):
     return rough.strip_error, max(abs(getattr(rough, name) / getattr(fine, name) - 1.0) for name in names)
 
 
-@states("LineRollingSolution.loss_error", "problems.line_rolling.coupled_stresses")
+@states("LineRollingSolution.loss_error", "problems.line_rolling.strip_stresses")
 def coupled_roller(rng):
     """Creepage, force and loss of dissimilar cylinders, extrapolated from twice as many elements."""
     slope, beta, friction = 10.0 ** rng.uniform(-5, -1), rng.uniform(-0.5, 0.5), 10.0 ** rng.uniform(-3, 0.3)
     kind, used, load = rng.integers(3), rng.uniform(-1.0, 1.0), 0.25 * np.pi * slope
     drives = {"force": 0.0}, {"force": used * friction * load}, {"creepage": 1.2 * used * friction * slope}
-    rough, fine = (coupled_strip(beta, friction, slope, **drives[kind], count=count) for count in (400, 800))
+    soft = wk.Elastic(1.0, (0.5 - abs(beta)) / (1.0 - abs(beta)))
+    pair = (soft, wk.Rigid()) if beta > 0.0 else (wk.Rigid(), soft)
+    bed = wk.LineFoundation(wk.Paraboloid(1.0 / slope), wk.HalfSpace(*pair))
+    rough, fine = (rolled_strip(bed, 1.0, friction, **drives[kind], count=count) for count in (400, 800))
     true = {
         name: (4.0 * getattr(fine, name) - getattr(rough, name)) / 3.0 for name in ("creepage", "force", "loss")
     }  # of the second order

@@ -6,7 +6,7 @@ import contextlib
 import dataclasses
 import functools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
@@ -68,15 +68,20 @@ def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterato
 
 def _without_nan(result: Any) -> Any:
     """Return a result without undefined numbers; compiled kernels raise no error for those."""
-    for field in dataclasses.fields(result) if dataclasses.is_dataclass(result) else ():
-        inside = getattr(result, field.name)
+    for name in _fields_of(result.__class__):
+        inside = getattr(result, name)
         if isinstance(inside, np.ndarray):
             undefined = inside.dtype == float and bool(np.isnan(inside).any())
         else:
             undefined = isinstance(inside, float) and math.isnan(inside)
         if undefined:
-            raise FloatingPointError(f"the {field.name} comes out undefined")
+            raise FloatingPointError(f"the {name} comes out undefined")
     return result
+
+
+@functools.cache
+def _fields_of(kind: Hashable) -> tuple[str, ...]:
+    return tuple(field.name for field in dataclasses.fields(kind)) if dataclasses.is_dataclass(kind) else ()
 
 
 @contextlib.contextmanager

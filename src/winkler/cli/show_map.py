@@ -77,12 +77,17 @@ def _read(path: Path, options: MapOptions) -> tuple[MapStatistics | LineScan, li
     from winkler.io.tables.scan_table import read_scan
     from winkler.profiles.rough.map_notes import map_notes
     from winkler.profiles.rough.map_statistics import map_statistics
+    from winkler.profiles.rough.plausibility import doubts_of_surface
 
     try:
         rough = _map(path, options)
     except InvalidInput as reason:
         try:
-            return read_scan(path, unit=options.unit, channel=options.channel), []
+            scan = read_scan(path, unit=options.unit, channel=options.channel)
+            whole = scan.missing + scan.heights.size
+            remarks = [f"Missing: {scan.missing} of {whole} heights, left out."] if scan.missing else []
+            length = float(scan.position[-1] - scan.position[0])
+            return scan, [*remarks, *doubts_of_surface(scan.heights, scan.rms_slope, (length,))]
         except InvalidInput as other:
             raise (other if "is no map" in str(reason) or _names_scan(path) else reason) from None
     spikes = "" if options.without_spikes else str(rough.spikes())
@@ -93,7 +98,9 @@ def _read(path: Path, options: MapOptions) -> tuple[MapStatistics | LineScan, li
         tilted = 1.0 - (rough.detrended(1).rms_height / rough.rms_height) ** 2
         if tilted > LARGE_TILT:
             remarks.append(f"A plane makes up {tilted:.0%} of the mean square height; --detrend plane takes it off.")
-    return map_statistics(rough), [*remarks, *(note.statement for note in map_notes(rough))]
+    statistics = map_statistics(rough)
+    remarks += doubts_of_surface(rough.heights, statistics.rms_slope, tuple(rough.lengths))
+    return statistics, [*remarks, *(note.statement for note in map_notes(rough))]
 
 
 def _names_scan(path: Path) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.exporting.laws.particle import ball_of
 from winkler.exporting.step_law import RADIUS, StepLaw
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.problems.viscoelastic.march import elastic_like
 
@@ -34,7 +35,7 @@ def of_every_radius(law: StepLaw, problem: Any) -> StepLaw:
         )
     bed = getattr(getattr(problem, "problem", problem), "bed", None)
     if bed is not None:
-        ball_of(elastic_like(bed) if isinstance(bed.medium, RelaxingMedium) else bed)
+        ball_of(elastic_like(bed) if offers(bed.medium, RelaxingMedium) else bed)
     given = law.curvature_radius
     note = (
         f"R of the pair goes in. The numbers below are those of R = {given:.4g} m; lengths that they state are in "

@@ -16,8 +16,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.loading import Depth
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -75,7 +74,7 @@ def fit_notes(
 def coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
     """Return the note on coating and substrate, by the stiffness of the widest contact."""
     medium = bed.medium
-    if not isinstance(medium, CoatedHalfSpace | SlidingStack):
+    if not offers(medium, LayerStack):
         return []
     thickness = medium.thickness
     place = np.array([widest])

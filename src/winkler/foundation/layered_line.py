@@ -27,15 +27,15 @@ from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.periodic import from_line
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves, plane_waves
-from winkler.media.layered.wave_constants import Body
-from winkler.media.stacked.sliding_film import SlidingFilm
-from winkler.media.stacked.stacked import StackedHalfSpace
+from winkler.media.layered.wave_constants import Body, Wave
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.chebyshev import fit_panels
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.surfaces.strip_elements import by_hats
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded
 from winkler.numerics.transforms.strip_equation import (
     TAIL,
     VANISHED,
@@ -202,6 +202,16 @@ class LayeredLineFoundation(LineBed):
             _ = self.medium.along_modulus
 
     @property
+    def surfaces(self) -> tuple[Body, Body]:
+        """The solid of the uppermost layer, and the second body."""
+        return self.medium.layers[0].solid, self.medium.second
+
+    @property
+    def similar(self) -> bool:
+        """False: where the surfaces are alike, what lies below one of them is not."""
+        return False
+
+    @property
     def strained(self) -> Body:
         """What carries the layers, which a bulk stress strains together with them."""
         return self.medium.on
@@ -333,6 +343,39 @@ class LayeredLineFoundation(LineBed):
         lifted = np.sign(far) * turns(np.abs(far) / unit)
         added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
         return LineBed.shear_compliance(self, edges) + added
+
+    def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
+        """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
+        response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
+        found = waves(response, int(octaves(response, away[-1:])[0]))
+        evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
+        near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
+        step = max(1, PAIRS_PER_CHUNK // found.k.size)
+        half = [np.sin(0.5 * np.outer(away[i : i + step], found.k)) for i in range(0, away.size, step)]
+        felt = near - np.concatenate([part**2 @ (2.0 * found.weights * evened) for part in half])
+        plain = LineBed.hat_compliance(self, count, spacing, reference)
+        return np.asarray(plain + 2.0 / np.pi * self.along_share * spacing * felt)
+
+    def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
+        """Return slopes of the surfaces by tractions straight between nodes, as of `LineBed.slopes`."""
+        names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
+        response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
+        far = x[:, None] - nodes
+        octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
+        unit = response.length * 2.0**octave
+        if part is Wave.COUPLING:
+            lifted = unit * _bends(response, octave)(np.abs(far) / unit)
+        else:
+            share = self.along_share if part is Wave.ALONG else 1.0
+            lifted = -share * unit * np.sign(far) * _twists(response, octave)(np.abs(far) / unit)
+        return LineBed.slopes(self, part, nodes, x) + 2.0 / np.pi * by_hats(lifted, nodes)
+
+    def drawn(self, x: Array, half_width: float) -> Array:
+        """Return how far the pressure moves the first surface beyond the second [m], as of `LineBed.drawn`."""
+        response = self.medium.coupling_response
+        found = waves(response, int(octaves(response, np.array([max(half_width, float(np.max(np.abs(x))))]))[0]))
+        weights = -2.0 / np.pi * found.weights * self.transform(found.k, self.carried(half_width, 0.0))
+        return LineBed.drawn(self, x, half_width) + np.sin(np.multiply.outer(x, found.k)) @ weights
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
         """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`."""
@@ -632,6 +675,26 @@ def _turns(found: Waves, x: Array) -> Array:
     step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
     rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
     return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights))
+
+
+@cached_by_value(64)
+def _twists(response: WaveResponse, octave: int) -> Panels:
+    """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
+    found, unit = waves(response, octave), response.length * 2.0**octave
+    return fit_panels(lambda t: _turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+
+
+@cached_by_value(64)
+def _bends(response: WaveResponse, octave: int) -> Panels:
+    """Return the same of M (1 - cos kx) / k^2."""
+    found, unit = waves(response, octave), response.length * 2.0**octave
+
+    def bent(t: Array) -> Array:
+        flat, step = unit * t.ravel(), max(1, PAIRS_PER_CHUNK // found.k.size)
+        half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
+        return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
+
+    return fit_panels(bent, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
 
 
 @functools.lru_cache(maxsize=16)

@@ -119,6 +119,11 @@ class LineFoundation(LineBed):
         return shape.curvature_radius if isinstance(shape, Paraboloid) else math.inf
 
     @property
+    def surfaces(self) -> tuple[Any, Any]:
+        """The two bodies."""
+        return self.medium.first, self.medium.second  # type: ignore[attr-defined]
+
+    @property
     def strained(self) -> Any:
         """The first body, which a bulk stress strains."""
         return self.medium.first  # type: ignore[attr-defined]
@@ -227,6 +232,14 @@ class LineFoundation(LineBed):
             apart = _beside(self, half_width, beside)
         logarithm = np.log1p((beside - half_width + root) / half_width) if rim_load else 0.0
         return np.asarray((apart - 2.0 / math.pi * rim_load * logarithm).reshape(np.shape(x)))
+
+    def drawn(self, x: Array, half_width: float) -> Array:
+        """Return how far the pressure moves the first surface beyond the second [m], as of `LineBed.drawn`."""
+        if not self.hertzian:
+            return LineBed.drawn(self, x, half_width)
+        level = -self.mismatch * half_width**2 / (2.0 * self._round)  # 2 beta p0 a / E* times 1/2
+        t = np.clip(x / half_width, -1.0, 1.0)
+        return np.asarray(level * (t * np.sqrt(1.0 - t * t) + np.arcsin(t)))
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""

@@ -8,8 +8,9 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.media.layered.wave_constants import constants_of
-from winkler.numerics.surfaces.strip_elements import element_compliance
+from winkler.media.layered.wave_constants import Body, Wave, constants_of, half_space_compliance
+from winkler.numerics.surfaces.strip_elements import element_compliance, hats, linear_slope
+from winkler.numerics.surfaces.strip_grid import strip_compliance
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
@@ -17,6 +18,8 @@ from winkler.validity import Note
 __all__ = ["LineBed", "PressedPair"]
 
 
+SIMILAR = 1e-12
+"""Dundurs' constant [-] below which bodies are similar."""
 PLACES_BESIDE = 513
 """Places at which the slope of the distance beside a strip is added up."""
 
@@ -75,6 +78,26 @@ class LineBed:
     def along_share(self) -> float:
         """E* / m_L [-]: over how far a pressure sinks the surfaces, how far a traction moves them along."""
         return self.medium.modulus / self.medium.along_modulus
+
+    @property
+    def surfaces(self) -> tuple[Body, Body]:
+        """The solids at the surfaces of the first and the second body."""
+        raise NotImplementedError
+
+    @property
+    def mismatch(self) -> float:
+        """How far a pressure draws the first surface along less the second, over how far it sinks both: beta [-].
+
+        Of short waves, as on half-planes of the solids at the surfaces; Dundurs' second constant if these are
+        isotropic.
+        """
+        first, second = (half_space_compliance(body, Wave.COUPLING) for body in self.surfaces)
+        return self.medium.modulus * (first - second)
+
+    @property
+    def similar(self) -> bool:
+        """Whether pressure and traction do not act on each other."""
+        return abs(self.mismatch) <= SIMILAR
 
     def refuse_dragged(self, friction: float) -> None:
         """Refuse friction [-] where a layer slides on what lies below it: it would be dragged away."""
@@ -234,6 +257,55 @@ class LineBed:
     def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
         """Return its derivative by the half-width [-], while the distance where the attraction ends stays."""
         raise NotImplementedError
+
+    def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
+        """Return the displacement [m] at nodes 0, 1, ... `count` spacings away from a hat of tractions with the top E*.
+
+        Parameters
+        ----------
+        count : int
+        spacing, reference : float
+            Between nodes, and the distance from which displacements are counted [m].
+        """
+        return self.along_share * spacing * strip_compliance(count, 1.0, reference / spacing)
+
+    def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
+        """Return slopes of the surfaces at places under tractions of E*, each on one node, straight to the next.
+
+        Parameters
+        ----------
+        part : Wave
+            How steeply pressures lower the surfaces (`NORMAL`), or tractions move them along (`ALONG`), each with the
+            sign turned; or how pressures stretch the first more than the second, as tractions lift it (`COUPLING`).
+        nodes : ndarray, (m,)
+            Ascending [m]; the first and the last carry nothing.
+        x : ndarray, (k,)
+            Places [m], none of them a node.
+
+        Returns
+        -------
+        ndarray, (k, m - 2)
+        """
+        if part is Wave.COUPLING:
+            return np.asarray(2.0 * self.mismatch * hats(nodes, x))
+        share = self.along_share if part is Wave.ALONG else 1.0
+        return 2.0 * share * linear_slope(nodes, x)
+
+    def drawn(self, x: Array, half_width: float) -> Array:
+        """Return how far the pressure of a contact moves the first surface beyond the second [m], zero in the middle.
+
+        Parameters
+        ----------
+        x : ndarray
+            Places inside or outside of the strip [m].
+        half_width : float
+            a [m].
+        """
+        if self.mismatch == 0.0:
+            return np.zeros(x.shape)
+        ends, where = np.unique(np.append(0.0, np.abs(x)), return_inverse=True)
+        borne = np.append(0.0, np.cumsum(self.mean_pressures(ends, half_width, 0.0) * np.diff(ends)))
+        return np.asarray(-2.0 * self.mismatch / self.medium.modulus * np.sign(x) * borne[where[1:]].reshape(x.shape))
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
         """Return the displacement of a strip that sticks, over the shear force per length over E* [-].

@@ -22,8 +22,8 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.media.families import TwistedLayers
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import TwistedWaves, offers
 from winkler.media.twisting.kernels import TwistKernel, panel_width, twist_kernel
 from winkler.numerics.panels.kink_panels import HALVINGS, Sample, Stretches, stretches
 from winkler.numerics.types import Array
@@ -57,7 +57,7 @@ class TwistBound:
     Parameters
     ----------
     bed : Bed
-        On a `winkler.media.families.TwistedMedium`.
+        Its medium offers `winkler.media.offers.TwistModuli`.
     coefficient : float
         mu [-].
     widest : float
@@ -102,7 +102,7 @@ class TwistBound:
     def _responses(self) -> tuple[SurfaceResponse, ...]:
         """Return the responses whose kernels are read on the panels."""
         medium = self.bed.medium
-        return (medium.response, medium.across_response) if isinstance(medium, TwistedLayers) else ()
+        return (medium.response, medium.across_response) if offers(medium, TwistedWaves) else ()
 
     def _springs(self) -> TwistKernel:
         return twist_kernel(self.bed.medium, self.panels)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 __all__ = ["DEPTH_NAMES", "FORCE_NAMES", "POSITION_NAMES", "STIFFNESS_NAMES", "TIME_NAMES", "by_preference"]
 
-POSITION_NAMES = ("position", "piezo", "stage", "z", "displacement", "travel", "z-piezo")
+POSITION_NAMES = ("position", "piezo", "stage", "z", "displacement", "travel", "z-piezo", "calc ramp", "calc_ramp")
 """Travel of a machine whose cantilever bends."""
 DEPTH_NAMES = (
     "depth",

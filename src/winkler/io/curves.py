@@ -23,12 +23,13 @@ from winkler.io.foreign import in_file, quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.instruments.find import instrument_tests
 from winkler.io.instruments.instrument_test import InstrumentTest
-from winkler.io.instruments.to_curve import curve_of_test
+from winkler.io.instruments.to_curve import curves_of_test
 from winkler.io.memory import limited_memory
 from winkler.io.placed_curves import PlacedCurve, UnreadCurve
-from winkler.io.segments import directions
-from winkler.io.tables.curve_table import is_curve_table, read_curve_table
+from winkler.io.segments import directions, segment_fact
+from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
 from winkler.io.tables.given_units import checked_units
+from winkler.io.tables.tests_side_by_side import tests_side_by_side
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 
@@ -125,8 +126,11 @@ def _each(
         if (tests := instrument_tests(file, is_text=is_text, units=units)) is not None:
             yield from _curves_of_tests(tests, file, units, spring_constant)
             return
+        if is_text and (wide := tests_side_by_side(file, spring_constant)) is not None:
+            yield from _curves_of_tests(wide, file, units, spring_constant)
+            return
         if is_text and is_curve_table(file):
-            yield read_curve_table(file, spring_constant=spring_constant, sensitivity=sensitivity, units=units)
+            yield from read_curve_tables(file, spring_constant=spring_constant, sensitivity=sensitivity, units=units)
             return
         yield from _curves_of_afmformats(file, spring_constant, sensitivity)
 
@@ -136,11 +140,11 @@ def _curves_of_tests(
 ) -> Iterator[PlacedCurve | UnreadCurve]:
     for test in tests:
         try:
-            placed = curve_of_test(test, path, units, spring_constant=spring_constant)
+            placed = curves_of_test(test, path, units, spring_constant=spring_constant)
         except InvalidInput as error:
             yield UnreadCurve(test.name, str(error))
         else:
-            yield placed
+            yield from placed
 
 
 def _is_text(path: Path) -> bool:
@@ -203,7 +207,7 @@ def _curves_of_afmformats(
 def _no_table(path: Path, reason: str) -> InvalidInput:
     """Return the reason why a file cannot be read; of an incomplete table its reader raises what is missing."""
     if _is_text(path):
-        read_curve_table(path)
+        read_curve_tables(path)
     return InvalidInput(f"{path}: {reason}.")
 
 
@@ -262,7 +266,8 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
     with in_file(file_name):
         directed = directions(position, force, segment)
-        reading = _reading(data, height, bool(time.size), overrides)
+        doubts = segment_fact(position, force, segment, "segment")
+        reading = _reading(data, height, bool(time.size), overrides) + f"; {doubts}" * bool(doubts)
         curve = ForceCurve(position, force, float(stiffness), time, directed, name, reading=reading)
     x, y = (float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy")
     return PlacedCurve(curve, x, y)

@@ -7,7 +7,7 @@ import numpy as np
 from winkler.fitting.curves.directions import HELD, IN, OUT, found_directions
 from winkler.numerics.types import Array
 
-__all__ = ["directions"]
+__all__ = ["directions", "segment_fact", "turning_segments"]
 
 LEAST_POINTS = 10
 """Of a segment with fewer points only its ends are compared."""
@@ -23,6 +23,10 @@ LEAST_STIFF_TRAVEL, TRAVEL_TO_NOISE = 1e-3, 3.0
 """Least travel of a stiff contact, relative to the whole travel and to the noise of its ends."""
 END_SHARE = 20
 """The ends of a segment are means of this part of its points."""
+LARGEST_EXCURSION, LARGEST_FORCE_EXCURSION = 0.1, 0.25
+"""Greatest distance of a position within a segment from its ends, and of a force above them, relative to the whole."""
+EXTREMES = (0.02, 0.98)
+"""Quantiles that are taken for the extremes of a segment."""
 
 
 def directions(position: Array, force: Array, segment: Array) -> Array:
@@ -33,15 +37,22 @@ def directions(position: Array, force: Array, segment: Array) -> Array:
     position, force : ndarray, (n,)
         [m] and [N].
     segment : ndarray, (n,) or (0,)
-        The segment number of each point; the direction of most points of a segment holds for all of them.  Without
-        segments the tip is held if the force or the position is constant throughout, else an empty array is returned.
+        The segment number of each point; the direction of most points of a segment holds for all of them, unless the
+        tip turns within it.  Without segments, or with one number throughout, the tip is held if the force or the
+        position is constant, else an empty array is returned.
     """
-    if not segment.size:
+    numbers = np.unique(segment)
+    if numbers.size < 2:
         steady = np.ptp(force) < STEADY_FORCE_CHANGE * np.abs(force).max(initial=0.0) or np.ptp(position) == 0.0
         return np.full(position.size, HELD) if steady else np.zeros(0)
     point_directions, direction, span = np.zeros(0), np.empty(position.size), np.ptp(position)
-    for part in np.unique(segment):
+    turning = turning_segments(position, force, segment)
+    for part in numbers:
         (inside,) = np.nonzero(segment == part)
+        if part in turning:
+            point_directions = point_directions if point_directions.size else found_directions(position, force)
+            direction[inside] = point_directions[inside]
+            continue
         travel = position[inside[-1]] - position[inside[0]]
         if stiff := _stiff_direction(position, force, inside):
             direction[inside] = stiff
@@ -53,6 +64,43 @@ def directions(position: Array, force: Array, segment: Array) -> Array:
         counts = [np.count_nonzero(point_directions[inside] == sign) for sign in (IN, OUT, HELD)]
         direction[inside] = (IN, OUT, HELD)[int(np.argmax(counts))]
     return direction
+
+
+def segment_fact(position: Array, force: Array, segment: Array, name: str) -> str:
+    """Return whether the segments of a column were believed, as a phrase for the reading; empty without a column."""
+    if not segment.size:
+        return ""
+    if np.unique(segment).size < 2:
+        return f"'{name}' has one number throughout and says nothing: turns are those of position and force"
+    turning = turning_segments(position, force, segment)
+    listed = ", ".join(f"{part:g}" for part in turning[:5])
+    doubt = f", but the tip turns within {listed}, whose turns are those of position and force"
+    return f"segments from '{name}'{doubt * bool(turning)}"
+
+
+def turning_segments(position: Array, force: Array, segment: Array) -> tuple[float, ...]:
+    """Return the numbers of segments in which the tip turns: what the file calls one segment is several.
+
+    Parameters
+    ----------
+    position, force, segment : ndarray, (n,)
+        As for `directions`.
+    """
+    spans = float(np.ptp(position)), float(np.ptp(force))
+    found = []
+    for part in np.unique(segment):
+        (inside,) = np.nonzero(segment == part)
+        if inside.size < 2 * LEAST_POINTS:
+            continue
+        count = 1 + inside.size // END_SHARE
+        ends = np.array([[column[ends].mean() for ends in (inside[:count], inside[-count:])]
+                         for column in (position, force)])  # fmt: skip
+        low, high = np.quantile(position[inside], EXTREMES)
+        beyond = max(ends[0].min() - low, high - ends[0].max())
+        above = float(np.quantile(force[inside], EXTREMES[1])) - float(ends[1].max())
+        if beyond > LARGEST_EXCURSION * spans[0] or above > LARGEST_FORCE_EXCURSION * spans[1]:
+            found.append(float(part))
+    return tuple(found)
 
 
 def _stiff_direction(position: Array, force: Array, inside: Array) -> float:

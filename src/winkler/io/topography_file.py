@@ -13,6 +13,7 @@ from winkler.io.height_matrix import MapContents, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import content_of, existing
 from winkler.limits import TEXT_BYTES
+from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
 from winkler.units import scale
 
@@ -43,7 +44,8 @@ def read_topography(
     ----------
     path : str or path
         A matrix of heights as text (tabs, semicolons, commas or spaces between them; every line runs along the second
-        direction; nan or nothing where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
+        direction; nan, nothing, or a number that instruments write for it (-25400, -9999, 32767, 1e10 ...), far from all
+        others, where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
         file; an NPZ file with ``heights`` and, if they are known, ``lengths``, ``unit`` and ``periodic``; or a file
         that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf, Zygo, Gwyddion, X3P and some forty
         others; or a container (zip) that contact.engineering has published, whose maps come as its authors prepared
@@ -101,7 +103,8 @@ def read_topography(
         raise InvalidInput(f"{file}: the file does not state the lengths of the map; give lengths=(x, y) in m.")
     with in_file(file):
         tip = tip_radius or contents.tip_radius * (scale(contents.tip_unit, "m") if contents.tip_unit else 1.0)
-        rough = Topography(contents.heights / per_metre, map_lengths, periodic or contents.periodic, tip_radius=tip)
+        heights, _ = without_marks(contents.heights / per_metre)
+        rough = Topography(heights, map_lengths, periodic or contents.periodic, tip_radius=tip)
     steep = rough.rms_height / min(rough.pixel)
     if steep > STEEPEST_RATIO:
         raise InvalidInput(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from winkler.checks.number_checks import Advice, PositiveNotTiny
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
@@ -41,6 +41,8 @@ class Layer:
 
     solid: Annotated[Elastic, BUILT_ELASTIC]
     thickness: Annotated[PositiveNotTiny, Advice("leave a layer without thickness out")]
+    bonded: ClassVar[bool] = True
+    """A `StackLayer` may slide."""
 
 
 @value

@@ -24,9 +24,9 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import DepthVaryingMedium, PowerLawMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Displacement, Medium
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
@@ -102,9 +102,9 @@ def exponent_of(medium: Medium) -> float:
     OutsideValidity
         If the medium cannot be read backwards.
     """
-    if isinstance(medium, PowerLawMedium):
+    if offers(medium, PowerOfDepth):
         return medium.exponent
-    if isinstance(medium, HomogeneousMedium | DepthVaryingMedium):
+    if isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves):
         return 0.0
     raise OutsideValidity(
         f"The medium is a {type(medium).__name__}, whose inverse transform is not known; give a HalfSpace, "
@@ -114,9 +114,9 @@ def exponent_of(medium: Medium) -> float:
 
 def thickness_of(medium: Medium) -> float:
     """Return how thick the layers of a medium are [m]; infinite if it has none."""
-    if isinstance(medium, RelaxingMedium):
+    if offers(medium, RelaxingMedium):
         return thickness_of(medium.elastic)
-    return medium.thickness if isinstance(medium, DepthVaryingMedium) else math.inf
+    return medium.thickness if offers(medium, PressedWaves) else math.inf
 
 
 def height(medium: Medium, imprint: Displacement, r: Array) -> Array:
@@ -151,7 +151,7 @@ def slope(medium: Medium, imprint: Displacement, r: Array) -> Array:
 
 def _elastic(medium: Medium) -> Medium:
     """Return the medium as if it did not relax, which changes no shape."""
-    if not isinstance(medium, RelaxingMedium):
+    if not offers(medium, RelaxingMedium):
         return medium
     if not medium.in_proportion:
         raise medium.timeless()
@@ -172,4 +172,4 @@ def surface_slope(rise: Curve, edges: list[float], exponent: float, r: Array, ra
 def transformed_slope(medium: Medium, imprint: Displacement) -> Callable[[Array], Array]:
     """Return h'(x) [-] as a function of 0 <= x <= a."""
     exponent_of(medium)
-    return medium.transformed_slope(imprint) if isinstance(medium, DepthVaryingMedium) else imprint.slope
+    return medium.transformed_slope(imprint) if offers(medium, PressedWaves) else imprint.slope

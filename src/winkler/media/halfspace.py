@@ -15,7 +15,6 @@ import numpy as np
 from winkler.checks.contract import offered
 from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Elastic, Solid
-from winkler.media.families import TwistedMedium
 from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
@@ -31,7 +30,7 @@ GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 
 
 @offered("a homogeneous medium, such as HalfSpace(first, second)")
-class HomogeneousMedium(TwistedMedium):
+class HomogeneousMedium:
     """What every homogeneous pair of half-spaces shares, once its two effective moduli are known."""
 
     @property

@@ -16,8 +16,8 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.media.body_of import EquivalentProfile
-from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve
@@ -157,7 +157,7 @@ def _radii(medium: Medium, stiffness: Array) -> Array:
     """Return the contact radii with these stiffnesses."""
     result = np.zeros(stiffness.shape)
     positive = stiffness > 1e-12 * stiffness[-1]
-    upper = _wide_enough(medium, float(stiffness[-1])) if isinstance(medium, LayeredMedium) else math.inf
+    upper = _wide_enough(medium, float(stiffness[-1])) if offers(medium, PressedWaves) else math.inf
     result[positive] = invert(
         lambda a: (medium.punch_stiffness(a), 2.0 * medium.normal_stiffness(a)),
         stiffness[positive],
@@ -168,7 +168,7 @@ def _radii(medium: Medium, stiffness: Array) -> Array:
     return result
 
 
-def _wide_enough(medium: LayeredMedium, stiffness: float) -> float:
+def _wide_enough(medium: PressedWaves, stiffness: float) -> float:
     """Return a radius at which the stiffness is exceeded: far wider ones cost time, or cannot be carried."""
     whole = medium.thickness
     radius = min(0.25 * whole, 2.0 * stiffness / medium.modulus)

@@ -21,8 +21,8 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.media.body_of import exponent_of, surface_slope
-from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -123,13 +123,13 @@ def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressureIndentation
     """
     k, end = exponent_of(medium), float(r[-1])
     surface_modulus = float(medium.normal_stiffness(np.array([end]))[0]) / end**k
-    if isinstance(medium, LayeredMedium):
+    if offers(medium, PressedWaves):
         surface_modulus = medium.modulus
     factor = 2.0 * math.sin(0.5 * math.pi * (1.0 - k)) * end ** (1.0 - k) / surface_modulus
     bulge = _bulge(r / end, factor * (pressure - pressure[-1]), k)
     uniform = factor * float(pressure[-1]) / (1.0 - k)
     bare = PressureIndentation(end, k, uniform, bulge, Panels(np.array([0.0, end]), np.zeros((1, 1))))
-    if not isinstance(medium, LayeredMedium):
+    if not offers(medium, PressedWaves):
         return bare
     return PressureIndentation(end, k, uniform, bulge, _share(medium.response, bare))
 

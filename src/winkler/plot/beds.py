@@ -10,11 +10,11 @@ from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import StackMedium
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.media.stacked.stacked import SlidingStack
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent, typical
 from winkler.plot.medium import (
@@ -54,12 +54,12 @@ def _general_body(item: Any, extent: float | None = None) -> Sheet:
 
 
 def _elastic(item: Any) -> Any:
-    relaxes = isinstance(item.medium, RelaxingMedium)
+    relaxes = offers(item.medium, RelaxingMedium)
     return dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
 
 
 def _beside_springs(item: Any, left: Panel, bed: Any, end: float) -> Sheet:
-    kind = "that relax" if isinstance(item.medium, RelaxingMedium) else stiffness_text(bed, end)
+    kind = "that relax" if offers(item.medium, RelaxingMedium) else stiffness_text(bed, end)
     return Sheet((left, springs_panel(at_first_touch(bed), end).plus(title=f"springs {kind} under $g(x)$")), height=3.3)
 
 
@@ -70,8 +70,7 @@ def _measured(item: MeasuredBed, *, extent: float | None = None) -> Sheet:
     return Sheet(titled(panels, "measured stiffness", "its springs", "springs under $g(x)$"), width=3.9, height=3.3)
 
 
-@sheet_of.register(CoatedHalfSpace)
-@sheet_of.register(SlidingStack)
+@sheet_of.register(StackMedium)
 @sheet_of.register(DepthGradedHalfSpace)
 @sheet_of.register(GradedHalfSpace)
 def _medium(item: Medium, *, extent: float | None = None) -> Sheet:

@@ -18,11 +18,8 @@ from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.climb import is_bonded
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import GradedInDepth, LayerStack, PowerOfDepth, PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text, points
@@ -59,9 +56,9 @@ class DepthInterval(NamedTuple):
     label: str
 
 
-def interfaces(medium: Medium) -> tuple[float, ...]:
+def interfaces(medium: object) -> tuple[float, ...]:
     """Return the depths of the interfaces between layers and under the last one [m]; none if there are no layers."""
-    if not isinstance(medium, CoatedHalfSpace | SlidingStack):
+    if not offers(medium, LayerStack):
         return ()
     return tuple(float(z) for z in np.cumsum([layer.thickness for layer in medium.layers]))
 
@@ -80,11 +77,11 @@ def typical_width(medium: Medium) -> float:
     InvalidInput
         If it has no length of its own.
     """
-    if isinstance(medium, CoatedHalfSpace | SlidingStack):
+    if offers(medium, LayerStack):
         return 4.0 * interfaces(medium)[-1]
-    if isinstance(medium, DepthGradedHalfSpace):
+    if offers(medium, GradedInDepth):
         return 2.0 * medium.grading.settled_at(0.05)
-    if isinstance(medium, GradedHalfSpace):
+    if offers(medium, PowerOfDepth):
         return DEPTH_SCALES_DRAWN * medium.depth_scale
     raise _uniform_medium(medium)
 
@@ -96,14 +93,14 @@ def _uniform_medium(medium: Medium) -> InvalidInput:
     )
 
 
-def _layer_intervals(medium: CoatedHalfSpace | SlidingStack, end: float) -> list[DepthInterval]:
+def _layer_intervals(medium: LayerStack, end: float) -> list[DepthInterval]:
     intervals, top, laid = [], 0.0, ""
-    for place, layer in enumerate(medium.stack if isinstance(medium, SlidingStack) else medium.layers):
+    for place, layer in enumerate(medium.stack):
         bottom = top + layer.thickness
         name = f"layer {place + 1}: " if len(medium.layers) > 1 else "layer: "
         intervals.append(_layer_interval(layer, top, bottom, f"{laid}{name}"))
         top = bottom
-        laid = "" if is_bonded(layer) else "slides on "
+        laid = "" if layer.bonded else "slides on "
     laid = laid.strip() or "on"
     if not isinstance(medium.on, Rigid):
         z, young = np.array([top, max(end, top)]), np.full(2, _young(medium.on))
@@ -133,9 +130,9 @@ def _solid_text(solid: Elastic | TransverselyIsotropic) -> str:
 
 def _intervals(medium: Medium, end: float) -> list[DepthInterval]:
     """Return the first body from the surface down to `end` [m]."""
-    if isinstance(medium, CoatedHalfSpace | SlidingStack):
+    if offers(medium, LayerStack):
         return _layer_intervals(medium, end)
-    if isinstance(medium, DepthGradedHalfSpace):
+    if offers(medium, GradedInDepth):
         grading = medium.grading
         z = np.unique(np.concatenate([np.linspace(0.0, end, 400), [b for b in grading.breaks if b < end]]))
         return [DepthInterval(z, grading.young_at(z), "")]
@@ -222,8 +219,8 @@ def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> P
     top = float(np.max(stiffness[x >= 0.01 * end]))
     upright = PanelAxis.of(series("normal_stiffness", stiffness), scale_of("Pa", [top]), low=0.0)
     marks: list[Any] = [Line(x, stiffness, style.RED, name="springs, $c_N(x)$")]
-    layered = isinstance(medium, CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace)
-    if isinstance(medium, CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace):
+    layered = offers(medium, PressedWaves)
+    if offers(medium, PressedWaves):
         above = float(medium.modulus)
         name = f"uppermost solid alone, {with_unit(above, 'Pa')}"
         marks.append(Rule(above, width=1.0, dash=style.DOTTED, name=name))

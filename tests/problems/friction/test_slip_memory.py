@@ -1,5 +1,6 @@
 """What springs remember along the surface: against many springs in many small steps, and against the laws of energy."""
 
+import pickle
 from itertools import pairwise
 
 import numpy as np
@@ -10,6 +11,8 @@ from scipy.integrate import quad
 
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
+
+NODES = np.polynomial.legendre.leggauss(12)
 
 
 class Power:
@@ -26,7 +29,7 @@ class Power:
 
     def between(self, gap, stiffness, depth):
         """Gauss-Legendre on a narrow ring: exact to rounding."""
-        x, w = np.polynomial.legendre.leggauss(12)
+        x, w = NODES
         place, half = 0.5 * (gap + depth) + 0.5 * (depth - gap) * x, 0.5 * (depth - gap)
         excess = half * w * self.slope * (place**self.power - gap**self.power)
         return float(np.sum(excess)), 2.0 * float(excess @ (depth - place))
@@ -273,3 +276,49 @@ def test_monotonic_shear_is_the_difference_of_two_contacts(states):
     gaps, factors = memory.moved(1.0, 0.2, 0.5)[0].corners
     np.testing.assert_allclose(gaps, [0.6, 1.0], rtol=1e-14)
     np.testing.assert_allclose(factors, [-0.5, 0.5], rtol=1e-14)
+
+
+def shrinking(turns, bound=0.5):
+    """Return the memories at the turning points of a loop that dies away at constant depth, and what springs lose."""
+    shifts = [0.0, *(0.45 * (-1.0) ** np.arange(turns) * (1.0 - np.arange(turns) / turns))]
+    return shifts, follow([(1.0, shift) for shift in shifts], bound)
+
+
+def test_a_long_memory_is_that_of_springs_one_by_one():
+    # at constant depth a spring is the clip of where it is dragged to, and loses its bound times what is cut off
+    gap, bound = np.linspace(0.0, 1.0, 2001)[:-1] + 1.1e-4, 0.5
+    shifts, (memories, pieces) = shrinking(600)
+    u, limit, lost, before = np.zeros(gap.size), bound * (1.0 - gap), np.zeros(gap.size), 0.0
+    for shift, loss in zip(shifts, pieces, strict=True):
+        trial = u + shift - before
+        u, before = np.clip(trial, -limit, limit), shift
+        lost += limit * np.abs(trial - u) - loss_density(loss, gap)
+    assert memories[-1].size > 500
+    np.testing.assert_allclose(memories[-1].value(gap), u, rtol=0.0, atol=2e-14)
+    np.testing.assert_allclose(lost, 0.0, atol=2e-14)
+
+
+def test_states_share_what_they_remember():
+    _, (memories, _) = shrinking(400)
+    rings = set()
+    for memory in memories:
+        ring = memory.outermost
+        while ring is not None:
+            rings.add(id(ring))
+            ring = ring.inner
+    assert sum(memory.size for memory in memories) > 50_000
+    assert len(rings) <= 4 * len(memories)
+
+
+def test_a_long_memory_is_pickled_compared_and_summed():
+    _, (memories, _) = shrinking(1500)
+    again = pickle.loads(pickle.dumps(memories[-1]))
+    assert again == memories[-1]
+    assert hash(again) == hash(memories[-1])
+    assert again != memories[-2]
+    assert shear_of(again, sphere_like) == shear_of(memories[-1], sphere_like)
+    start, stop, left, right = again.edges[:-1], again.edges[1:], again.left, again.right
+    slope = (right - left) / (stop - start)
+    # of K = gap^(1/2), in closed form: the sum of (left + slope (gap - start)) dK
+    each = (left - slope * start) * (stop**0.5 - start**0.5) + slope * (stop**1.5 - start**1.5) / 3.0
+    assert shear_of(again, sphere_like) == pytest.approx(float(np.sum(each)), rel=1e-10, abs=1e-14)

@@ -102,6 +102,16 @@ PROBLEMS = {
         1e-6,
     ),
 }  # fmt: skip
+ROLL = wk.LineShearForce(0.01)
+ROLLED = numbers("longitudinal_creepage", "stick_share")
+ROLLING = {
+    "LineRolling": (lambda bed: wk.LineRolling(bed, MU, ROLL, LOAD).solve(), ROLLED, 0.0),
+    "LineRolling, coupled": (lambda bed: wk.LineRolling(bed, MU, ROLL, LOAD, coupled=True).solve(), ROLLED, 0.0),
+    "LineRollingStart": (
+        lambda bed: wk.LineRollingStart(bed, MU, ROLL, LOAD, distance=0.1, points=1, count=20).solve(), ROLLED, 0.0
+    ),
+}  # fmt: skip
+"""On ghosts of layers alone."""
 SLOW_OF_GHOSTS = ("LineShakedown", "LineViscoelasticIndentation")
 NOT_FOR_GHOSTS = {
     "LineRolling": "only a round body keeps its profile while it rolls",
@@ -144,8 +154,8 @@ class Ghost:
 
     layers, stack, on, second = (delegated(name) for name in ("layers", "stack", "on", "second"))
     thickness, spans, modulus = (delegated(name) for name in ("thickness", "spans", "modulus"))
-    along_modulus, response, along_response = (
-        delegated(name) for name in ("along_modulus", "response", "along_response")
+    along_modulus, response, along_response, coupling_response = (
+        delegated(name) for name in ("along_modulus", "response", "along_response", "coupling_response")
     )
 
 
@@ -158,6 +168,7 @@ ON_LAYERS = (
     "LineConstriction",
     "LineYieldOnset",
     "LineAdhesion",
+    *ROLLING,
 )
 
 
@@ -167,14 +178,15 @@ SLOW_ON_LAYERS = (
     "LineTangential, bulk",
     "LineYieldOnset",
     "LineAdhesion, Dugdale",
+    "LineRolling, coupled",
 )
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW_ON_LAYERS)) for name in PROBLEMS]
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW_ON_LAYERS)) for name in (*PROBLEMS, *ROLLING)]
 )
 def test_layers_of_no_family_give_the_same_numbers_or_the_same_refusal(name):
-    solve, read, _ = PROBLEMS[name]
+    solve, read, _ = (PROBLEMS | ROLLING)[name]
     beds = [wk.LayeredLineFoundation(wk.Paraboloid(1.0), medium) for medium in (COATED, Ghost(COATED))]
     if name.split(",")[0] in ON_LAYERS:
         known, ghost = (read(solve(bed)) for bed in beds)

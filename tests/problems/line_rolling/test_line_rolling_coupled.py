@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 import winkler as wk
-from winkler.problems.line_rolling.coupled import coupled_strip, creepage_error
+from winkler.problems.line_rolling.rolled_strip import creepage_error, rolled_strip
 
 FORCE = 16201.9
 ALUMINIUM = wk.Elastic(young=2.0 * 1.31 * 23e9, poisson=0.31)
@@ -42,6 +42,14 @@ def test_free_rolling_is_that_of_contact(shared_data, number, creep, lost):
         names = ["stick" if sticks[place] else "slip" for place in (0, *ends)]
         assert names == [name for name, _ in stated]
         assert all(abs(elements * ours - theirs) <= 2.0 for ours, (_, theirs) in zip(lengths, stated, strict=True))
+
+
+def coupled_strip(beta, friction, slope, **drive):
+    """Of half-planes with this constant: one of them is rigid."""
+    soft = wk.Elastic(1.0, (0.5 - abs(beta)) / (1.0 - abs(beta)))
+    pair = (soft, wk.Rigid()) if beta > 0.0 else (wk.Rigid(), soft)
+    bed = wk.LineFoundation(wk.Paraboloid(1.0 / slope), wk.HalfSpace(*pair))
+    return rolled_strip(bed, 1.0, friction, **drive)
 
 
 def stuck(beta, slope):
@@ -193,7 +201,40 @@ def test_what_is_assumed_is_stated():
     notes = rolled(0.05, pair=(weak, STEEL)).validity
     assert any("act on each other, both ways" in note.statement for note in notes)
     assert any(note.assumption is wk.Assumption.ELASTIC and note.standing is wk.Standing.OUTSIDE for note in notes)
-    wood = wk.TransverselyIsotropicHalfSpace(wk.TransverselyIsotropic(11e9, 4e9, 4e9, 20e9, 3e9))
-    bed = wk.LineFoundation(wk.Paraboloid(25e-3), wood)
-    with pytest.raises(wk.InvalidInput, match="give one, or leave the coupling out"):
-        wk.LineRolling(bed, wk.Coulomb(0.3), wk.LineShearForce(0.0), wk.LineForce(1e4), coupled=True)
+
+
+WOOD = wk.TransverselyIsotropic(11e9, 4e9, 4e9, 20e9, 3e9)
+
+
+def test_anisotropic_rollers_that_stick_creep_as_in_closed_form():
+    """With t of the compliance along over that across, q over sqrt t obeys the equations of beta / sqrt t."""
+    bed = wk.LineFoundation(wk.Paraboloid(25e-3), wk.TransverselyIsotropicHalfSpace(WOOD))
+    along = np.sqrt(11e9 / 20e9) ** -1  # sqrt(C33 / C11)
+    mean = np.sqrt(11e9 * 20e9)
+    total = np.sqrt((mean - 4e9) * (mean + 4e9 + 2 * 3e9) / (20e9 * 3e9))
+    beta = (np.sqrt(11e9 / 20e9) - 4e9 / 20e9) / (total * np.sqrt(11e9 / 20e9))
+    found = wk.LineRolling(bed, wk.Coulomb(20.0), wk.LineShearForce(0.0), wk.LineForce(1e4), coupled=True).solve()
+    creepage, _ = stuck(beta / np.sqrt(along), float(found.contact.half_width) / 25e-3)
+    assert found.longitudinal_creepage == pytest.approx(np.sqrt(along) * creepage, rel=3e-4)
+
+
+def test_anisotropic_bodies_are_moved_along_by_their_own_compliance():
+    """Hertz's pressure as a traction strains the surface by mu x/R times the root of C33/C11."""
+    bed = wk.LineFoundation(wk.Paraboloid(25e-3), wk.TransverselyIsotropicHalfSpace(WOOD))
+    drive = wk.LineShearForce(0.75 * 0.3 * 1e4)
+    found = wk.LineRolling(bed, wk.Coulomb(0.3), drive, wk.LineForce(1e4)).solve()
+    carter = 0.5 * 0.3 * float(found.contact.half_width) / 25e-3
+    assert found.longitudinal_creepage == pytest.approx(np.sqrt(20e9 / 11e9) * carter, rel=1e-12)
+    begun = wk.LineRollingStart(bed, wk.Coulomb(0.3), drive, wk.LineForce(1e4), distance=1e-3, points=1, count=40)
+    assert begun.steady.longitudinal_creepage == found.longitudinal_creepage
+
+
+@pytest.mark.parametrize(("beta", "friction", "ratio"), [(0.361, 4.24, -1.45), (-0.265, 14.79, 13.53)])
+def test_rollers_pulled_against_their_coupling_with_much_friction_are_found(beta, friction, ratio):
+    """Up to |Q/P| = 13; the search ran in circles.  One zone of slip, and the loss is what drives them."""
+    slope = 0.01
+    strip = coupled_strip(beta, friction, slope, force=ratio * 0.25 * np.pi * slope)
+    moment = np.trapezoid(strip.pressure * strip.x, strip.x)
+    assert np.count_nonzero(np.diff(strip.slips)) == 1
+    assert strip.loss == pytest.approx(strip.creepage * strip.force + slope * moment, rel=2e-3)
+    assert np.all(np.abs(strip.traction) <= friction * strip.pressure * (1.0 + 1e-9))

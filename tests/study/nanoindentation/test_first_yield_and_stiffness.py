@@ -110,11 +110,11 @@ def test_ctrl_c_keeps_the_curves_that_are_done(tmp_path, monkeypatch, capsys):
         popped(tmp_path / "curves" / f"c{number}.csv", 180e-6, number)
     plain, count = running.try_curves, []
 
-    def stopped(path):
+    def stopped(path, **more):
         count.append(path)
         if len(count) == 2:
             os.kill(os.getpid(), signal.SIGINT)
-        return plain(path)
+        return plain(path, **more)
 
     monkeypatch.setattr(running, "try_curves", stopped)
     out = tmp_path / "out"

@@ -8,6 +8,7 @@ import re
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from winkler.cli import main
@@ -202,3 +203,61 @@ def test_mistakes_are_named(tmp_path, text, words):
 def test_other_studies_are_left_alone(tmp_path):
     assert not is_nanoindentation(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
     assert not is_nanoindentation(tmp_path / "lost.toml")
+
+
+def _powers(folder, name="a.csv", units="nm,mN"):
+    """A test of F = K (D - 50 nm)^2 up to 10 mN at 300 nm, and an unloading with the exponent 3/2."""
+    along, back = np.linspace(0.0, 1.0, 400), np.linspace(1.0, 0.0, 200)
+    air = np.arange(0.0, 50.0, 1.0)
+    depth = np.r_[air, 50.0 + 300.0 * along, 50.0 + 120.0 + 180.0 * back ** (1.0 / 1.5)]
+    force = np.r_[0.0 * air, 10.0 * along**2, 10.0 * back]
+    force = force + 3e-4 * np.random.default_rng(1).standard_normal(force.size)
+    header = "time [s],depth,force" if not units else "time [s],depth [nm],force [mN]"
+    rows = np.c_[0.1 * np.arange(depth.size), depth, force]
+    np.savetxt(folder / name, rows, fmt="%.8g", delimiter=",", header=header, comments="")
+    return folder / name
+
+
+ANY_TIP = """
+[indentation]
+curve = "*.csv"
+poisson = 0.3
+{more}
+[indenter]
+area = [24.5]
+[output]
+figures = []
+report = false
+"""
+
+
+def test_drift_segments_and_units_are_stated(tmp_path, capsys):
+    _powers(tmp_path, units="")
+    more = 'units = { position = "nm", force = "mN" }\ndrift = "0.1 nm/s"\ndrift_error = "0.02 nm/s"\n'
+    more += 'segments = ["loading 0 s", "unloading 45 s"]'
+    written = study(tmp_path, ANY_TIP.format(more=more))
+    assert main(["fit", str(written), "--output", str(tmp_path / "r"), "--quiet"]) == 0
+    with (tmp_path / "r" / "quantities.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    key = {name.partition(" ")[0]: name for name in rows[0]}
+    assert float(rows[0][key["drift"]]) == pytest.approx(0.1, rel=1e-9) or float(rows[0][key["drift"]]) == 1e-10
+    none = study(tmp_path, ANY_TIP.format(more=more.replace('"0.1 nm/s"', '"none"').replace("0.02", "0.03")), "n.toml")
+    assert read_nanoindentation_study(none).given["drift"] == 0.0
+    wrong = ANY_TIP.format(more='drift_error = "1 nm/s"')
+    with pytest.raises(InvalidInput, match="drift_error belongs to a given drift"):
+        read_nanoindentation_study(study(tmp_path, wrong, "w.toml"))
+    with pytest.raises(InvalidInput, match="indentation.segments"):
+        read_nanoindentation_study(study(tmp_path, ANY_TIP.format(more="segments = 3"), "s.toml"))
+
+
+def test_copies_count_once_and_are_named(tmp_path, capsys):
+    shutil.copy(_powers(tmp_path), tmp_path / "b.csv")
+    written = study(tmp_path, ANY_TIP.format(more=""))
+    assert main(["fit", str(written), "--output", str(tmp_path / "r"), "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert [one["curve"] for one in answer["doubts"]] == ["b.csv"]
+    assert "the data of a.csv" in answer["doubts"][0]["doubts"][0]
+    shares = answer["means"]["young"]["shares"]
+    alone = study(tmp_path, ANY_TIP.format(more="").replace("*.csv", "a.csv"), "alone.toml")
+    assert main(["fit", str(alone), "--output", str(tmp_path / "r2"), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["means"]["young"]["shares"] == shares

@@ -8,8 +8,7 @@ from winkler.fitting.validity import Model
 from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
 from winkler.foundation.foundation import Foundation
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import LayerStack, offers
 from winkler.problems.normal.indentation import Indentation
 
 __all__ = ["tables_for"]
@@ -30,7 +29,7 @@ def tables_for(model: Model, parameters: tuple[Parameter, ...]) -> ModelTables:
     medium, profile = model.bed.medium, model.bed.profile
     if isinstance(medium, HomogeneousMedium):
         return HomogeneousTables()
-    film = isinstance(medium, CoatedHalfSpace | SlidingStack)
+    film = offers(medium, LayerStack)
     if film and len(own) == 1 and own[0].name.endswith(".young") and not profile.kinks:
         return FilmTables(model, own[0].name)
     return EACH_ANEW

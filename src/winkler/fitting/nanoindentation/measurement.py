@@ -181,7 +181,7 @@ def prepared(
     """
     compliance = curve.compliance + frame_compliance
     stiff = dataclasses.replace(curve, machine_stiffness=1.0 / compliance if compliance > 0.0 else math.inf)
-    rate = found_drift(stiff) if isinstance(drift, tuple) else drift
+    rate = found_drift(stiff, zero_point) if isinstance(drift, tuple) else drift
     steady = without_drift(stiff, rate.rate) if rate.rate else stiff
     touch = touched(steady, area) if isinstance(zero_point, tuple) else zero_point
     placed = dataclasses.replace(steady, position=steady.position - touch.position, force=steady.force - touch.baseline)

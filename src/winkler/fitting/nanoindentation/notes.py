@@ -52,6 +52,8 @@ def _notes(solution: Any) -> Iterator[Note]:
     statement = f"Exponent: the unloading has m = {exponent:.3g}; impressions of sharp tips give {low:g} to {high:g}"
     end = "." if usual else ": check drift, contact point and frame."
     yield Note(Assumption.CURVE, Standing.ASYMPTOTIC if usual else Standing.APPROXIMATE, statement + end, REVIEW)
+    for doubt in solution.doubts:
+        yield Note(Assumption.CURVE, Standing.OUTSIDE, doubt, "the evaluation")
     yield _zero(solution)
     yield _drift(solution)
     yield calibration_note(solution.problem.indenter, solution.contact_depth)
@@ -77,10 +79,8 @@ def _drift(solution: Any) -> Note:
             f"Drift: {solution.drift.rate:.2g} m/s, uncertain by {solution.drift.error:.1g} m/s, was subtracted."
         )
         return Note(Assumption.CURVE, Standing.ASYMPTOTIC, statement, ISO)
-    statement = (
-        "Drift: no hold under a small force after an unloading measures it, and none was subtracted; its share of the "
-        "uncertainty is missing."
-    )
+    reason = solution.drift.doubt or "no hold under a small force after an unloading measures it"
+    statement = f"Drift: {reason}, and none was subtracted; its share of the uncertainty is missing."
     return Note(Assumption.CURVE, Standing.APPROXIMATE, statement, ISO)
 
 

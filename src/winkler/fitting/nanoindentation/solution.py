@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.fitting.nanoindentation.doubts import doubts_of
 from winkler.fitting.nanoindentation.notes import nanoindentation_notes
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
@@ -118,6 +120,11 @@ class NanoindentationSolution:
     def validity(self) -> tuple[Note, ...]:
         """Validity of the evaluation: pile-up, exponent, zero point, drift, calibration, unloadings left out."""
         return nanoindentation_notes(self)
+
+    @functools.cached_property
+    def doubts(self) -> tuple[str, ...]:
+        """Sentences on what makes the readings doubtful: two touches, numbers that end on a bound; mostly empty."""
+        return doubts_of(self)
 
     @property
     def own_young_error(self) -> float:

@@ -20,6 +20,8 @@ CANDIDATES = 30
 """Positions that are tried as a start."""
 STEPS = 2
 """Fits, each with the weights of the one before."""
+DETERMINED = 1e-4
+"""Least part of the effect of a number of the law that no other number has; below it only its prior knows it."""
 
 
 class Touch(NamedTuple):
@@ -73,7 +75,8 @@ def fitted_touch(depth: Array, force: Array, coefficients: Array, rim: float) ->
 
     weight, prior = np.ones_like(x), s_force / spreads
     count = 2 + own + free
-    edges = [(-1.0, 0.98), (-30.0, 30.0), *law.limits, (-1.0, 1.0)][:count]
+    latest = float(np.partition(x, -LEAST_POINTS)[-LEAST_POINTS]) if x.size >= LEAST_POINTS else 1.0
+    edges = [(-1.0, latest), (-30.0, 30.0), *law.limits, (-1.0, 1.0)][:count]
     low_bounds, high_bounds = np.array(edges).T
     of_prior = np.eye(count)[places]
     p = np.clip(start[:count], low_bounds, high_bounds)
@@ -90,16 +93,37 @@ def fitted_touch(depth: Array, force: Array, coefficients: Array, rim: float) ->
         slope = np.abs(predicted(p)[1][:, 0])
         weight = 1.0 / np.sqrt(1.0 + np.minimum((slope * s_depth / s_force) ** 2, 1e4))
     course, jacobian = predicted(p)
-    if np.count_nonzero(x > p[0]) < LEAST_POINTS:
-        return Touch(low, math.inf, 0.0)
+    if np.count_nonzero(x > p[0]) < LEAST_POINTS or p[0] >= high_bounds[0]:
+        return Touch(low, math.inf, 0.0)  # too few points in contact, or a touch on its bound
+    weighted = weight[:, None] * jacobian
+    known = _determined(weighted, places)
+    chosen = of_prior[:, known]
     try:
-        noise = noise_of(weight * (y - course), weight[:, None] * jacobian, np.zeros((x.size, 0)))
-        precision = np.linalg.inv(noise.covariance) + (of_prior.T / spreads**2) @ of_prior
-        variance = max(float(np.linalg.inv(precision)[0, 0]), 0.0)
+        noise = noise_of(weight * (y - course), weighted[:, known], np.zeros((x.size, 0)))
+        precision = np.linalg.inv(noise.covariance) + (chosen.T / spreads**2) @ chosen
+        variance = float(np.linalg.inv(precision)[0, 0])
     except np.linalg.LinAlgError:  # so few points that they do not determine all numbers
+        return Touch(low, math.inf, 0.0)
+    if not variance >= 0.0:  # unknown, not zero
         return Touch(low, math.inf, 0.0)
     baseline = float(p[2 + own]) * top if free else 0.0
     return Touch(low + span * float(p[0]), span * math.sqrt(variance), baseline)
+
+
+def _determined(jacobian: Array, places: Array) -> Array:
+    """Return the columns whose numbers the curve determines beside the others.
+
+    Of a pyramid the elastic rim changes only the factor of the force, and of a short range the exponent hardly more:
+    the covariance has no inverse then, and an error of the touch would follow from rounding.
+    """
+    kept = list(range(jacobian.shape[1]))
+    unit = jacobian / np.maximum(np.linalg.norm(jacobian, axis=0), np.finfo(float).tiny)
+    for place in reversed(places.tolist()):
+        others = [one for one in kept if one != place]
+        left = unit[:, place] - unit[:, others] @ np.linalg.lstsq(unit[:, others], unit[:, place], rcond=None)[0]
+        if float(np.linalg.norm(left)) < DETERMINED:
+            kept = others
+    return np.array(kept)
 
 
 def _law(coefficients: Array, rim: float, span: float) -> TouchLaw:

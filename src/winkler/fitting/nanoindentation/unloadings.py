@@ -104,6 +104,13 @@ def fitted_unloadings(curve: ForceCurve, *, upper: float = 0.98, lower: float = 
             continue
         if place and parts[place - 1].kind is SegmentKind.HOLD and _goes_on(parts, place):
             continue
+        kinds = [one.kind for one in parts]
+        if SegmentKind.LOADING not in kinds[:place] and SegmentKind.LOADING in kinds[place:]:
+            skipped.append(
+                f"the unloading of the points {part.first} to {part.last}: it comes before the first loading, as a tip "
+                "that leaves its preload."
+            )
+            continue
         hold = parts[place - 1] if place and parts[place - 1].kind is SegmentKind.HOLD else None
         held = np.arange(hold.first, hold.last + 1) if hold is not None else np.arange(0)
         chosen = np.arange(part.first, part.last + 1)

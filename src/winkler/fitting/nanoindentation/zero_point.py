@@ -34,6 +34,9 @@ MOST_DOUBT = 3.0
 MOST_POINTS = 3000
 IN_CONTACT = 4.0
 """Force over that of the first points, in parts of its noise, of a point that is surely in contact."""
+AIR_RATIO, LEAST_AIR_POINTS = 4.0, 50
+"""Travel before contact that is fitted, in parts of that in contact, and fewest points of it: a long approach through
+air must not decide how finely the contact is resolved."""
 
 
 @value
@@ -96,8 +99,9 @@ def found_zero_point(curve: ForceCurve, area: Sequence[float] | Array = (), rim:
         count = int(np.argmax(force > limit)) or force.size
         if np.count_nonzero(force[:count] > touching) < LEAST_POINTS:
             continue
-        step = -(-count // MOST_POINTS)
-        touch = fitted_touch(depth[:count:step], force[:count:step], coefficients, rim)
+        fitted = slice(_begin(depth[:count], force[:count], touching), count, 1)
+        step = -(-(count - fitted.start) // MOST_POINTS)
+        touch = fitted_touch(depth[fitted][::step], force[fitted][::step], coefficients, rim)
         if not math.isfinite(touch.error):
             continue
         if any(abs(touch.position - one.position) > AGREEMENT * one.error for one in found):
@@ -117,6 +121,14 @@ def found_zero_point(curve: ForceCurve, area: Sequence[float] | Array = (), rim:
     if free < 5:
         position, error = _not_before_the_first_point(depth, force, position, error)
     return ZeroPoint(position, error, baseline, free < 5)
+
+
+def _begin(depth: Array, force: Array, touching: float) -> int:
+    """Return the first point of the fitted range: of the approach as much as the contact asks for."""
+    contact = min(int(np.flatnonzero(force <= touching)[-1]) + 1, force.size - 1) if force[0] <= touching else 0
+    reach = AIR_RATIO * max(float(depth[-1] - depth[contact]), 0.0)
+    near = int(np.argmax(depth >= depth[contact] - reach))
+    return max(min(near, contact - LEAST_AIR_POINTS), 0)
 
 
 def _not_before_the_first_point(depth: Array, force: Array, position: float, error: float) -> tuple[float, float]:

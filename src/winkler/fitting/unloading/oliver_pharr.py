@@ -113,7 +113,8 @@ class OliverPharr:
             step[i] = DIFFERENCE_STEP
             ahead, behind = (self._evaluate(law.numbers + sign * step, path) for sign in (1.0, -1.0))
             jacobian[:, i] = (ahead - behind) / (2.0 * DIFFERENCE_STEP)
-        errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", jacobian, law.covariance, jacobian), 0.0))
+        variances = np.einsum("ij,jk,ik->i", jacobian, law.covariance, jacobian)
+        errors = np.sqrt(np.where(variances >= 0.0, variances, np.nan))  # no variance is negative: it is unknown
         fitted = math.exp(law.numbers[0]) * path.highest
         errors = np.hypot(errors, self._moved_by_depth(numbers, path))
         force = path.highest if path.held else fitted

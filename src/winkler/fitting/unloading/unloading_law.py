@@ -20,6 +20,10 @@ __all__ = ["UnloadingLaw", "fitted_power_law"]
 
 MOST_EVALUATIONS = 200
 SMOOTH_DEGREE = 5
+EXPONENT_BOUNDS = (-12.0, 3.0)
+"""Least and greatest ln(m - 1) that are tried."""
+LEAST_FINAL_DEPTH = -10.0
+"""Least h_f that is tried, in parts of the greatest depth."""
 
 
 class UnloadingLaw(NamedTuple):
@@ -70,7 +74,7 @@ def fitted_power_law(all_depths: Array, forces: Array, chosen: Array, *, with_no
             lambda at: law(at)[0] - force,
             start,
             jac=lambda at: law(at)[1],
-            bounds=([-5.0, -10.0, -12.0], [5.0, least - 1e-9, 3.0]),
+            bounds=([-5.0, LEAST_FINAL_DEPTH, EXPONENT_BOUNDS[0]], [5.0, least - 1e-9, EXPONENT_BOUNDS[1]]),
             x_scale="jac",
             max_nfev=MOST_EVALUATIONS,
             ftol=1e-14,

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from winkler.fitting.unloading.contact_reading import CalibratedArea, polynomial
+from winkler.fitting.unloading.unloading_law import EXPONENT_BOUNDS
 from winkler.fitting.unloading.unloading_peak import FEWEST
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
@@ -130,6 +131,8 @@ def _exponent(solution: Any) -> Iterator[NoteParts]:
             f"where impressions of sharp tips give {usual}: no shape of a tip has such an unloading; check drift, "
             "creep, contact point and segments."
         )
+        if math.log(solution.exponent - 1.0) > EXPONENT_BOUNDS[1] - 1e-3:
+            conclusion = f"the greatest that is tried, and has no meaning on this bound, {conclusion}"
     statement = f"Exponent: the unloading has m = {solution.exponent:.3g}, {conclusion}"
     yield Assumption.CURVE, standing, statement, SHAPES
 

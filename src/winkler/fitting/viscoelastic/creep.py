@@ -26,6 +26,7 @@ from winkler.fitting.viscoelastic.corners import Corners, corners_of, with_corne
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
 from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Force
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.types import Array
@@ -228,7 +229,7 @@ class UnderForce(RelaxingTask):
 
     def _creep(self, numbers: dict[str, float]) -> CreepSeries:
         medium = self.with_numbers(numbers).bed.medium
-        assert isinstance(medium, RelaxingMedium)
+        assert offers(medium, RelaxingMedium)
         return medium.creep
 
 

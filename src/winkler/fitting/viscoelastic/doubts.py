@@ -25,6 +25,7 @@ from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.corrections import drag_force, free_line
 from winkler.fitting.task import FitTask
 from winkler.fitting.viscoelastic.start import TIMES, field_name, window
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["unidentified"]
@@ -95,7 +96,7 @@ def _vanished(numbers: dict[str, float]) -> Iterator[Flag]:
 
 def _span(task: FitTask, numbers: dict[str, float]) -> Iterator[Flag]:
     medium = task.with_numbers(numbers).bed.medium
-    assert isinstance(medium, RelaxingMedium)
+    assert offers(medium, RelaxingMedium)
     shortest, longest = medium.span
     sampling, contact_time = window(task)
     if shortest != 0.0 and (shortest > sampling or longest < contact_time):

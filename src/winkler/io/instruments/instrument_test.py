@@ -37,6 +37,8 @@ class InstrumentTest(NamedTuple):
         Place on the sample [m].
     direction : ndarray, (n,) or (0,)
         +1, 0 and -1 as the file states its segments; empty where it does not.
+    rows : ndarray, (n,) or (0,)
+        Numbers of the rows in the file, which jump where rows are blank; empty where the file parts its tests itself.
     """
 
     instrument: str
@@ -46,3 +48,4 @@ class InstrumentTest(NamedTuple):
     x: float = math.nan
     y: float = math.nan
     direction: Array = np.zeros(0)
+    rows: Array = np.zeros(0)

@@ -23,10 +23,11 @@ from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentT
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.given_units import USUAL, key_of
+from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.units import scale
 
-__all__ = ["curve_of_test"]
+__all__ = ["curves_of_test"]
 
 LARGEST_NUMBER = 1e100
 """Instruments write 1.8e308 for a number that they could not compute."""
@@ -39,10 +40,12 @@ ROLES = {
 NEEDED = ("depth", "force")
 
 
-def curve_of_test(
+def curves_of_test(
     test: InstrumentTest, path: object, units: Mapping[str, str], *, spring_constant: float | None = None
-) -> PlacedCurve:
-    """Return the curve of a test, with what was taken for what in its ``reading``.
+) -> list[PlacedCurve]:
+    """Return the curve of a test, or those of several below each other in its columns.
+
+    Their ``reading`` states what was taken for what.
 
     Parameters
     ----------
@@ -79,25 +82,36 @@ def curve_of_test(
         time = np.zeros(0)
     direction = test.direction[usable] if test.direction.size else np.zeros(0)
     machine = spring_constant if spring_constant is not None else math.inf
-    continuous = None
-    if "stiffness" in chosen:
-        valid = _is_number(chosen["stiffness"].values)[usable]
-        stiffness = np.where(valid, numbers["stiffness"][usable], math.nan)
+    rows = (test.rows if test.rows.size else np.arange(usable.size))[usable]
+    # rows without numbers within a test are no gap between two
+    parts = parts_of_tests(depth, force, time, rows) if test.rows.size and not direction.size else [slice(None)]
+    curves = []
+    for number, part in enumerate(parts, start=1):
+        name = test.name if len(parts) == 1 else f"{test.name}, test {number}"
+        at, load, clock = depth[part], force[part], time[part] if time.size else time
+        continuous = None
+        if "stiffness" in chosen:
+            valid = _is_number(chosen["stiffness"].values)[usable]
+            stiffness = np.where(valid, numbers["stiffness"][usable], math.nan)[part]
+            with in_file(path):
+                continuous = loading_stiffness(at, load, stiffness, clock, name)
+        facts = [
+            ", ".join(f"{role} from {_named(chosen[role], role, units)}" for role in chosen if role != "stiffness"),
+            stiffness_fact(_named(chosen["stiffness"], "stiffness", units), continuous)
+            if "stiffness" in chosen
+            else "",
+            "an average of several tests, whose time falls and is left out" if falling else "",
+            f"{left_out} row{'s' * (left_out != 1)} without numbers left out" if left_out else "",
+            f"spring constant {spring_constant:g} N/m given" if spring_constant is not None else "",
+            *test.notes,
+            f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
+            swap_note(at, load),
+        ]
+        reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
         with in_file(path):
-            continuous = loading_stiffness(depth, force, stiffness, time, test.name)
-    facts = [
-        ", ".join(f"{role} from {_named(chosen[role], role, units)}" for role in chosen if role != "stiffness"),
-        stiffness_fact(_named(chosen["stiffness"], "stiffness", units), continuous) if "stiffness" in chosen else "",
-        "an average of several tests, whose time falls and is left out" if falling else "",
-        f"{left_out} row{'s' * (left_out != 1)} without numbers left out" if left_out else "",
-        f"spring constant {spring_constant:g} N/m given" if spring_constant is not None else "",
-        *test.notes,
-        swap_note(depth, force),
-    ]
-    reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
-    with in_file(path):
-        curve = ForceCurve(depth, force, machine, time, direction, test.name, reading=reading)
-    return PlacedCurve(curve, test.x, test.y, continuous)
+            curve = ForceCurve(at, load, machine, clock, direction, name, reading=reading)
+        curves.append(PlacedCurve(curve, test.x, test.y, continuous))
+    return curves
 
 
 def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str) -> InstrumentColumn | None:

@@ -85,8 +85,8 @@ def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> Instrumen
         for cell, unit in zip(cells, [*units, *[""] * len(cells)], strict=False)
     ]
     numbered = [place for place, (name, _) in enumerate(both) if name and name.lower() != "segment"]
-    rows, marks = [], []
-    for row in sheet.rows[header + 1 + texts_below :]:
+    rows, marks, lines = [], [], []
+    for line, row in enumerate(sheet.rows[header + 1 + texts_below :]):
         mark = str(row[0]).strip().lower() if row and isinstance(row[0], str) else ""
         if mark == END:
             break
@@ -94,6 +94,7 @@ def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> Instrumen
         if mark or any(isinstance(number, float) for number in numbers):
             rows.append([number if isinstance(number, float) else math.nan for number in numbers])
             marks.append(mark if 0 not in numbered else "")
+            lines.append(line)
     if not rows:
         return None
     names, stated = zip(*(both[place] for place in numbered), strict=True)
@@ -102,7 +103,9 @@ def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> Instrumen
     kind = "of NanoSuite or Analyst (MTS, Agilent, Keysight, KLA)" if any(marks) else "of an instrument"
     x, y = (_metres(facts, place) for place in PLACES)
     name = f"{path.name}, {sheet.name}"
-    return InstrumentTest(f"workbook {kind}", name, columns, _notes(names, facts), x, y, _directions(marks))
+    return InstrumentTest(
+        f"workbook {kind}", name, columns, _notes(names, facts), x, y, _directions(marks), np.array(lines)
+    )
 
 
 def _notes(names: tuple[str, ...], facts: dict[str, Cell]) -> tuple[str, ...]:

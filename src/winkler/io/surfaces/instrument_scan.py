@@ -21,7 +21,7 @@ class ScanContents(NamedTuple):
     Parameters
     ----------
     position, heights
-        In the unit below; places where the heights are missing are left out.
+        In the unit below; nan where heights are missing.
     unit
         Of both; empty where the file does not state it.
     """
@@ -59,5 +59,4 @@ def _contents(surface: Any) -> ScanContents:
         np.ma.filled(np.ma.asarray(part, dtype=float), np.nan) for part in surface.positions_and_heights()
     ]
     place, height = np.asarray(found[0]), np.asarray(found[1])
-    there = np.isfinite(place) & np.isfinite(height)
-    return ScanContents(place[there], height[there], str(surface.unit or ""))
+    return ScanContents(place, height, str(surface.unit or ""))

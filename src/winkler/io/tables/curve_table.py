@@ -29,15 +29,16 @@ from winkler.io.curve_columns import (
 )
 from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
-from winkler.io.segments import directions
+from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.place_lines import place_in
-from winkler.io.tables.table import Column, read_table
+from winkler.io.tables.several_tests import parts_of_tests
+from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.table_makers import maker_in
 from winkler.units import comma_hint
 
-__all__ = ["is_curve_table", "read_curve_table"]
+__all__ = ["is_curve_table", "read_curve_tables"]
 
 POSITION = Column("position", POSITION_NAMES, "m", "nm")
 DEPTH = Column("depth", DEPTH_NAMES, "m", "nm")
@@ -68,21 +69,21 @@ def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
     return any(names_columns(path, pair, head=head) for pair in pairs)
 
 
-def read_curve_table(
+def read_curve_tables(
     path: str | os.PathLike[str],
     *,
     spring_constant: float | None = None,
     sensitivity: float | None = None,
     units: Mapping[str, str] | None = None,
-) -> PlacedCurve:
-    """Read a force curve from a text table.
+) -> list[PlacedCurve]:
+    """Read the force curves of a text table: one, or those of several tests below each other.
 
     Parameters
     ----------
     path : str or path
         The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.  A column ``segment``
-        numbers the segments in which the tip approaches, is held, and retracts; without it the tip approaches up to the
-        largest position, and then retracts.
+        numbers the segments in which the tip approaches, is held, and retracts; one number throughout says nothing, and
+        a segment in which the tip turns is not believed: turns then follow from position and force.
     spring_constant : float, optional
         Of the cantilever [N/m].  With a column ``depth`` it is not needed: that is the travel of the tip itself.
     sensitivity : float, optional
@@ -92,8 +93,8 @@ def read_curve_table(
 
     Returns
     -------
-    PlacedCurve
-        The curve, and the stiffness measured during the loading if there is such a column.
+    list of PlacedCurve
+        Each curve, and the stiffness measured during the loading if there is such a column.
 
     Raises
     ------
@@ -114,7 +115,7 @@ def read_curve_table(
         column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
     )
     wanted = [_narrowed(path, head, column) for column in (place, load, *further)]
-    table = read_table(path, wanted, units=units, decimal_comma=True)
+    table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True)
     found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
     stiffness = _stiffness(path, head, spring_constant)
     position, force = table.values[:, 0], table.values[:, 1]
@@ -133,26 +134,49 @@ def read_curve_table(
             "tip itself."
         )
     machine = stiffness if place is POSITION and stiffness is not None else math.inf
-    name, none = Path(path).name, np.zeros(0)
-    time, segment = found.get("time", none), found.get("segment", none)
+    none = np.zeros(0)
     read_as = dict(zip(("place", "load", *found), table.read_as, strict=True))
-    with in_file(path):
-        measured = "stiffness" in found and place is DEPTH
-        continuous = loading_stiffness(position, force, found["stiffness"], time, name) if measured else None
-        facts = (
-            f"{place.word} from '{read_as['place']}', {load.word} from '{read_as['load']}'"
-            + (f", time from '{read_as['time']}'" if "time" in found else ""),
-            stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
-            f"segments from '{read_as['segment']}'" if "segment" in found else "",
-            _origin_of_spring(stiffness, spring_constant) if place is POSITION or load is not FORCE else "",
-            f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
-            f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
-            swap_note(position, force),
-        )
-        reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
-        directed = directions(position, force, segment)
-        curve = ForceCurve(position, force, machine, time, directed, name, reading=reading)
-    return PlacedCurve(curve, *place_in(head, path), continuous)
+    measured = "stiffness" in found and place is DEPTH
+    parts = parts_of_tests(position, force, found.get("time", none), table.lines)
+    _refuse_unparted(path, table, parts, place)
+    where = place_in(head, path)
+    curves = []
+    for number, part in enumerate(parts, start=1):
+        name = Path(path).name if len(parts) == 1 else f"{Path(path).name}, test {number}"
+        at, load_at = position[part], force[part]
+        time, segment = (found[word][part] if word in found else none for word in ("time", "segment"))
+        with in_file(path):
+            continuous = loading_stiffness(at, load_at, found["stiffness"][part], time, name) if measured else None
+            facts = (
+                f"{place.word} from '{read_as['place']}', {load.word} from '{read_as['load']}'"
+                + (f", time from '{read_as['time']}'" if "time" in found else ""),
+                stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
+                segment_fact(at, load_at, segment, read_as.get("segment", "")),
+                _origin_of_spring(stiffness, spring_constant) if place is POSITION or load is not FORCE else "",
+                f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
+                f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
+                f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
+                swap_note(at, load_at),
+            )
+            reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
+            directed = directions(at, load_at, segment)
+            curves.append(
+                PlacedCurve(ForceCurve(at, load_at, machine, time, directed, name, reading=reading), *where, continuous)
+            )
+    return curves
+
+
+def _refuse_unparted(path: str | os.PathLike[str], table: Table, parts: Sequence[slice], place: Column) -> None:
+    """Refuse a header that stands again where no test ends and another begins."""
+    ends = [float(table.lines[part.stop - 1]) for part in parts]
+    begins = [float(table.lines[part.start]) for part in parts]
+    between = list(zip(ends, begins[1:], strict=False))
+    for line in table.repeats:
+        if not any(end < line < begin for end, begin in between):
+            raise InvalidInput(
+                f"{path}, line {line}: the header with the {place.word} stands again, but the force does not end low "
+                "before it and pass a peak on both sides, as of two tests; give each test a file, or delete the line."
+            )
 
 
 def _origin_of_spring(stiffness: float | None, given: float | None) -> str:

@@ -17,7 +17,7 @@ from winkler.units import scale
 __all__ = ["is_scan", "read_scan"]
 
 PLACE_COLUMN = Column("place", ("place", "position", "x", "lateral", "distance", "scan"), "m", "um")
-HEIGHT_COLUMN = Column("height", ("height", "heights", "z", "h", "raw", "profile", "level"), "m", "nm")
+HEIGHT_COLUMN = Column("height", ("height", "heights", "z", "h", "raw", "profile", "level", "y", "y1"), "m", "nm")
 
 TEXT_ENDINGS = {"", ".csv", ".txt", ".asc", ".dat", ".tsv", ".xy"}
 """Files that are tables, unless two columns without a header; their errors are those of tables."""
@@ -52,7 +52,8 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
         columns are ignored.  Or a file with a line scan that SurfaceTopography reads (extra ``topography``): OPDx,
         Mitutoyo and others, two columns of numbers without a header; or a container (zip) of contact.engineering.
     unit : str, optional
-        Of places and heights, such as um, where an instrument's file or two plain columns do not state it.
+        Of places and heights, such as um, where an instrument's file or two plain columns do not state it; two units,
+        such as "mm, um", where they differ.
     channel : str, optional
         Which one of several scans of a file, or which measurement of a container; the first by default.
 
@@ -74,17 +75,17 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
         wrong = f"unit {unit!r}" if unit else f"channel {channel!r}"
         raise InvalidInput(f"{file}: a table states its columns and their units; leave {wrong} out.")
     with in_file(table.path):
-        return LineScan(*table.values.T)
+        return LineScan.measured(*table.values.T)
 
 
 def _no_table(path: Path, reason: InvalidInput) -> LineScan:
     """Return the scan of another file than a table; instruments write texts too: raise why such a text is no table."""
     suffix = path.suffix.lower()
-    if suffix in SPREADSHEETS:
-        raise reason
     try:
         return _measured(path, "", "")
     except InvalidInput as error:
+        if suffix in SPREADSHEETS and "does not state the unit" not in str(error):
+            raise reason from None
         if suffix in TEXT_ENDINGS and "does not state the unit" in str(error):
             raise InvalidInput(f"{str(reason).rstrip('.')}, or give its unit, such as unit = 'um'.") from None
         raise (reason if suffix in TEXT_ENDINGS else error) from None
@@ -92,10 +93,11 @@ def _no_table(path: Path, reason: InvalidInput) -> LineScan:
 
 def _measured(path: Path, unit: str, channel: str) -> LineScan:
     contents = instrument_scan(path, channel)
+    places, _, heights = (part.strip() for part in unit.partition(","))
     if contents.unit and unit:
         raise InvalidInput(f"{path}: the file states its unit, {contents.unit}, and {unit} was given; leave it out.")
     if not (contents.unit or unit):
         raise InvalidInput(f"{path}: the file does not state the unit of its scan; give unit, such as 'um'.")
-    metre = scale(contents.unit or unit, "m", what=f"{path}, unit")
+    along, up = (scale(contents.unit or one, "m", what=f"{path}, unit") for one in (places, heights or places))
     with in_file(path):
-        return LineScan(contents.position * metre, contents.heights * metre)
+        return LineScan.measured(contents.position * along, contents.heights * up)

@@ -46,12 +46,15 @@ class Table:
         The line of the file, counted from 1, on which each row stands.
     read_as : tuple of str
         Name and unit of each column as they stand in the header, such as "Load [uN]".
+    repeats : tuple of int
+        Lines on which the header stands again.
     """
 
     path: str
     values: Array
     lines: Array
     read_as: tuple[str, ...] = ()
+    repeats: tuple[int, ...] = ()
 
 
 def read_table(
@@ -60,6 +63,7 @@ def read_table(
     *,
     units: Mapping[str, str] | None = None,
     decimal_comma: bool = False,
+    repeated: bool = False,
 ) -> Table:
     """Read columns of numbers from a text file with a header.
 
@@ -73,6 +77,8 @@ def read_table(
         Units of columns that have none in the header, by the word of the column; see `winkler.io.tables.given_units`.
     decimal_comma : bool, optional
         Whether ``1,5`` is read as 1.5 where it can mean nothing else.
+    repeated : bool, optional
+        Whether the header may stand again between rows; it is passed over, and the numbers of the lines show it.
 
     Returns
     -------
@@ -89,10 +95,16 @@ def read_table(
     header = header_of(head, columns, file, units)
     separator = separator_of(lines, header)
     commas = DecimalCommas(file) if decimal_comma and separator != "," else None
+    above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
+    again = above if repeated else frozenset[str]()
+    repeats = list[int]()
     numbers, places, gaps = array("d"), array("q"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
+            continue
+        if line.strip() in again:
+            repeats.append(index + 1)
             continue
         cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
@@ -145,4 +157,4 @@ def read_table(
         header.cells[place] if not unit or unit in header.cells[place] else f"{header.cells[place]} [{unit}]"
         for place, unit in zip(header.places, header.units, strict=True)
     )
-    return Table(file, values, np.array(places), read_as)
+    return Table(file, values, np.array(places), read_as, tuple(repeats))

@@ -25,7 +25,6 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Rigid
 from winkler.materials.graded import PowerLawGraded
-from winkler.media.families import PowerLawMedium
 from winkler.media.graded.profile import transform
 from winkler.media.medium import Displacement, PunchFacts
 from winkler.media.punch_field import BodyField
@@ -44,7 +43,7 @@ BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods 
 
 
 @value
-class GradedHalfSpace(PowerLawMedium):
+class GradedHalfSpace:
     """Two half-spaces whose Young's modulus follows the same power of the depth, or one such and a rigid body.
 
     Parameters

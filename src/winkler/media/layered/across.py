@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.media.layered.climb import LEAST_WAVE, AnyLayer, is_bonded
+from winkler.media.layered.climb import LEAST_WAVE, AnyLayer
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 
@@ -67,13 +67,13 @@ def climbed_across(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> 
     xi : ndarray, (m,)
         Wave numbers [1/m].
     """
-    if not all(map(is_bonded, layers)):
+    if not all(layer.bonded for layer in layers):
         xi = np.where(xi == 0.0, LEAST_WAVE, xi)
     rungs = [np.full(xi.shape, 0.0 if isinstance(on, Rigid) else 1.0 / impedance(on)[0], dtype=xi.dtype)]
     for layer in reversed(layers):
         stiff, steep = impedance(layer.solid)
         fall = np.tanh(xi * (layer.thickness * steep))
-        rungs.append(across_above(rungs[-1], stiff, fall) if is_bonded(layer) else 1.0 / (stiff * fall))
+        rungs.append(across_above(rungs[-1], stiff, fall) if layer.bonded else 1.0 / (stiff * fall))
     return rungs[::-1]
 
 

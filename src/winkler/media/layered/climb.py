@@ -23,7 +23,7 @@ from winkler.media.layered.faces import THIN_LAYER_LIMIT, above, compliance_of, 
 from winkler.media.layered.wave_constants import Body, WaveConstants, constants_of
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["LEAST_WAVE", "AnyLayer", "Crossing", "Support", "climbed", "is_bonded", "support_of"]
+__all__ = ["LEAST_WAVE", "AnyLayer", "Crossing", "Support", "climbed", "support_of"]
 
 AnyLayer = Layer | StackLayer
 
@@ -43,11 +43,6 @@ class Crossing(NamedTuple):
 
     moved: Four
     loaded: Four
-
-
-def is_bonded(layer: AnyLayer) -> bool:
-    """Return whether a layer is bonded to what lies below it."""
-    return isinstance(layer, Layer) or layer.bonded
 
 
 def crossing(constants: WaveConstants, support: Support, x: ComplexArray, start: ComplexArray) -> Crossing:
@@ -139,7 +134,7 @@ def climbed(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> list[tu
     face = face_of(tuple(zero + entry for entry in support_of(on)))  # type: ignore[arg-type]
     rungs = []
     for layer in reversed(layers):
-        bonded = is_bonded(layer)
+        bonded = layer.bonded
         support = Support(compliance_of(face), bonded)
         face = above(constants_of(layer.solid), face if bonded else slid(face), xi * layer.thickness)
         rungs.append((support, compliance_of(face)))

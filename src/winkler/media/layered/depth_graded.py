@@ -14,7 +14,6 @@ from typing import Annotated
 from winkler.checks.number_checks import between
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import RIGID, Solid
-from winkler.media.families import PushedLayers
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import CarriedLoad
@@ -31,7 +30,7 @@ LEAST_TOLERANCE, LARGEST_TOLERANCE = 1e-7, 1e-2
 
 
 @value
-class DepthGradedHalfSpace(LayeredMedium, PushedLayers):
+class DepthGradedHalfSpace(LayeredMedium):
     """A half-space graded in depth, against a homogeneous body.
 
     Parameters

@@ -22,7 +22,7 @@ from winkler.media.layered.wave_constants import Body, Wave, half_space_complian
 from winkler.numerics.types import ComplexArray
 from winkler.values import value, words
 
-__all__ = ["MODE_WORDS", "Mode", "PairResponse", "WavePair"]
+__all__ = ["MODE_WORDS", "CouplingResponse", "Mode", "PairResponse", "WavePair"]
 
 
 class Mode(enum.Enum):
@@ -147,3 +147,57 @@ class PairResponse(WavePair):
         """1 + M(xi) [-], to all digits where it is small, too."""
         parts = [weight * self.first.waves(part, xi) for part, weight in self._weights]
         return np.asarray(self.modulus * (sum(parts[1:], parts[0]) + self.added))
+
+
+@value
+class CouplingResponse:
+    """By how much farther pressures draw the first surface along than on a half-space of what lies at it.
+
+    M is the difference of the compliances over that of the pair to pressures of the shortest waves; the second body, a
+    homogeneous half-space, adds nothing.
+
+    Parameters
+    ----------
+    pair : PairResponse
+        The response to pressures.
+    """
+
+    __words__ = words(pair=("", None, "the response of both bodies to a pressure"))
+
+    pair: PairResponse
+
+    @property
+    def own(self) -> tuple[CouplingResponse, float]:
+        """The same in units of the uppermost layer, and its thickness [m]."""
+        own, length = self.pair.own
+        return CouplingResponse(own), length
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa]."""
+        return self.pair.modulus
+
+    @property
+    def length(self) -> float:
+        """M tends to zero like exp(-2 xi length) [m]."""
+        return self.pair.length
+
+    @property
+    def smooth(self) -> float:
+        """The same: the kernel has no logarithm [m]."""
+        return self.pair.smooth
+
+    @property
+    def span(self) -> float:
+        """Length [m] beyond which the stack is only its base."""
+        return self.pair.span
+
+    @property
+    def precision(self) -> float:
+        """Rounding of M, relative to its largest value."""
+        return self.pair.precision
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        first = self.pair.first
+        return np.asarray(self.modulus * (first.waves(Wave.COUPLING, xi) - first.short(Wave.COUPLING)))

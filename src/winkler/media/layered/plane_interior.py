@@ -26,11 +26,11 @@ import numpy as np
 from winkler.checks.contract import offered
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Rigid
-from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.coated_interior import WaveState, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
-from winkler.media.layered.wave_constants import Body, constants_of
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, wave_numbers
+from winkler.media.layered.wave_constants import constants_of
+from winkler.media.offers import LayerStack
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, WaveResponse, wave_numbers
 from winkler.numerics.types import Array
 
 __all__ = ["PlaneLayers", "PlaneWaves", "added_stresses", "plane_waves"]
@@ -43,43 +43,8 @@ PAIRS_PER_CHUNK = 1_000_000
 
 
 @offered("a medium of layers, such as CoatedHalfSpace(layers, on) or StackedHalfSpace(layers, on)")
-class PlaneLayers(Protocol):
+class PlaneLayers(LayerStack, Protocol):
     """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
-
-    @property
-    def layers(self) -> tuple[Layer | StackLayer, ...]:
-        """From the surface down."""
-        ...
-
-    @property
-    def stack(self) -> tuple[Layer | StackLayer, ...]:
-        """The same, with what they are bonded to."""
-        ...
-
-    @property
-    def on(self) -> Body:
-        """What carries them."""
-        ...
-
-    @property
-    def second(self) -> Body:
-        """The other body."""
-        ...
-
-    @property
-    def thickness(self) -> float:
-        """Of all layers together [m]."""
-        ...
-
-    @property
-    def spans(self) -> tuple[tuple[float, float], ...]:
-        """Depths between which each layer lies, and what carries them if it deforms [m]."""
-        ...
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa] of the uppermost layer and the other body."""
-        ...
 
     @property
     def along_modulus(self) -> float:
@@ -94,6 +59,11 @@ class PlaneLayers(Protocol):
     @property
     def along_response(self) -> SurfaceResponse:
         """Of the pair to shear along its wave; refused where it does not reach the base."""
+        ...
+
+    @property
+    def coupling_response(self) -> WaveResponse:
+        """Of the first body: how much farther than its uppermost layer alone a pressure draws its surface along."""
         ...
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import StackLayer
 from winkler.media.layered.across import climbed_across
-from winkler.media.layered.climb import AnyLayer, climbed, is_bonded
+from winkler.media.layered.climb import AnyLayer, climbed
 from winkler.media.layered.wave_constants import (
     Body,
     Wave,
@@ -75,7 +75,7 @@ class StackBody:
             return math.inf
         if part is Wave.NORMAL:
             return 0.5 * sum(_yielding(group) for group in _groups(self.layers))
-        if not all(map(is_bonded, self.layers)):
+        if not all(layer.bonded for layer in self.layers):
             return math.inf
         return 0.5 * sum(layer.thickness / constants_of(layer.solid).shear for layer in self.layers)
 
@@ -103,7 +103,7 @@ class StackBody:
         """Return the same stack in units of its uppermost layer."""
         modulus, length = self.unit
         layers = tuple(
-            StackLayer(_in_units(layer.solid, modulus), rounded(layer.thickness / length), is_bonded(layer))
+            StackLayer(_in_units(layer.solid, modulus), rounded(layer.thickness / length), layer.bonded)
             for layer in self.layers
         )
         return StackBody(layers, self.on if isinstance(self.on, Rigid) else _in_units(self.on, modulus))
@@ -132,7 +132,7 @@ def _groups(layers: tuple[AnyLayer, ...]) -> list[_Group]:
     groups, members = [], []
     for layer in layers:
         members.append(layer)
-        if not is_bonded(layer):
+        if not layer.bonded:
             groups.append(_Group(tuple(members), held=False))
             members = []
     return [*groups, _Group(tuple(members), held=True)] if members else groups

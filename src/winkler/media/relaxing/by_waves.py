@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, Protocol
 
 from winkler.errors import OutsideValidity
 from winkler.media.layered.coated import CoatedHalfSpace
@@ -12,7 +12,7 @@ from winkler.numerics.transforms.wave_creep import WaveCreep
 __all__ = ["RelaxingByWaves"]
 
 
-class RelaxingByWaves(RelaxingMedium):
+class RelaxingByWaves(RelaxingMedium, Protocol):
     """A stack on which no single function of time stands for all springs: subclasses state the creep of its waves."""
 
     in_proportion: ClassVar[bool] = False
@@ -65,6 +65,6 @@ class RelaxingByWaves(RelaxingMedium):
         """The stack that names the solids."""
         return self.relaxed
 
-    relaxation = creep = property(RelaxingMedium._changing)
-    gap = gap_slope = kinks = punch_facts = RelaxingMedium._changing
-    displacement = interior = RelaxingMedium._changing
+    relaxation = creep = property(RelaxingMedium._changing)  # type: ignore[misc]
+    gap = gap_slope = kinks = punch_facts = RelaxingMedium._changing  # type: ignore[misc]
+    displacement = interior = RelaxingMedium._changing  # type: ignore[misc]

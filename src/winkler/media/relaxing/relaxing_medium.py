@@ -36,8 +36,8 @@ class RelaxingDisplacement(Displacement, Protocol):
         ...
 
 
-class RelaxingMedium:
-    """An elastic medium times a function of time: subclasses state both, and the assumptions."""
+class RelaxingMedium(Protocol):
+    """An elastic medium times a function of time: whoever has these members is asked as such, of whatever class."""
 
     in_proportion: ClassVar[bool] = True
     """Whether all parts relax alike, so that g does not change; layers with laws of their own do not."""
@@ -101,8 +101,8 @@ class RelaxingMedium:
         """There is none that would hold at all times."""
         raise self.timeless()
 
-    gap_load = punch_stiffness = punch_pressure = _changing
-    normal_stiffness = normal_stiffness_slope = tangential_stiffness = _changing
+    gap_load = punch_stiffness = punch_pressure = _changing  # type: ignore[misc]
+    normal_stiffness = normal_stiffness_slope = tangential_stiffness = _changing  # type: ignore[misc]
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa] of springs with a history."""

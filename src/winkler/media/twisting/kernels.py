@@ -19,9 +19,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import PowerLawMedium, TwistedLayers, TwistedMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
+from winkler.media.offers import PowerOfDepth, TwistedWaves, TwistModuli, offers
 from winkler.numerics.panels.kink_panels import Stretches
 from winkler.numerics.types import Array
 
@@ -50,7 +50,7 @@ class TwistKernel(NamedTuple):
     weight: Array
 
 
-def twisted_medium(medium: Medium) -> TwistedMedium:
+def twisted_medium(medium: Medium) -> TwistModuli:
     """Return a medium on which it is known what twisted springs bear.
 
     Raises
@@ -58,7 +58,7 @@ def twisted_medium(medium: Medium) -> TwistedMedium:
     OutsideValidity
         If the medium relaxes, is measured, or of another kind.
     """
-    if not isinstance(medium, TwistedMedium):
+    if not offers(medium, TwistModuli):
         raise no_kernel(medium)
     return medium
 
@@ -115,7 +115,7 @@ def twist_kernel(medium: Medium, panels: Stretches) -> TwistKernel:
         from scipy.special import ellipkm1
 
         return TwistKernel(4.0 * medium.modulus / np.pi * ellipkm1((x[:, None] / x) ** 2) / x, x**2)
-    if isinstance(medium, PowerLawMedium):
+    if offers(medium, PowerOfDepth):
         k = medium.exponent
         weight = x ** (2.0 + k) / medium.depth_scale**k
         bound = np.zeros((x.size, x.size))
@@ -126,7 +126,7 @@ def twist_kernel(medium: Medium, panels: Stretches) -> TwistKernel:
     from winkler.numerics.transforms.odd_response import OddResponse
     from winkler.numerics.transforms.slip_tables import slip_table
 
-    if not isinstance(medium, TwistedLayers):
+    if not offers(medium, TwistedWaves):
         raise no_kernel(medium)
     table = slip_table(panels, medium.response, OddResponse(medium.across_response))
     return TwistKernel(medium.modulus * table.bound, table.lever**2)

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import PowerLawMedium, TwistedLayers
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import Twisted, clean_slope, twist_displacement, twist_traction
 from winkler.media.medium import Medium
+from winkler.media.offers import PowerOfDepth, TwistedWaves, offers
 from winkler.media.twisting.kernels import no_kernel
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
@@ -50,14 +50,14 @@ def traction_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
     if isinstance(medium, HomogeneousMedium) or twisted.radius == 0.0:
         return twist_traction(twisted, r)
     place = np.where(r > 0.0, r, 0.5 * twisted.radius)
-    if isinstance(medium, PowerLawMedium):
+    if offers(medium, PowerOfDepth):
         from winkler.numerics.transforms.graded_pressure import pressure
 
         k = medium.exponent
         summed = pressure(clean_slope(twisted), twisted.kinks, twisted.edge, twisted.radius, k, place)
         factor = 0.5 * (1.0 + k) / medium.depth_scale**k
         return np.where(r > 0.0, factor * r * summed, 0.0)
-    if not isinstance(medium, TwistedLayers):
+    if not offers(medium, TwistedWaves):
         raise no_kernel(medium)
     from winkler.numerics.transforms.odd_response import OddResponse
 

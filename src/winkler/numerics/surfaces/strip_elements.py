@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["element_compliance", "linear_potential", "linear_slope"]
+__all__ = ["by_hats", "element_compliance", "hats", "linear_potential", "linear_slope"]
 
 FAR = 30.0
 """Distance in half-lengths from which moments of the traction are summed: the logarithms lose digits there."""
@@ -49,7 +49,26 @@ def linear_slope(nodes: Array, x: Array) -> Array:
         Places, none of them a node.
     """
     away = x[:, None] - nodes
-    return np.asarray(np.diff(np.diff(away * np.log(np.abs(away)), axis=1) / np.diff(nodes), axis=1) / np.pi)
+    return by_hats(away * np.log(np.abs(away)), nodes) / np.pi
+
+
+def by_hats(lifted: Array, nodes: Array) -> Array:
+    """Return integrals of a kernel times tractions that are one at a node and fall to zero at the next ``(k, m - 2)``.
+
+    Parameters
+    ----------
+    lifted : ndarray, (k, m)
+        The kernel, integrated twice, at the distances of places from nodes.
+    nodes : ndarray, (m,)
+        Ascending; the first and the last carry nothing.
+    """
+    return np.asarray(np.diff(np.diff(lifted, axis=1) / np.diff(nodes), axis=1))
+
+
+def hats(nodes: Array, x: Array) -> Array:
+    """Return the values at places of tractions that are one at a node and fall to zero at the next ``(k, m - 2)``."""
+    share = (x[:, None] - nodes[:-1]) / np.diff(nodes)
+    return np.maximum(np.minimum(share[:, :-1], 1.0 - share[:, 1:]), 0.0)
 
 
 def linear_potential(nodes: Array, values: Array, x: Array, z: Array) -> tuple[Array, Array]:

@@ -25,6 +25,7 @@ __all__ = [
     "ScaledResponse",
     "SurfaceResponse",
     "WaveResponse",
+    "faded",
     "in_own_lengths",
     "on_axis",
     "scaled_response",
@@ -41,6 +42,10 @@ FIRST_WAVE_NUMBER = 1e-3
 """First panel of wave numbers, in units of 1 / span: M is a power series there."""
 ROUNDING_RATIO = 1e-14
 """Rounding of M, what C may be wrong by, times x."""
+LARGEST_PHASE = 8.0
+"""Over one panel of a wave on the turned path."""
+SPENT = 160.0
+"""Phase at which a wave on the turned path has died out."""
 LEAST_RESPONSE = 0.03
 """An M smaller than this need not be any more precise."""
 AGREEMENT_RATIO = 300.0
@@ -157,6 +162,24 @@ def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array
     nodes, weights = gauss_legendre(NODES)
     low, width = np.array(edges[:-1])[:, None], np.diff(edges)[:, None]
     return (low + width * nodes).ravel(), (width * weights).ravel()
+
+
+def faded(response: WaveResponse, distance: float) -> float:
+    r"""Return the integral of :math:`M(\xi)\,(1-\cos\xi d)/\xi` at a distance d [m], on the turned path.
+
+    It is by how much less a line load moves the surface there than at itself, beyond what a half-plane does.
+    """
+    own, unit = in_own_lengths(response)
+    away, turn = distance / unit, np.exp(1j * PATH_ANGLES[0])
+    longest = DECAY_SPAN / own.length
+    spent = min(SPENT / away, longest)
+    near, shares = wave_numbers(FIRST_WAVE_NUMBER / max(own.span, away), LARGEST_PHASE / away, spent)
+    edges = np.minimum(spent * 2.0 ** np.arange(math.ceil(math.log2(longest / spent)) + 1.0), longest)
+    nodes, weights = gauss_legendre(NODES)
+    s = np.append(near, edges[:-1, None] + np.diff(edges)[:, None] * nodes)
+    weight = np.append(shares, np.diff(edges)[:, None] * weights)
+    parts = own.excess(s * turn) * -np.expm1(1j * s * turn * away) / s
+    return float(np.real(parts @ weight))
 
 
 def transform(response: WaveResponse, end: float) -> Panels:

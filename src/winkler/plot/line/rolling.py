@@ -14,8 +14,8 @@ from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, points, titled
 from winkler.plot.series import scale_of, series, series_of, with_unit
-from winkler.problems.line_rolling.pressed import sliding_creepage
 from winkler.problems.line_rolling.resistance import LineRollingResistanceSolution
+from winkler.problems.line_rolling.rolled_strip import sliding_creepage
 from winkler.problems.line_rolling.start import LineRollingStartSolution
 from winkler.problems.line_rolling.start_states import DRAGGED
 from winkler.problems.line_rolling.steady import LineRollingSolution
@@ -23,7 +23,8 @@ from winkler.problems.rolling.creepage import Creepage
 
 __all__ = ["line_resistance_sheet", "line_rolling_sheet", "line_rolling_start_sheet"]
 
-POINTS, COUPLED_POINTS = 121, 15
+POINTS, STRIP_POINTS, COUPLED_POINTS = 121, 41, 15
+"""Of a creep curve in closed form, on elements, and on elements with coupling, which take longer."""
 BEYOND_SLIDING = 1.35
 """Range of a creep curve relative to the creepage at full sliding."""
 PLACES = 401
@@ -66,10 +67,12 @@ def _alone(item: LineRollingSolution, index: int) -> LineRollingSolution:
 def _creep_panel(item: LineRollingSolution) -> Panel:
     """Return the curve, and the drives on it; of dissimilar bodies the force is zero beside no creepage."""
     creepage, ratio = np.ravel(np.asarray(item.longitudinal_creepage, dtype=float)), _used(item)
-    limit = sliding_creepage(item.contact, item.problem.friction.coefficient)
+    limit = sliding_creepage(item.problem.bed, float(item.contact.half_width), item.problem.friction.coefficient)
     most = max(BEYOND_SLIDING * limit, float(np.max(np.abs(creepage))))
-    both = bool(item.strips) or np.min(creepage) < 0.0
-    along = np.linspace(-most if both else 0.0, most, COUPLED_POINTS if item.strips else POINTS)
+    coupled = bool(item.strips) and item.problem.coupled
+    both = coupled or np.min(creepage) < 0.0
+    count = COUPLED_POINTS if coupled else STRIP_POINTS if item.strips else POINTS
+    along = np.linspace(-most if both else 0.0, most, count)
     forces = _used(dataclasses.replace(item.problem, drive=Creepage(longitudinal=along)).solve())
     if item.strips:
         along, places = np.unique(np.append(along, creepage), return_index=True)

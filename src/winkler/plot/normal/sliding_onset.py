@@ -8,8 +8,8 @@ import numpy as np
 
 from winkler.foundation.bed import PressedSprings
 from winkler.materials.elastic import TransverselyIsotropic
-from winkler.media.families import LayeredBody
 from winkler.media.medium import Medium
+from winkler.media.offers import LayerStack, offers
 from winkler.plot import style
 from winkler.plot.normal.stresses import depths_through, faces_above, stress_map
 from winkler.plot.panel import Line, Panel, Rule
@@ -61,6 +61,6 @@ def sliding_stress_panel(item: YieldOnsetSolution, pressed: PressedSprings, exte
 
 def _unknown_above(medium: Medium) -> float:
     """Return the depth down to which stresses are not known [m]: in a transversely isotropic uppermost layer."""
-    if isinstance(medium, LayeredBody) and isinstance(medium.layers[0].solid, TransverselyIsotropic):  # type: ignore[attr-defined]
-        return float(medium.layers[0].thickness)  # type: ignore[attr-defined]
+    if offers(medium, LayerStack) and isinstance(medium.layers[0].solid, TransverselyIsotropic):
+        return float(medium.layers[0].thickness)
     return 0.0

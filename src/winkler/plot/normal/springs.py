@@ -9,6 +9,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -91,7 +92,7 @@ def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
         [m].
     """
     medium = getattr(bed, "medium", None)
-    if isinstance(medium, RelaxingMedium) and not medium.in_proportion:
+    if offers(medium, RelaxingMedium) and not medium.in_proportion:
         # g changes in time; what the springs follow is the profile on one solid
         bed = dataclasses.replace(bed, medium=HalfSpace(medium.elastic.layers[0].solid))  # type: ignore[attr-defined, type-var]
     end = min(end, outline_end(bed))

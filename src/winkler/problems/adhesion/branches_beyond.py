@@ -10,7 +10,7 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
-from winkler.media.layered.coated import LayeredMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, ShortStates, margin, position
 from winkler.problems.adhesion.stability import (
@@ -116,7 +116,7 @@ def _unstable(states: EdgeStates, radius: Array) -> Array:
     """Return where contacts are unstable, cheaply: of layers and rings by the profile's own transform."""
     bed = states.bed
     with np.errstate(all="ignore"):
-        if isinstance(bed.medium, LayeredMedium) and isinstance(bed, Foundation):
+        if offers(bed.medium, PressedWaves) and isinstance(bed, Foundation):
             return np.asarray(bed.profile.gap_slope(radius) < 0.0)
         if isinstance(bed, Outlined):
             bed = bed.outline()

@@ -15,9 +15,8 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.loading import Depth, Force, Load
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import LayeredMedium
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import load_number
@@ -178,13 +177,13 @@ class AdhesiveSolution:
         if not isinstance(self.problem.law, ShortRange):
             return shaped(np.zeros(np.shape(self.depth)))
         medium = self.problem.bed.medium
-        if isinstance(medium, GradedHalfSpace) and medium.exponent != 0.0:
+        if offers(medium, PowerOfDepth) and medium.exponent != 0.0:
             raise OutsideValidity(
                 f"stress_intensity: on a modulus that grows with the power {medium.exponent:g} of the depth the "
                 f"tension at the edge is singular with the power {0.5 * (medium.exponent - 1.0):g}, not -1/2; use "
                 "energy_release_rate, which is meant the same on every medium."
             )
-        if isinstance(medium, HomogeneousMedium | LayeredMedium | GradedHalfSpace):
+        if isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves) or offers(medium, PowerOfDepth):
             return shaped(np.sqrt(2.0 * medium.modulus * np.asarray(self.energy_release_rate)))
         raise OutsideValidity(
             f"stress_intensity: the surface modulus of a {type(medium).__name__} is not known; use energy_release_rate."

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates
 from winkler.problems.adhesion.layered_states import LayeredStates
 from winkler.problems.adhesion.maugis import CohesiveStates
@@ -32,7 +32,7 @@ def states_of(bed: Bed, law: AdhesionLaw) -> EdgeStates:
         case ShortRange():
             return ShortStates(bed, law.work)
         case Dugdale():
-            return LayeredStates(bed, law) if isinstance(bed.medium, DepthVaryingMedium) else CohesiveStates(bed, law)
+            return LayeredStates(bed, law) if offers(bed.medium, PressedWaves) else CohesiveStates(bed, law)
         case DerjaguinMullerToporov():
             return FarStates(bed, 2.0 * math.pi * _apex_radius(bed) * law.work)
         case _:

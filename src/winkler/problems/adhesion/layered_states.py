@@ -12,7 +12,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale
-from winkler.media.layered.coated import LayeredMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -215,7 +215,7 @@ class DiscOnLayers(NamedTuple):
 @functools.lru_cache(maxsize=64)
 def _zones(states: LayeredStates) -> RingOnLayers:
     bed, medium, law = states.bed, states.bed.medium, states.law
-    assert isinstance(medium, LayeredMedium)
+    assert offers(medium, PressedWaves)
     end = min(bed.reach, bed.rim)
     if math.isfinite(end) and not math.isfinite(float(bed.slope(np.array([end]))[0])):
         end *= VERTICAL_SHARE

@@ -20,8 +20,8 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import Dugdale
 from winkler.media.body_of import exponent_of
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, gap_moment, pulled
@@ -55,13 +55,13 @@ class CohesiveStates:
 
     def __post_init__(self) -> None:
         medium = self.bed.medium
-        if not isinstance(medium, HomogeneousMedium | GradedHalfSpace):
+        if not (isinstance(medium, HomogeneousMedium) or offers(medium, PowerOfDepth)):
             raise OutsideValidity(
                 f"Dugdale: what a constant stress does to a {type(medium).__name__} is not known; use "
                 "ShortRange(work), or a HalfSpace, GradedHalfSpace, CoatedHalfSpace, SlidingFilm or "
                 "DepthGradedHalfSpace."
             )
-        if isinstance(medium, GradedHalfSpace) and medium.exponent >= 1.0:
+        if offers(medium, PowerOfDepth) and medium.exponent >= 1.0:
             raise OutsideValidity(
                 "Dugdale: Gibson's solid (exponent 1) sinks only where it is pressed, so that a ring of stress cannot "
                 "hold the edge; use ShortRange(work), or an exponent below 1."

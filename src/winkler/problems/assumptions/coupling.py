@@ -13,11 +13,11 @@ import math
 import numpy as np
 
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.elastic import Elastic, Rigid, Solid, TransverselyIsotropic
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.medium import Medium
+from winkler.media.offers import LayerStack, offers
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.validity import Assumption, Note, Standing, standing_of
@@ -61,8 +61,9 @@ def mismatch(medium: Medium) -> float:
         medium = medium.medium
     if isinstance(medium, HalfSpace):
         return medium.mismatch
-    if isinstance(medium, CoatedHalfSpace):
-        return dundurs(medium.layers[0].solid, medium.second)
+    if offers(medium, LayerStack):
+        top, other = medium.layers[0].solid, medium.second
+        return math.nan if TransverselyIsotropic in map(type, (top, other)) else dundurs(top, other)  # type: ignore[arg-type]
     if isinstance(medium, ViscoelasticHalfSpace):
         pairs = ([_elastic(body, early) for body in (medium.first, medium.second)] for early in (True, False))
         return max((dundurs(*pair) for pair in pairs), key=abs)
@@ -187,10 +188,10 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
     if abs(beta) < NEGLIGIBLE_COUPLING:
         return Note(
             Assumption.UNCOUPLED,
-            Standing.ASYMPTOTIC if isinstance(medium, CoatedHalfSpace) else Standing.EXACT,
+            Standing.ASYMPTOTIC if offers(medium, LayerStack) else Standing.EXACT,
             "The surfaces are elastically similar (Dundurs' beta = 0): pressure causes no traction, and traction along "
             "the surface no pressure"
-            + (", as far as the outermost layer goes." if isinstance(medium, CoatedHalfSpace) else "."),
+            + (", as far as the outermost layer goes." if offers(medium, LayerStack) else "."),
             SPENCE,
         )
     if math.isnan(beta) or math.isnan(coefficient):

@@ -8,7 +8,7 @@ Hertzian pressure, a rigid body nothing; on a rigid base under a rigid body the 
 from __future__ import annotations
 
 from winkler.foundation.bed import Bed
-from winkler.media.families import CoatedBody, StackedBody
+from winkler.media.offers import LayerStack, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
@@ -25,12 +25,12 @@ DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10
 LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
 
 
-def film_strain(medium: CoatedBody | StackedBody, depth: float, force: float, radius: float) -> float:
+def film_strain(medium: LayerStack, depth: float, force: float, radius: float) -> float:
     """Return the mean compression of the layers over their thickness [-].
 
     Parameters
     ----------
-    medium : CoatedBody or StackedBody
+    medium : LayerStack
     depth, force, radius : float
         d [m], F_N [N] and a [m], positive.
     """
@@ -52,13 +52,13 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
     depth, force, radius : float
         d [m], F_N [N] and a [m] of the deepest contact.
     """
-    medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
+    medium = bed.medium.elastic if offers(bed.medium, RelaxingMedium) else bed.medium
     pyramid: tuple[Note, ...] = ()
     if hasattr(getattr(bed, "profile", None), "sides"):
         from winkler.problems.assumptions.pyramid_film import pyramid_notes  # not loaded for numbers of other bodies
 
         pyramid = pyramid_notes(bed, medium, radius)
-    if not isinstance(medium, CoatedBody | StackedBody) or radius <= 0.0 or depth <= 0.0:
+    if not offers(medium, LayerStack) or radius <= 0.0 or depth <= 0.0:
         return pyramid
     return (film_note(depth / medium.thickness, film_strain(medium, depth, force, radius)), *pyramid)
 

@@ -15,10 +15,10 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
-from winkler.materials.elastic import Elastic
-from winkler.media.families import CoatedBody
+from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.profiles.pyramids.pyramid import FORCE_CONSTANTS, PyramidShape, cross_section_constant
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
@@ -144,11 +144,11 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
     if not isinstance(tip, PyramidShape | RoundedPyramid):
         return ()
     cone = "The cone that stands for the pyramid has its force on a homogeneous half-space."
-    if not isinstance(medium, CoatedBody):
+    if not offers(medium, LayerStack) or not _is_coating(medium):
         text = f"{cone} By how much it is wrong on this body is not known; on layers it is up to 7 % with four faces."
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, SOURCE),)
-    top, base = medium.layers[0].solid, medium.on
-    contrast = math.inf
+    top, base, contrast = medium.layers[0].solid, medium.on, math.inf
+    assert isinstance(top, Elastic)
     if isinstance(base, Elastic):
         contrast = base.young / (1.0 - base.poisson**2) / top.young * (1.0 - top.poisson**2)
     wide = radius / medium.thickness
@@ -161,3 +161,11 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
         f"the pyramid by about {error:+.2%}{several}{advice}; below 0.3 of the thickness it differs by less than 1 %."
     )
     return (Note(Assumption.SHAPE, standing, text, SOURCE),)
+
+
+def _is_coating(medium: LayerStack) -> bool:
+    """Return whether all layers are bonded and isotropic."""
+    solids = [layer.solid for layer in medium.stack if layer.bonded]
+    return len(solids) == len(medium.stack) and not any(
+        isinstance(solid, TransverselyIsotropic) for solid in (*solids, medium.on)
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.bed import Bed
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -25,7 +26,7 @@ def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
         The shortest time between two moments of the problem, and the longest memory that is needed [s].
     """
     medium = bed.medium
-    if not isinstance(medium, RelaxingMedium):
+    if not offers(medium, RelaxingMedium):
         return ()
     first, last = medium.span
     if first == 0.0:

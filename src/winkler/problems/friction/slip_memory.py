@@ -6,11 +6,17 @@ On a straight step in depth and shift a spring that sticks is displaced by the s
 :math:`\gamma`, so the displacement of the springs stays a chain of straight pieces for ever, one for each turning point
 that is not yet forgotten: no grid, and no error but rounding.  What the pieces add up to is computed by
 `winkler.problems.friction.slip_sums`.
+
+Slip begins at the edge: in a row of pieces the inner ones stick while the outer ones slide.  So pieces are stacked from
+the axis outwards, and a step replaces those at the edge alone.  What sticks is dragged as a whole: it is the same stack
+before and after, displaced by one number, and all states of a path share it.  A path costs what its steps replace.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,19 +28,88 @@ from winkler.problems.friction.straight_step import (
     SpringPiece,
     StraightStep,
 )
-from winkler.values import value, words
+from winkler.values import words
 
-__all__ = ["LossPiece", "SlipMemory"]
+__all__ = ["LossPiece", "SlipMemory", "SlipRing", "WorkedStep"]
 
 SLOPE_TOLERANCE = 1e-13
 """Pieces that meet, and whose slopes differ by less than this part of the slopes there are, become one."""
+ROUNDING = 1e-15
+"""Of a displacement, relative to how far the stack was dragged."""
 
 
-FEW = 8
-"""Pieces that are dragged one by one."""
+class SlipRing:
+    """A piece on top of those within it, displaced by so much beyond the stack as a whole; it never changes.
+
+    Parameters
+    ----------
+    inner : SlipRing or None
+        The pieces within it.
+    piece : SpringPiece
+        Springs in a row.
+    """
+
+    __slots__ = ("axis", "count", "inner", "piece", "stuck", "sums")
+
+    def __init__(self, inner: SlipRing | None, piece: SpringPiece) -> None:
+        self.inner, self.piece = inner, piece
+        self.axis: float = piece.left if inner is None else inner.axis
+        """The displacement of the innermost spring [m]."""
+        self.count: int = 1 if inner is None else inner.count + 1
+        """How many pieces there are from the axis to here."""
+        self.stuck: bool = piece.slides == 0 and (inner is None or inner.stuck)
+        """Whether all of them stick."""
+        self.sums: tuple[object, tuple[float, float, float]] | None = None
+        """What they add up to, and who has added it up (`winkler.problems.friction.slip_sums`)."""
+
+    def __reduce__(self) -> tuple[object, ...]:  # a long stack is deeper than Python's calls may be
+        return _stacked, (tuple(outwards(self)),)
+
+    def __eq__(self, other: object) -> bool:
+        if self is other:
+            return True
+        return isinstance(other, SlipRing) and self.count == other.count and outwards(self) == outwards(other)
+
+    def __hash__(self) -> int:
+        return hash((self.count, self.piece))
 
 
-@value
+def outwards(outermost: SlipRing | None, until: SlipRing | None = None) -> list[SpringPiece]:
+    """Return the pieces beyond one of them, in the order of their gaps."""
+    pieces = []
+    while outermost is not None and outermost is not until:
+        pieces.append(outermost.piece)
+        outermost = outermost.inner
+    return pieces[::-1]
+
+
+def _stacked(pieces: tuple[SpringPiece, ...]) -> SlipRing | None:
+    ring = None
+    for piece in pieces:
+        ring = SlipRing(ring, piece)
+    return ring
+
+
+class WorkedStep(NamedTuple):
+    """What a straight step does.
+
+    Parameters
+    ----------
+    memory : SlipMemory
+        After it.
+    losses, works : tuple of LossPiece
+        What sliding has cost, and what the bodies have spent on springs that do not stick as a whole.
+    staying : SlipMemory
+        Before the step, the springs that stick as a whole.
+    """
+
+    memory: SlipMemory
+    losses: tuple[LossPiece, ...]
+    works: tuple[LossPiece, ...]
+    staying: SlipMemory
+
+
+@dataclasses.dataclass(frozen=True)
 class SlipMemory:
     """The sideways displacement of the springs over their gap, in straight pieces.
 
@@ -42,12 +117,10 @@ class SlipMemory:
     ----------
     depth : float
         d [m]; below zero the bodies are apart.
-    edges : ndarray, (m + 1,)
-        Where the pieces meet: gaps from 0 to the depth [m].
-    left, right : ndarray, (m,)
-        u_t at both ends of every piece [m].
-    slides : ndarray, (m,)
-        Whether the springs of a piece are on their bound: on which side (+1, -1), else 0.
+    dragged : float
+        How far the stack of pieces was dragged as a whole [m].
+    outermost : SlipRing or None
+        The stack: the piece at the edge, with those within it.
     """
 
     __words__ = words(
@@ -56,36 +129,83 @@ class SlipMemory:
         edges=(r"\gamma_j", "m", "gaps at which the straight pieces of the displacement meet"),
         left=("u_t", "m", "displacement of the springs where a piece begins"),
         right=("u_t", "m", "displacement of the springs where a piece ends"),
+        on_axis=("u_t", "m", "displacement of the spring that touches first"),
         slides=(r"\sigma", "", "side to which springs slide: 1, -1, or 0 if they stick"),
+        dragged=("", "m", "how far the pieces of the displacement were dragged together"),
+        outermost=("", None, "the piece at the edge, with those within it"),
+        size=("m", None, "how many straight pieces the displacement has"),
     )
 
     depth: float
-    edges: Array
-    left: Array
-    right: Array
-    slides: Array
+    dragged: float = 0.0
+    outermost: SlipRing | None = None
 
     @classmethod
     def fresh(cls) -> SlipMemory:
         """Return what is remembered by bodies that have not met."""
-        return _remembered(0.0, [])
+        return cls(0.0)
+
+    @property
+    def size(self) -> int:
+        """How many pieces there are."""
+        return self.outermost.count if self.outermost is not None else 0
+
+    @property
+    def edges(self) -> Array:
+        """Where the pieces meet: gaps from 0 to the depth [m], (m + 1,)."""
+        return np.array([0.0, *(piece.stop for piece in outwards(self.outermost))])
+
+    @property
+    def left(self) -> Array:
+        """u_t where each piece begins [m], (m,)."""
+        return np.array([piece.left for piece in outwards(self.outermost)]) + self.dragged
+
+    @property
+    def right(self) -> Array:
+        """u_t where each piece ends [m], (m,)."""
+        return np.array([piece.right for piece in outwards(self.outermost)]) + self.dragged
+
+    @property
+    def slides(self) -> Array:
+        """Whether the springs of a piece are on their bound: on which side (+1, -1), else 0, (m,)."""
+        return np.array([float(piece.slides) for piece in outwards(self.outermost)])
+
+    @property
+    def on_axis(self) -> float:
+        """u_t of the spring that touches first [m]; zero without contact."""
+        return self.outermost.axis + self.dragged if self.outermost is not None else 0.0
 
     @property
     def stick_gap(self) -> float:
         """Gap of the outermost spring that is not on its bound [m]; zero if all are."""
-        stuck = np.flatnonzero(self.slides == 0.0)
-        return float(self.edges[stuck[-1] + 1]) if stuck.size else 0.0
+        ring = self.outermost
+        while ring is not None and ring.piece.slides != 0:
+            ring = ring.inner
+        return ring.piece.stop if ring is not None else 0.0
 
     def value(self, gap: Array) -> Array:
         """u_t [m] of the springs of given gaps [m]; zero outside the contact."""
         gap = np.asarray(gap, dtype=float)
-        if not self.left.size:
-            return np.zeros(gap.shape)
-        place = np.clip(np.searchsorted(self.edges, gap, side="right") - 1, 0, self.left.size - 1)
-        start, stop = self.edges[place], self.edges[place + 1]
-        share = (gap - start) / (stop - start)
-        inside = self.left[place] * (1.0 - share) + self.right[place] * share
+        inside = _along(outwards(self.outermost), gap) + (self.dragged if self.outermost is not None else 0.0)
         return np.where((gap <= self.depth) & (gap >= 0.0), inside, 0.0)
+
+    def apart(self, other: SlipMemory) -> float:
+        """Return by how much the displacement of a spring differs at most [m], but for those of a common stack."""
+        one, two = self.outermost, other.outermost
+        while one is not two:
+            if two is None or (one is not None and one.count >= two.count):
+                one = one.inner if one is not None else None
+            else:
+                two = two.inner
+        rows = [outwards(memory.outermost, one) for memory in (self, other)]
+        gaps = np.array(sorted({edge for row in rows for piece in row for edge in (piece.start, piece.stop)}))
+        if not gaps.size:
+            return 0.0
+        ends = [
+            np.where(gaps <= memory.depth, _along(row, gaps) + memory.dragged, 0.0) if row else np.zeros(gaps.size)
+            for memory, row in zip((self, other), rows, strict=True)
+        ]
+        return float(np.max(np.abs(ends[0] - ends[1])))
 
     def moved(self, depth: float, change: float, bound: float) -> tuple[SlipMemory, tuple[LossPiece, ...]]:
         """Return the memory after a straight step, and the energy lost.
@@ -104,43 +224,36 @@ class SlipMemory:
         SlipMemory
         tuple of LossPiece
         """
-        staying = self._staying(depth, change, bound)
-        step = self._step(depth, change, bound, account=False, first=staying)
-        rest = _remembered(step.after, step.pieces)
-        if staying:
-            rest = SlipMemory(
-                rest.depth,
-                np.concatenate([self.edges[:staying], rest.edges]),
-                np.concatenate([self.left[:staying] + change, rest.left]),
-                np.concatenate([self.right[:staying] + change, rest.right]),
-                np.concatenate([self.slides[:staying], rest.slides]),
-            )
-        return rest, tuple(step.losses)
+        memory, losses, _, _ = self._step(depth, change, bound, account=False)
+        return memory, losses
 
-    def worked(
-        self, depth: float, change: float, bound: float
-    ) -> tuple[SlipMemory, tuple[LossPiece, ...], tuple[LossPiece, ...]]:
+    def worked(self, depth: float, change: float, bound: float) -> WorkedStep:
         """Return as `moved`, and what the bodies have spent on the springs, which does not go by what these keep."""
-        step = self._step(depth, change, bound, account=True)
-        return _remembered(step.after, step.pieces), tuple(step.losses), tuple(step.works)
+        return self._step(depth, change, bound, account=True)
 
-    def _staying(self, depth: float, change: float, bound: float) -> int:
-        """Return how many pieces next to the middle stuck before the step and are dragged as a whole, but for one."""
-        if math.isinf(bound) or self.left.size < FEW:
-            return 0
-        free = self.edges[1:] <= min(self.depth, depth)
-        for gap, ends in ((self.edges[:-1], self.left), (self.edges[1:], self.right)):
-            free &= np.abs(ends + change) < bound * (depth - gap) * (1.0 - BOUND_TOLERANCE)
-        free &= self.slides == 0.0
-        return max((self.left.size if free.all() else int(np.argmin(free))) - 1, 0)
-
-    def _step(self, depth: float, change: float, bound: float, *, account: bool, first: int = 0) -> StraightStep:
+    def _step(self, depth: float, change: float, bound: float, *, account: bool) -> WorkedStep:
         if 0.0 < depth < LEAST_DEPTH:
             depth = 0.0
         step = StraightStep(self.depth, depth, change, bound, account)
         common = max(min(self.depth, depth), 0.0)
-        edges, ends = self.edges[first:].tolist(), (self.left[first:].tolist(), self.right[first:].tolist())
-        for start, stop, left, right in zip(edges, edges[1:], *ends, strict=False):
+        sticking = math.inf if math.isinf(bound) else bound * (1.0 - BOUND_TOLERANCE)
+        ring, dragged = self.outermost, self.dragged + change
+        outer: list[SpringPiece] = []
+        while ring is not None:
+            piece = ring.piece
+            if (
+                ring.stuck
+                and piece.stop <= common
+                and abs(piece.right + dragged) < sticking * (depth - piece.stop)
+                and abs(piece.left + dragged) < sticking * (depth - piece.start)
+            ):
+                break
+            outer.append(piece)
+            ring = ring.inner
+        staying = SlipMemory(self.depth, self.dragged, ring)
+        for piece in reversed(outer):
+            start, stop = piece.start, piece.stop
+            left, right = piece.left + self.dragged, piece.right + self.dragged
             if stop <= common:
                 step.drag(start, stop, left + change, right + change)
             elif start >= common:
@@ -152,7 +265,14 @@ class SlipMemory:
         if depth > common:
             # springs that come into contact within the step take part in what is left of it
             step.drag(common, depth, (depth - common) * change / step.rise, 0.0, came=True)
-        return step
+        if ring is None:
+            dragged = 0.0
+        return WorkedStep(
+            SlipMemory(depth, dragged, _joined(ring, dragged, step.pieces)),
+            tuple(step.losses),
+            tuple(step.works),
+            staying,
+        )
 
     @property
     def corners(self) -> tuple[Array, Array]:
@@ -160,24 +280,34 @@ class SlipMemory:
 
         Jumps of u_t, which only springs that never slide can have, are not among them.
         """
-        slope = (self.right - self.left) / np.diff(self.edges)
-        return self.edges[1:], np.diff(np.append(slope, 0.0))
+        edges = self.edges
+        slope = (self.right - self.left) / np.diff(edges)
+        return edges[1:], np.diff(np.append(slope, 0.0))
 
 
-def _remembered(depth: float, pieces: list[SpringPiece]) -> SlipMemory:
-    """Return the memory of pieces in a row, those that go on in one straight line as one."""
-    result: list[SpringPiece] = []
+def _along(row: list[SpringPiece], gap: Array) -> Array:
+    """Return what straight pieces are at gaps [m]."""
+    if not row:
+        return np.zeros(gap.shape)
+    edges = np.array([row[0].start, *(piece.stop for piece in row)])
+    left, right = (np.array([piece[k] for piece in row]) for k in (2, 3))
+    place = np.clip(np.searchsorted(edges, gap, side="right") - 1, 0, left.size - 1)
+    share = (gap - edges[place]) / (edges[place + 1] - edges[place])
+    return np.asarray(left[place] * (1.0 - share) + right[place] * share)
+
+
+def _joined(ring: SlipRing | None, dragged: float, pieces: list[SpringPiece]) -> SlipRing | None:
+    """Return the stack with more pieces on it [m], those that go on in one straight line as one."""
     for piece in pieces:
-        if result and result[-1].slides == piece.slides:
-            last = result[-1]
+        if ring is not None and ring.piece.slides == piece.slides:
+            last = ring.piece
             before = (last.right - last.left) / (last.stop - last.start)
             behind = (piece.right - piece.left) / (piece.stop - piece.start)
-            high = max(abs(last.left), abs(last.right), abs(piece.left), abs(piece.right))
+            ends = last.left + dragged, last.right + dragged, piece.left, piece.right
+            allowed = SLOPE_TOLERANCE * max(map(abs, ends)) + ROUNDING * abs(dragged)
             straight = piece.slides != 0 or abs(behind - before) <= SLOPE_TOLERANCE * max(abs(before), abs(behind))
-            if straight and abs(piece.left - last.right) <= SLOPE_TOLERANCE * high:
-                result[-1] = last._replace(stop=piece.stop, right=piece.right)
+            if straight and abs(piece.left - dragged - last.right) <= allowed:
+                ring = SlipRing(ring.inner, last._replace(stop=piece.stop, right=piece.right - dragged))
                 continue
-        result.append(piece)
-    edges = np.array([piece.start for piece in result[:1]] + [piece.stop for piece in result] or [0.0])
-    left, right, slides = (np.array([piece[k] for piece in result], dtype=float) for k in (2, 3, 4))
-    return SlipMemory(depth, edges, left, right, slides)
+        ring = SlipRing(ring, piece._replace(left=piece.left - dragged, right=piece.right - dragged))
+    return ring

@@ -14,12 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
-from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
+from winkler.problems.friction.slip_memory import LossPiece, SlipMemory, SlipRing, WorkedStep
 
 __all__ = ["NormalStates", "SlipSums"]
 
-FEWEST_GAPS, GAPS_PER_PIECE = 256, 8
-"""Gaps that are remembered at most: so many, or so many for each piece of the longest memory."""
+MOST_GAPS = 256
+"""Gaps and rings that are remembered at most."""
 NARROW_RING = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
 
@@ -49,16 +49,14 @@ class SlipSums:
 
     def __init__(self, states: NormalStates) -> None:
         self.states = states
-        # the gaps at which pieces meet come back step after step
         self._points: dict[float, Moments] = {0.0: (0.0, 0.0, 0.0)}
         self._rings: dict[tuple[float, float], Moments] = {}
-        self._most = FEWEST_GAPS
 
     def at(self, gap: float) -> Moments:
         """Return K, F and W at a gap [m]; nothing at zero, where a flat end comes into contact at once."""
         sums = self._points.get(gap)
         if sums is None:
-            if len(self._points) > self._most:
+            if len(self._points) > MOST_GAPS:
                 self._points = {0.0: self._points[0.0]}
             sums = self._points[gap] = self.states.at(gap)
         return sums
@@ -77,39 +75,50 @@ class SlipSums:
                     outer[1] - inner[1] - width * inner[0],
                     2.0 * (outer[2] - inner[2]) - width * (2.0 * inner[1] + width * inner[0]),
                 )
-            if len(self._rings) > self._most:  # a long march must not remember every gap it has met
+            if len(self._rings) > MOST_GAPS:  # a long march must not remember every gap it has met
                 self._rings.clear()
             self._rings[start, stop] = sums
         return sums
 
-    def _expect(self, pieces: int) -> None:
-        """Remember more gaps where many pieces come back step after step."""
-        self._most = max(self._most, GAPS_PER_PIECE * pieces)
+    def within(self, outermost: SlipRing | None) -> Moments:
+        """Return the sums of 1 [N/m], of u_t [N] and of u_t^2 [J] over a stack, u_t counted from that on the axis."""
+        missing = []
+        while outermost is not None and (outermost.sums is None or outermost.sums[0] is not self):
+            missing.append(outermost)
+            outermost = outermost.inner
+        sums = outermost.sums[1] if outermost is not None and outermost.sums is not None else (0.0, 0.0, 0.0)
+        for ring in reversed(missing):
+            start, stop, left, right, _ = ring.piece
+            zeroth, first, second = self.ring(start, stop)
+            slope, last = (left - right) / (stop - start), right - ring.axis
+            sums = (
+                sums[0] + zeroth,
+                sums[1] + last * zeroth + slope * first,
+                sums[2] + last * last * zeroth + slope * (2.0 * last * first + slope * second),
+            )
+            ring.sums = self, sums
+        return sums
 
     def shear(self, memory: SlipMemory) -> float:
         """Return the integral of u_t dK [N]: the shear force over the ratio."""
-        total = 0.0
-        self._expect(memory.left.size)
-        for start, stop, left, right in _rows(memory):
-            zeroth, first, _ = self.ring(start, stop)
-            total += right * zeroth + (left - right) / (stop - start) * first
-        return total
+        zeroth, first, _ = self.within(memory.outermost)
+        return first + memory.on_axis * zeroth
 
     def stored(self, memory: SlipMemory) -> float:
         """Return half the integral of u_t^2 dK [J]: the stored energy over the ratio."""
-        total = 0.0
-        self._expect(memory.left.size)
-        for start, stop, left, right in _rows(memory):
-            zeroth, first, second = self.ring(start, stop)
-            slope = (left - right) / (stop - start)
-            total += right * right * zeroth + slope * (2.0 * right * first + slope * second)
-        return 0.5 * total
+        zeroth, first, second = self.within(memory.outermost)
+        middle = memory.on_axis
+        return 0.5 * (second + middle * (2.0 * first + middle * zeroth))
+
+    def spent(self, step: WorkedStep, change: float) -> float:
+        """Return the work of the bodies in a step [J], over the ratio: springs that stick as a whole resist evenly."""
+        zeroth, first, _ = self.within(step.staying.outermost)
+        return self.lost(step.works) + change * (first + (step.staying.on_axis + 0.5 * change) * zeroth)
 
     def lost(self, losses: Iterable[LossPiece]) -> float:
-        """Return what sliding has cost, or what was spent [J], over the ratio."""
-        total, pieces = 0.0, tuple(losses)
-        self._expect(len(pieces))
-        for start, stop, constant, linear, square in pieces:
+        """Return what sliding has cost [J], over the ratio."""
+        total = 0.0
+        for start, stop, constant, linear, square in losses:
             zeroth, first, second = self.ring(start, stop)
             total += constant * zeroth + linear * first + square * second
         return total
@@ -125,19 +134,15 @@ class SlipSums:
             Depth at its beginning [m].
         """
         common, total = max(min(before, memory.depth), 0.0), 0.0
-        edges = memory.edges.tolist()
-        for start, stop, side in zip(edges, edges[1:], memory.slides.tolist(), strict=False):
-            if side != 0.0:
-                continue
-            if start < common:
-                total += self.ring(start, min(stop, common))[0]
-            if stop > common:
-                # springs that came within the step take part in what was left of it
-                zeroth, first, _ = self.ring(max(start, common), stop)
-                total += (zeroth * (memory.depth - stop) + first) / (memory.depth - before)
-        return total
-
-
-def _rows(memory: SlipMemory) -> Iterable[tuple[float, float, float, float]]:
-    edges = memory.edges.tolist()
-    return zip(edges, edges[1:], memory.left.tolist(), memory.right.tolist(), strict=False)
+        ring = memory.outermost
+        while ring is not None and not (ring.stuck and ring.piece.stop <= common):
+            start, stop = ring.piece.start, ring.piece.stop
+            if ring.piece.slides == 0:
+                if start < common:
+                    total += self.ring(start, min(stop, common))[0]
+                if stop > common:
+                    # springs that came within the step take part in what was left of it
+                    zeroth, first, _ = self.ring(max(start, common), stop)
+                    total += (zeroth * (memory.depth - stop) + first) / (memory.depth - before)
+            ring = ring.inner
+        return total + self.within(ring)[0]

@@ -138,8 +138,7 @@ class SlipPath:
 
     def _alike(self, one: SlipPoint, two: SlipPoint) -> bool:
         """Return whether two end states are the same but for a small part of displacements and energies on the path."""
-        gaps = np.union1d(one.memory.edges, two.memory.edges)
-        apart = float(np.max(np.abs(one.memory.value(gaps) - two.memory.value(gaps)), initial=0.0))
+        apart = one.memory.apart(two.memory)
         # springs that all slide in the end forget how they came there, what it has cost does not
         near, cheap = self.allowed
         return max(apart, abs(one.shift - two.shift)) <= near and abs(one.lost - two.lost) <= cheap
@@ -147,11 +146,12 @@ class SlipPath:
     def _leap(self, index: int, start: SlipPoint, depth: float, target: float) -> SlipPoint:
         """Go straight in depth and shift, to a shift or to a shear force."""
         change = target - start.shift if self.driven else self._change(index, start.memory, depth, target)
-        after, losses, works = start.memory.worked(depth, change, self.beta)
+        step = start.memory.worked(depth, change, self.beta)
         shift = target if self.driven else start.shift + change
-        lost = max(self.ratio * self.sums.lost(losses), 0.0)
-        spent = self.ratio * self.sums.lost(works)
-        return SlipPoint(after, shift, self.ratio * self.sums.shear(after), start.lost + lost, start.spent + spent)
+        lost = max(self.ratio * self.sums.lost(step.losses), 0.0)
+        spent = self.ratio * self.sums.spent(step, change)
+        force = self.ratio * self.sums.shear(step.memory)
+        return SlipPoint(step.memory, shift, force, start.lost + lost, start.spent + spent)
 
     def _change(self, index: int, memory: SlipMemory, depth: float, target: float) -> float:
         """Return the shift that brings a shear force about; the smallest if all slides."""
@@ -171,12 +171,14 @@ class SlipPath:
             return target - self.ratio * self.sums.shear(after), self.ratio * self.sums.stiffness(after, memory.depth)
 
         short, slope = look(0.0)
+        if depth == memory.depth:  # what slid before sticks when it turns: at first no step is too long
+            slope = self.ratio * self.sums.at(depth)[0]
         if math.isinf(self.beta):
             return short / slope
         if abs(target) >= most * (1.0 - FORCE_TOLERANCE):
             return math.copysign(self._until_all_slide(memory, depth, math.copysign(1.0, target)), target)
-        largest = float(np.max(np.abs([memory.left, memory.right]), initial=0.0))
-        end = 2.0 * (self.beta * max(depth, abs(depth - memory.depth)) + largest)
+        # no spring is displaced by more than its bound
+        end = 2.0 * self.beta * (max(depth, abs(depth - memory.depth)) + max(memory.depth, 0.0))
         low, high = -end, end
         for _ in range(MOST_NEWTON_STEPS):
             if abs(short) <= FORCE_TOLERANCE * most or high - low <= FORCE_TOLERANCE * end:
@@ -192,8 +194,5 @@ class SlipPath:
 
     def _until_all_slide(self, memory: SlipMemory, depth: float, side: float) -> float:
         """Return how far the bodies move until every spring slides to a side [m]."""
-        common = min(max(memory.depth, 0.0), depth)
-        gaps = np.append(memory.edges[memory.edges < common], common)
-        left = np.append(memory.left[: gaps.size - 1], memory.value(np.array([common])))
-        far = self.beta * (depth - gaps) - side * left
-        return max(float(np.max(far)), self.beta * (depth - memory.depth), 0.0)
+        # what a spring lacks to its bound falls with its gap: the one on the axis is the last, or those that come
+        return max(self.beta * depth - side * memory.on_axis, self.beta * (depth - memory.depth), 0.0)

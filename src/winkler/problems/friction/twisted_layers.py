@@ -8,9 +8,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
-from winkler.media.families import StackedBody
-from winkler.media.layered.climb import is_bonded
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.validity import Assumption, Note, Standing
 
@@ -27,8 +25,8 @@ def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[No
         Those of a path.
     """
     medium = bed.medium
-    if isinstance(medium, StackedBody):
-        slides = [number for number, layer in enumerate(medium.stack, 1) if not is_bonded(layer)]
+    if offers(medium, LayerStack):
+        slides = [number for number, layer in enumerate(medium.stack, 1) if not layer.bonded]
         if slides:
             yield Note(
                 Assumption.RESPONSE,
@@ -40,7 +38,7 @@ def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[No
                 "u_theta = M_z / (4 pi r sum of G h) in a sheet",
             )
     widest = max(states, key=lambda state: state.radius)
-    if isinstance(medium, DepthGradedHalfSpace) and widest.radius > 0.0:
+    if offers(medium, GradedInDepth) and widest.radius > 0.0:
         springs = widest.springs
         bound = twist_bound(bed, springs.coefficient, springs.widest, springs.forced)
         known = float(medium.punch_torsional_stiffness(np.array(widest.radius)))

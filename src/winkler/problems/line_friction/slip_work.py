@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
-from winkler.problems.friction.slip_memory import LossPiece, SlipMemory
+from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.line_friction.strips import EarlierStrip, slipped, traction
 
@@ -38,17 +38,7 @@ def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float
     modulus : float
         E* [Pa].
     """
-    if not memory.left.size:
-        return 0.0
-    force = float(memory.left[0])
-    pieces = [
-        LossPiece(start, stop, force - right, (right - left) / (stop - start), 0.0)
-        for start, stop, left, right in zip(
-            memory.edges.tolist(), memory.edges[1:].tolist(), memory.left.tolist(), memory.right.tolist(), strict=False
-        )
-        if not left == right == force
-    ]
-    return sums.lost(pieces) / modulus
+    return -sums.within(memory.outermost)[1] / modulus
 
 
 def work_and_shift(

@@ -61,7 +61,7 @@ def strips_of(bed: LineBed, memory: SlipMemory, lean: float) -> tuple[EarlierStr
     lean : float
         Shift of the middle of a strip over the load that it lacks [-], by a bulk stress.
     """
-    if not memory.left.size:
+    if not memory.size:
         return ()
     loads, factors = memory.corners
     rest = -float(np.sum(factors))

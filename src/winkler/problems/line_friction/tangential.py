@@ -165,7 +165,7 @@ class LineTangential:
             bulk = ratio * shear if ratio else 0.0
             if index == 0:
                 memory, _ = memory.moved(load, 0.0, mu)
-            memory, losses = memory.moved(load, target - _carried(memory), mu)
+            memory, losses = memory.moved(load, target - memory.on_axis, mu)
             if lean != 0.0 and width > 0.0:
                 before, strips = strips, strips_of(bed, memory, lean)
                 work, further = work_and_shift(bed, before, strips)
@@ -196,11 +196,6 @@ class LineTangential:
             As `steps`.
         """
         return self.gathered(self.steps())
-
-
-def _carried(memory: SlipMemory) -> float:
-    """Return the shear force per length over E* [m]."""
-    return float(memory.left[0]) if memory.left.size else 0.0
 
 
 @value

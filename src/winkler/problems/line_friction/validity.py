@@ -18,7 +18,7 @@ from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["SLIP_SUMS", "sheared_line_notes"]
+__all__ = ["SLIP_SUMS", "sheared_line_notes", "slid_yield_notes"]
 
 CIAVARELLA = (
     "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, Arch. "
@@ -69,10 +69,10 @@ def sheared_line_notes(
         notes.append(SLIP_SUMS)
     else:
         notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
-    return (*notes, *_yield_notes(contact, law, bed.strain_per_stress * bulk))
+    return (*notes, *slid_yield_notes(contact, law, bed.strain_per_stress * bulk))
 
 
-def _yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tuple[Note, ...]:
+def slid_yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tuple[Note, ...]:
     """Return whether the bodies stay elastic: without friction they are stressed least, where all slides most.
 
     The mean of a contact and of its mirror image, sheared in the opposite direction, is the contact without friction,

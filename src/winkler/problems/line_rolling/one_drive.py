@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array, ArrayLike, Quantity
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of
-from winkler.problems.line_rolling.coupled import CoupledStrip
-from winkler.problems.line_rolling.coupled_stresses import coupled_stresses
-from winkler.problems.line_rolling.pressed import rolling_stresses, sliding_creepage
+from winkler.problems.line_rolling.pressed import rolling_stresses
+from winkler.problems.line_rolling.rolled_strip import RolledStrip, sliding_creepage
+from winkler.problems.line_rolling.strip_stresses import strip_stresses
 from winkler.problems.which_body import in_first_body
 
 __all__ = ["UnderOneDrive"]
@@ -28,7 +28,7 @@ class UnderOneDrive:
     shear_force_per_length: Quantity
     stick_share: Quantity
     contact: LineSolution
-    strips: tuple[CoupledStrip, ...]
+    strips: tuple[RolledStrip, ...]
 
     def traction(self, x: ArrayLike) -> Array:
         """Return the traction on the first body [Pa] under one drive, along the direction of rolling.
@@ -71,13 +71,13 @@ class UnderOneDrive:
             within = (strip.x[0] <= x / a) & (x / a <= strip.x[-1])
             return np.where(within, np.interp(x / a, 0.5 * (strip.x[1:] + strip.x[:-1]), strip.slip), 0.0)
         behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
-        rate = np.sqrt(behind) * abs(mu) / self.problem.bed.profile.curvature_radius
-        beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.contact, abs(mu))
+        rate = np.sqrt(behind) * abs(mu) * self.problem.bed.along_share / self.problem.bed.profile.curvature_radius
+        beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.problem.bed, a, abs(mu))
         rate += max(beyond, 0.0) if c == 0.0 else 0.0
         return np.asarray(np.sign(mu) * np.where((np.abs(x) <= a) & (x <= a - 2.0 * c), rate, 0.0))
 
     def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure [Pa] under one drive, that of the contact unless the bodies are coupled.
+        """Return the pressure [Pa] under one drive, that of the contact unless pressure and traction are coupled.
 
         Parameters
         ----------
@@ -91,12 +91,12 @@ class UnderOneDrive:
         """
         self._one("pressure")
         x = finite_places("LineRollingSolution.pressure", "x", x)
-        if not self.strips:
+        if not (self.strips and self.problem.coupled):
             return self.contact.pressure(x)
         return np.asarray(self.problem.bed.medium.modulus * self._nodal(x, self.strips[0].pressure))
 
     def _nodal(self, x: Array, row: Array) -> Array:
-        """Return a row of a coupled strip by place, straight between the nodes."""
+        """Return a row of the strip by place, straight between the nodes."""
         return np.asarray(np.interp(x / float(self.contact.half_width), self.strips[0].x, row))
 
     def stresses(self, x: ArrayLike, z: ArrayLike) -> LineFields:
@@ -116,14 +116,19 @@ class UnderOneDrive:
         InvalidInput
             If an array was prescribed, or the depths lie in both bodies.
         OutsideValidity
-            If the body is rigid or not isotropic.
+            If the body is rigid or not isotropic, or there are layers.
         """
         a, c, mu = self._one("stresses")
+        if not self.problem.bed.hertzian:
+            raise OutsideValidity(
+                "LineRollingSolution: the stresses inside layers under the traction of rolling are not built in; those "
+                "of a contact that slides everywhere are, with LineIndentation and stresses(x, z, friction=...)."
+            )
         place, depth = common_places("LineRollingSolution.stresses", x=x, z=z)
         below, deep = in_first_body(depth, "LineRollingSolution"), np.abs(depth)
         poisson = poisson_of(self.problem.bed.medium, below)
         if self.strips:
-            fields = coupled_stresses(self.strips[0], a, self.problem.bed.medium.modulus, poisson, below, place, deep)
+            fields = strip_stresses(self.strips[0], a, self.problem.bed.medium.modulus, poisson, below, place, deep)
             return fields if below else dataclasses.replace(fields, z=-fields.z)
         contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
         fields = rolling_stresses(contact, c, place, deep)

@@ -10,6 +10,7 @@ import numpy as np
 from winkler.checks.field_checks import Condition
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.loading import HalfWidth, LineForce, LineShearForce, MeanPressure
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
@@ -31,7 +32,6 @@ __all__ = [
     "refuse_unless_round",
     "rolling_stresses",
     "rolling_yield_notes",
-    "sliding_creepage",
     "touching_strip",
 ]
 
@@ -46,7 +46,7 @@ OneLineLoad: TypeAlias = Annotated[
 ]
 
 
-def refuse_unless_round(owner: str, bed: LineFoundation) -> None:
+def refuse_unless_round(owner: str, bed: LineBed) -> None:
     """Refuse profiles that do not stay as they are while they roll.
 
     Raises
@@ -60,7 +60,7 @@ def refuse_unless_round(owner: str, bed: LineFoundation) -> None:
         )
 
 
-def touching_strip(owner: str, bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure) -> LineSolution:
+def touching_strip(owner: str, bed: LineBed, load: LineForce | HalfWidth | MeanPressure) -> LineSolution:
     """Return the contact under its normal load.
 
     Raises
@@ -68,7 +68,7 @@ def touching_strip(owner: str, bed: LineFoundation, load: LineForce | HalfWidth 
     OutsideValidity
         If the bodies do not touch.
     """
-    contact = LineIndentation(bed, load).solve()
+    contact = LineIndentation(bed, load).solve()  # type: ignore[arg-type]
     if float(contact.half_width) == 0.0:
         raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
     return contact
@@ -156,12 +156,6 @@ def rolling_yield_notes(contact: LineSolution, friction: float, stick_share: flo
             (Standing.OUTSIDE),
         )
     return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
-
-
-def sliding_creepage(contact: LineSolution, coefficient: float) -> float:
-    """Return the creepage from which all of a pressed cylinder slides, mu a / R [-]."""
-    radius = contact.problem.bed.profile.curvature_radius  # type: ignore[attr-defined]
-    return coefficient * float(contact.half_width) / float(radius)
 
 
 def refuse_unless_along(owner: str, drive: LineShearForce | Creepage) -> None:

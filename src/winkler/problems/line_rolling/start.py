@@ -6,7 +6,8 @@ tractions that are linear between nodes (Kalker's approach): a particle now at x
 .. math:: S = W - u(x) + u_0(x+h) - \frac{2\beta}{E^*}\int_x^{x+h} p\,\mathrm ds , \qquad \xi = \frac Wh .
 
 The last term is what the pressure drags dissimilar surfaces along each other, with Dundurs' constant beta (Bentall and
-Johnson); that tractions change the pressure of such bodies is left out.
+Johnson); that tractions change the pressure of such bodies is left out.  On layers both displacements are those of the
+bed (`LineBed.hat_compliance`, `LineBed.drawn`), which drags layers along a body like the uppermost one, too.
 
 Under a force per length that is held, the contact begins as it sticks and slips at rest (Cattaneo), and the creepage
 follows.  A prescribed creepage determines the force only against points at a stated distance d, because the surfaces
@@ -21,7 +22,7 @@ J. J. Kalker, Transient phenomena in two elastic cylinders rolling over each oth
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -29,16 +30,17 @@ import numpy as np
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Advice, Positive, PositiveOrInfinite, Whole
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading import LineShearForce
-from winkler.numerics.surfaces.strip_grid import StripStep, strip_compliance, strip_step
+from winkler.numerics.surfaces.strip_grid import StripStep, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.coupling import mismatch, sliding_note
+from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
-from winkler.problems.line.validity import line_notes
+from winkler.problems.line_friction.validity import slid_yield_notes
 from winkler.problems.line_rolling.pressed import (
     OneLineLoad,
     refuse_unless_along,
@@ -46,7 +48,13 @@ from winkler.problems.line_rolling.pressed import (
     rolling_yield_notes,
     touching_strip,
 )
-from winkler.problems.line_rolling.start_states import DRAGGED, ELEMENTS, LineRollingState, rolled_state
+from winkler.problems.line_rolling.start_states import (
+    DRAGGED,
+    ELEMENTS,
+    ELEMENTS_ON_LAYERS,
+    LineRollingState,
+    rolled_state,
+)
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
 from winkler.validity import Assumption, Note
@@ -70,8 +78,8 @@ class LineRollingStart:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Its profile a Paraboloid, the relative radius of both bodies.
+    bed : LineFoundation or LayeredLineFoundation
+        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base.
     friction : Coulomb
         Its coefficient positive and finite.
     drive : LineShearForce or Creepage
@@ -94,7 +102,7 @@ class LineRollingStart:
     InvalidInput
         If the profile is not round, a number is out of range, a creepage has no reference, or a force has one.
     OutsideValidity
-        If a creepage is lateral or a spin.
+        If a creepage is lateral or a spin; if a layer slides on what lies below it, or the bodies relax.
 
     References
     ----------
@@ -125,7 +133,7 @@ class LineRollingStart:
         count=("n", "", "elements on half of the contact"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     friction: Sliding
     drive: Annotated[LineShearForce | Creepage, ONE_DRIVE]
     load: OneLineLoad
@@ -140,6 +148,7 @@ class LineRollingStart:
     def __post_init__(self) -> None:
         refuse_unless_round("LineRollingStart", self.bed)
         refuse_unless_along("LineRollingStart", self.drive)
+        _ = self.bed.along_share
         if isinstance(self.drive, Creepage) and not math.isfinite(self.reference):
             raise InvalidInput(
                 "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound under "
@@ -154,7 +163,7 @@ class LineRollingStart:
 
     @property
     def steady(self) -> LineRollingSolution:
-        """Rolling for ever, of similar bodies (Carter)."""
+        """Rolling for ever, of bodies that are not coupled (Carter)."""
         return LineRolling(self.bed, self.friction, self.drive, self.load).solve()
 
     @property
@@ -177,7 +186,7 @@ class LineRollingStart:
         apart, travel, reference = a / self.count, self._steps(a), self.reference
         x = apart * np.arange(1 - self.count, self.count)
         most = self.friction.coefficient * float(contact.force_per_length)
-        bound = np.sqrt(1.0 - (x / a) ** 2)
+        bound = contact.pressure(x)
         bound *= most / (modulus * apart * float(np.sum(bound)))
         step = StripStep(np.zeros(x.size), np.zeros(x.size), 0.0)
         total: float | None = None
@@ -192,13 +201,13 @@ class LineRollingStart:
             total, reference = force / (modulus * apart), a  # which falls out, as the sum stays
         else:
             shift = float(drive.longitudinal) * apart
-        near = apart * strip_compliance(x.size, 1.0, reference / apart)
+        near = self.bed.hat_compliance(x.size, apart, reference)
         away = np.arange(x.size)
         compliance, earlier = near[np.abs(away[:, None] - away)], near[np.abs(away[:, None] + 1 - away)]
-        drag = _drag(self.bed, a)
-        if total is not None or np.any(drag(x)):
-            step = strip_step(compliance, -drag(x), bound, step.slips, total=total or 0.0)
-        passed = drag(x + apart) - drag(x)
+        drawn = self.bed.drawn(np.append(x, x[-1] + apart), a)
+        if total is not None or np.any(drawn):
+            step = strip_step(compliance, -drawn[:-1], bound, step.slips, total=total or 0.0)
+        passed = np.diff(drawn)
         yield rolled_state(0.0, step._replace(shift=0.0), apart, modulus, x)
         after = {int(n) for n in np.unique(np.round(np.linspace(0.0, travel, self.points + 1)))}
         for number in range(1, travel + 1):
@@ -235,18 +244,6 @@ class LineRollingStart:
             As `steps`.
         """
         return self.gathered(self.steps())
-
-
-def _drag(bed: LineFoundation, half_width: float) -> Callable[[Array], Array]:
-    """Return the function of x that is how far the pressure drags the first surface over the second [m]."""
-    beta = mismatch(bed.medium)  # type: ignore[arg-type]
-    level = 0.0 if math.isnan(beta) else -beta * half_width**2 / (2.0 * bed.size)  # 2 beta p0 a / E* times 1/2
-
-    def drag(x: Array) -> Array:
-        t = np.clip(x / half_width, -1.0, 1.0)
-        return np.asarray(level * (t * np.sqrt(1.0 - t * t) + np.arcsin(t)))
-
-    return drag
 
 
 @value
@@ -292,7 +289,10 @@ class LineRollingStartSolution:
         bed, mu = self.problem.bed, self.problem.friction.coefficient
         steady = self.steady
         sign = 1.0 if float(steady.shear_force_per_length) >= 0.0 else -1.0
-        yielding = rolling_yield_notes(self.contact, sign * mu, float(steady.stick_share))
-        strip = line_notes(bed, float(self.contact.half_width))
-        dragged = (DRAGGED,) if np.any(_drag(bed, 1.0)(np.ones(1))) else ()
-        return (*strip, sliding_note(bed.medium, mu), ELEMENTS, *dragged, *yielding)  # type: ignore[arg-type]
+        notes = [note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC]
+        notes += [sliding_note(bed.medium, mu), ELEMENTS if bed.hertzian else ELEMENTS_ON_LAYERS]  # type: ignore[arg-type]
+        if not bed.similar:
+            notes.append(DRAGGED)
+        if not bed.hertzian:
+            return (*notes, *slid_yield_notes(self.contact, self.problem.friction, 0.0))
+        return (*notes, *rolling_yield_notes(self.contact, sign * mu, float(steady.stick_share)))

@@ -7,7 +7,8 @@ it with the creepage xi.  They stick from the leading edge a back to a - 2 c and
           \frac Q{\mu P} = 1-\frac{c^2}{a^2} , \qquad \xi = \frac{\mu(a-c)}R ,
 
 the second root within the zone of stick only.  Behind it the slip is :math:`(\mu/R)\sqrt{(x-a+c)^2-c^2}` of the speed.
-Bodies that are elastically dissimilar creep even without a force (`winkler.problems.line_rolling.coupled`).
+Bodies that are elastically dissimilar creep even without a force, and layers answer the traction in another manner
+than the pressure: then the strip is divided into elements (`winkler.problems.line_rolling.rolled_strip`).
 
 References
 ----------
@@ -17,31 +18,31 @@ K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 8.3, doi:10.1017/CBO97811
 
 from __future__ import annotations
 
+import functools
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading import LineShearForce
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.problems.assumptions.coupling import mismatch, sticking_note
+from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
-from winkler.problems.line.validity import line_notes
-from winkler.problems.line_rolling.coupled import CoupledStrip, coupled_strip, loss_error
-from winkler.problems.line_rolling.coupled_stresses import FULL_COUPLING, coupled_note, coupled_yield_notes
+from winkler.problems.line_friction.validity import slid_yield_notes
 from winkler.problems.line_rolling.one_drive import UnderOneDrive
 from winkler.problems.line_rolling.pressed import (
     OneLineLoad,
     refuse_unless_along,
     refuse_unless_round,
     rolling_yield_notes,
-    sliding_creepage,
     touching_strip,
 )
+from winkler.problems.line_rolling.rolled_strip import RolledStrip, loss_error, rolled_strip, sliding_creepage
+from winkler.problems.line_rolling.strip_stresses import FULL_COUPLING, strip_note, strip_yield_notes
 from winkler.problems.rolling.creepage import Creepage
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -50,8 +51,6 @@ __all__ = ["CARTER", "LineRolling", "LineRollingSolution"]
 
 SLIDING_TOLERANCE = 1e-12
 """A force beyond what friction bears by no more than this part of it is that of sliding."""
-SIMILAR = 1e-12
-"""Dundurs' constant [-] below which bodies are similar."""
 
 CARTER = Note(
     Assumption.SLIP,
@@ -73,8 +72,8 @@ class LineRolling:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Its profile a Paraboloid, the relative radius of both bodies.
+    bed : LineFoundation or LayeredLineFoundation
+        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base.
     friction : Coulomb
         Its coefficient positive and finite.
     drive : LineShearForce or Creepage
@@ -83,16 +82,17 @@ class LineRolling:
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     coupled : bool, optional
-        Whether pressure and traction of dissimilar bodies act on each other; without it they do not (Carter).  The
-        strip is divided into 400 elements, dense at both edges, and bears the load of the contact without friction.
+        Whether pressure and traction of dissimilar bodies, or of layers, act on each other; without it they do not
+        (Carter).  On layers, and where they do, the strip is divided into 400 elements, dense at both edges, and bears
+        the load of the contact without friction.
 
     Raises
     ------
     InvalidInput
-        If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array;
-        if coupled bodies are not isotropic.
+        If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array.
     OutsideValidity
-        If a creepage is lateral or a spin: plane strain has none.
+        If a creepage is lateral or a spin: plane strain has none; if a layer slides on what lies below it, or the
+        bodies relax.
 
     References
     ----------
@@ -121,7 +121,7 @@ class LineRolling:
         coupled=("", None, "whether pressure and traction of dissimilar bodies act on each other"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     friction: Sliding
     drive: LineShearForce | Creepage
     load: OneLineLoad
@@ -133,16 +133,7 @@ class LineRolling:
     def __post_init__(self) -> None:
         refuse_unless_round("LineRolling", self.bed)
         refuse_unless_along("LineRolling", self.drive)
-        if self.coupled and not isinstance(self.bed.medium, HalfSpace):
-            raise InvalidInput(
-                f"LineRolling: the medium is a {type(self.bed.medium).__name__}; pressure and traction of coupled "
-                "bodies are known on a HalfSpace: give one, or leave the coupling out."
-            )
-
-    @property
-    def _unlike(self) -> bool:
-        """Whether pressure and traction act on each other: for similar bodies Carter's forms hold."""
-        return self.coupled and abs(mismatch(self.bed.medium)) > SIMILAR  # type: ignore[arg-type]
+        _ = self.bed.along_share
 
     def solve(self) -> LineRollingSolution:
         """Return force, creepage and the zone of stick.
@@ -152,11 +143,12 @@ class LineRolling:
         OutsideValidity
             If the bodies do not touch, or a prescribed force is more than friction bears.
         NotConverged
-            If pressure and traction of coupled bodies are not found.
+            If pressure and traction are not found.
         """
         contact = touching_strip("LineRolling", self.bed, self.load)
         most = self.friction.coefficient * float(contact.force_per_length)
-        limit = sliding_creepage(contact, self.friction.coefficient)
+        by_elements = not self.bed.hertzian or (self.coupled and not self.bed.similar)
+        limit = sliding_creepage(self.bed, float(contact.half_width), self.friction.coefficient)
         if isinstance(self.drive, LineShearForce):
             force = np.asarray(self.drive.shear_force_per_length, dtype=float)
             if np.any(np.abs(force) > most * (1.0 + SLIDING_TOLERANCE)):
@@ -164,13 +156,13 @@ class LineRolling:
                     f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
                     "the bodies slide; give less, or prescribe a creepage."
                 )
-            if self._unlike:
-                return self._coupled(contact, np.clip(force, -most, most))
+            if by_elements:
+                return self._by_nodes(contact, np.clip(force, -most, most))
             ratio = np.minimum(np.abs(force) / most, 1.0)
             share = np.sqrt(1.0 - ratio)
             creepage = np.sign(force) * limit * ratio / (1.0 + share)
-        elif self._unlike:
-            return self._coupled(contact, np.asarray(self.drive.longitudinal, dtype=float))
+        elif by_elements:
+            return self._by_nodes(contact, np.asarray(self.drive.longitudinal, dtype=float))
         else:
             creepage = np.asarray(self.drive.longitudinal, dtype=float)
             used = np.minimum(np.abs(creepage) / limit, 1.0)
@@ -179,17 +171,15 @@ class LineRolling:
         at, given, stick = (shaped(column, np.shape(force)) for column in (creepage, force, share))
         return LineRollingSolution(self, at, given, stick, contact)
 
-    def _coupled(self, contact: LineSolution, drives: Array) -> LineRollingSolution:
-        """Return the solution of dissimilar bodies."""
+    def _by_nodes(self, contact: LineSolution, drives: Array) -> LineRollingSolution:
+        """Return the solution on elements."""
         a, modulus = float(contact.half_width), self.bed.medium.modulus
-        beta, mu = mismatch(self.bed.medium), self.friction.coefficient  # type: ignore[arg-type]
-        slope = sliding_creepage(contact, 1.0)
         by_force = isinstance(self.drive, LineShearForce)
+        strip = functools.partial(
+            rolled_strip, self.bed, a, self.friction.coefficient, coupled=self.coupled and not self.bed.similar
+        )
         strips = tuple(
-            coupled_strip(beta, mu, slope, force=one / (modulus * a))
-            if by_force
-            else coupled_strip(beta, mu, slope, creepage=one)
-            for one in np.ravel(drives).tolist()
+            strip(force=one / (modulus * a)) if by_force else strip(creepage=one) for one in np.ravel(drives).tolist()
         )
         rows = zip(*((strip.creepage, modulus * a * strip.force, strip.stick_share) for strip in strips), strict=True)
         at, force, stick = (shaped(np.array(row), np.shape(drives)) for row in rows)
@@ -213,14 +203,14 @@ class LineRollingSolution(UnderOneDrive):
         Part of the width that sticks, c/a [-].
     contact : LineSolution
         The contact under its normal load.
-    strips : tuple of CoupledStrip
-        Of coupled bodies: pressure and traction under every drive, node by node.
+    strips : tuple of RolledStrip
+        Of coupled bodies and layers: pressure and traction under every drive, node by node.
     """
 
     __words__ = words(
         stick_share=("c/a", "", "part of the width that sticks"),
         loss_error=(r"\Delta w", "J/m^2", "bound of the error of the energy lost per area"),
-        strips=("", None, "pressure and traction of coupled bodies, node by node"),
+        strips=("", None, "pressure and traction of coupled bodies and layers, node by node"),
     )
 
     problem: LineRolling
@@ -228,7 +218,7 @@ class LineRollingSolution(UnderOneDrive):
     shear_force_per_length: Quantity
     stick_share: Quantity
     contact: LineSolution
-    strips: tuple[CoupledStrip, ...] = ()
+    strips: tuple[RolledStrip, ...] = ()
 
     @property
     def traction_ratio(self) -> Quantity:
@@ -247,7 +237,7 @@ class LineRollingSolution(UnderOneDrive):
 
     @property
     def loss_error(self) -> Quantity:
-        """Bound of the error of `loss_per_area` [J/m^2]; zero of bodies that are not coupled, by closed form."""
+        """Bound of the error of `loss_per_area` [J/m^2]; zero of half-planes that are not coupled, by closed form."""
         found = np.zeros(np.shape(self.longitudinal_creepage))
         if self.strips:
             unit, slope = self.problem.bed.medium.modulus * float(self.contact.half_width), self._slope
@@ -256,8 +246,8 @@ class LineRollingSolution(UnderOneDrive):
 
     @property
     def _slope(self) -> float:
-        """a/R [-] of similar bodies."""
-        return sliding_creepage(self.contact, 1.0)
+        """a/R [-] of the contact without friction."""
+        return float(self.contact.half_width) / float(self.problem.bed.profile.curvature_radius)  # type: ignore[attr-defined]
 
     def power(self, speed: float) -> Quantity:
         """Return the power that friction turns into heat [W/m] at a speed of rolling [m/s]."""
@@ -269,15 +259,17 @@ class LineRollingSolution(UnderOneDrive):
         bed, mu = self.problem.bed, self.problem.friction.coefficient
         index = int(np.argmax(np.abs(self.shear_force_per_length)))
         force, share = (float(np.ravel(column)[index]) for column in (self.shear_force_per_length, self.stick_share))
-        strip = line_notes(bed, float(self.contact.half_width))
+        bodies = tuple(note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC)
+        coupling = (FULL_COUPLING,) if self.strips and self.problem.coupled else (sticking_note(bed.medium, mu),)  # type: ignore[arg-type]
         if self.strips:
             rolled = self.strips[index]
-            return (
-                *strip,
-                FULL_COUPLING,
-                coupled_note(rolled, self._slope),
-                *coupled_yield_notes(self.contact, rolled),
-            )
+            return (*bodies, *coupling, strip_note(rolled, self._slope), *self._yield_notes(rolled))
         yielding = rolling_yield_notes(self.contact, mu if force >= 0.0 else -mu, share)
         similar = (NOT_COUPLED,) if self.problem.coupled else ()
-        return (*strip, sticking_note(bed.medium, mu), *similar, CARTER, *yielding)  # type: ignore[arg-type]
+        return (*bodies, *coupling, *similar, CARTER, *yielding)
+
+    def _yield_notes(self, strip: RolledStrip) -> tuple[Note, ...]:
+        """Return whether the bodies stay elastic; of layers, whose stresses are not known, if all slid."""
+        if self.problem.bed.hertzian:
+            return strip_yield_notes(self.contact, strip)
+        return slid_yield_notes(self.contact, self.problem.friction, 0.0)

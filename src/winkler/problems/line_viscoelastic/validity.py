@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from winkler.foundation.line import LineFoundation
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.times import path_notes
@@ -28,7 +29,7 @@ def relaxing_line_notes(bed: LineFoundation, time: Array, half_width: float) -> 
         Greatest half-width [m].
     """
     medium = bed.medium
-    assert isinstance(medium, RelaxingMedium)
+    assert offers(medium, RelaxingMedium)
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,

@@ -13,8 +13,8 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media import body_of
 from winkler.media.body_of import Imprint
-from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
+from winkler.media.offers import PressedWaves, offers
 from winkler.media.springs_of_curve import springs_of_curve
 from winkler.media.under_pressure import pressed_in
 from winkler.numerics.panels.chebyshev import fit_panels
@@ -83,7 +83,7 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
     >>> bool(np.isclose(body.height(np.array([4e-4]))[0], (4e-4) ** 2 / (2 * 5e-3), rtol=1e-9))
     True
     """
-    k, layered = body_of.exponent_of(medium), isinstance(medium, LayeredMedium)
+    k, layered = body_of.exponent_of(medium), offers(medium, PressedWaves)
     curve, accuracy = _convex(depth, force)
     tolerance = max(accuracy, LAYERED_TOLERANCE if layered else TOLERANCE)
     springs, exact = springs_of_curve(curve, medium, 0.1 * tolerance)
@@ -154,20 +154,20 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
         )
     if not np.any(p > 0.0):
         raise InvalidInput("design_for_pressure: the pressure is zero everywhere; give one that presses.")
-    if isinstance(medium, LayeredMedium) and p[-1] > EDGE_PRESSURE * np.max(p):
+    if offers(medium, PressedWaves) and p[-1] > EDGE_PRESSURE * np.max(p):
         raise OutsideValidity(
             f"design_for_pressure: at the edge, r = {radii[-1]:.6g} m, the pressure is {p[-1]:.6g} Pa; the body would "
             "be infinitely steep there, which the springs of layers cannot resolve: give a pressure that ends at zero."
         )
     end, sunk = float(radii[-1]), pressed_in(medium, radii, p)
     places = end * np.linspace(0.0, 1.0, 2001)
-    if not isinstance(medium, LayeredMedium):
+    if not offers(medium, PressedWaves):
         springs = sunk.springs(places)
         _refuse_ring(places, np.diff(springs) > 1e-6 * np.max(springs))
     steepest = _greatest(sunk.rise, end)
     series = fit_panels(sunk.rise, end * np.linspace(0.0, 1.0, 5), PRESSURE_TOLERANCE * steepest)
     body = Designed(series.edges, series.coefficients, SPLINE_MISFIT)
-    if isinstance(medium, LayeredMedium):  # its springs are those of the body that was found
+    if offers(medium, PressedWaves):  # its springs are those of the body that was found
         slope = medium.gap_slope(body, places[1:-1])
         _refuse_ring(places[1:-1], slope < -1e-6 * np.max(np.abs(slope)))
     return body

@@ -24,8 +24,8 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
 from winkler.loading import Depth
-from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.roots import between, invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, Curve
@@ -99,13 +99,10 @@ class NormalCurve(NamedTuple):
             panel = min(max(bisect_right(edges, middle), 1), len(edges) - 1) - 1
             start, stop = edges[panel], edges[panel + 1]
             place = middle + half * GAUSS_POINTS
-            t = np.clip((2.0 * place - start - stop) / (stop - start), -1.0, 1.0)
-            excess = (
-                half
-                * GAUSS_WEIGHTS
-                * (np.cos(np.outer(np.arccos(t), self.orders)) @ self.rows[panel][:, 0] - stiffness)
-            )
-            linear += float(np.sum(excess))
+            t = np.minimum(np.maximum((2.0 * place - start - stop) / (stop - start), -1.0), 1.0)
+            stiffnesses = np.cos(np.arccos(t)[:, None] * self.orders) @ self.rows[panel][:, 0]
+            excess = half * GAUSS_WEIGHTS * (stiffnesses - stiffness)
+            linear += float(excess.sum())
             square += 2.0 * float(excess @ (depth - place))
         return linear, square
 
@@ -237,7 +234,7 @@ def rough_depth(bed: Bed, energy: float) -> float:
         return np.asarray(0.4 * (bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)
 
     # from the thickness on: discs of another order may be out of reach of the tables of a layer, and cost time
-    unit = bed.medium.thickness if isinstance(bed.medium, DepthVaryingMedium) else 1.0
+    unit = bed.medium.thickness if offers(bed.medium, PressedWaves) else 1.0
     start = 1e-6 * end if math.isfinite(end) else SEARCH_START * unit * rough_root(lambda x: stored(unit * x), energy)
     radius = np.array([start])
     low = np.zeros(1)

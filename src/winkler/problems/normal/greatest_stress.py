@@ -27,11 +27,11 @@ from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
-from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
 from winkler.media.interior.peak import greatest
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
@@ -109,7 +109,7 @@ def greatest_stress(
             stress[regular] = stress_in_plane(pressed, part, friction, x[regular], z[regular], measure)
         return stress
 
-    layered = isinstance(bed.medium, DepthVaryingMedium)
+    layered = offers(bed.medium, PressedWaves)
     costly = {"starts": STARTS_IN_LAYERS, "rounds": FINE_ROUNDS_IN_LAYERS if fine else ROUNDS_IN_LAYERS}
     place = greatest(
         field,

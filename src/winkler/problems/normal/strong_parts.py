@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from winkler.materials.elastic import Elastic
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["StrongPart", "solid_parts", "strong_parts"]
@@ -56,7 +57,7 @@ def solid_parts(medium: object) -> tuple[StrongPart, ...]:
 
 
 def _parts(medium: object) -> Iterator[StrongPart]:
-    if isinstance(medium, RelaxingMedium):
+    if offers(medium, RelaxingMedium):
         medium = medium.bodies
     first, second = getattr(medium, "first", None), getattr(medium, "second", None)
     spans: tuple[tuple[float, float], ...] = getattr(medium, "spans", ())

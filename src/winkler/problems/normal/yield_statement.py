@@ -19,8 +19,8 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.foundation import Foundation
-from winkler.media.families import CoatedBody, StackedBody
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import LayerStack, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress
@@ -139,30 +139,26 @@ def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: SurfaceF
 
 
 def _refuse_relaxing(pressed: PressedSprings) -> None:
-    if isinstance(pressed.bed.medium, RelaxingMedium):
+    if offers(pressed.bed.medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
 
 
 def _friction_unknown(pressed: PressedSprings, rubbing: SurfaceFriction) -> str:
     """Return why the stresses under friction are not known, or nothing."""
     medium = pressed.bed.medium
-    if not (isinstance(medium, HalfSpace | CoatedBody) or (isinstance(medium, StackedBody) and _is_bonded(medium))):
+    if not (
+        isinstance(medium, HalfSpace) or (offers(medium, LayerStack) and all(layer.bonded for layer in medium.stack))
+    ):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"
     return ""
 
 
-def _is_bonded(medium: StackedBody) -> bool:
-    from winkler.media.layered.climb import is_bonded  # loaded with layers
-
-    return all(is_bonded(layer) for layer in medium.stack)
-
-
 def _resolved(pressed: PressedSprings) -> Standing:
     """Return whether the stresses are known everywhere, or in layers rounded off next to the edge."""
     medium = pressed.bed.medium
-    if not isinstance(medium, CoatedBody | StackedBody):
+    if not offers(medium, LayerStack):
         return Standing.EXACT
     from winkler.media.layered.hankel_waves import blurred  # loaded with layers
 

@@ -11,9 +11,8 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.media.halfspace import HalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace, LayeredMedium
 from winkler.media.layered.hankel_waves import blurred
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import LayerStack, PressedWaves, offers
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.onset.part_onset import PartOnset, onset_note
@@ -63,7 +62,7 @@ class YieldOnset:
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED}
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, HalfSpace | CoatedHalfSpace | SlidingStack):
+        if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, LayerStack)):
             raise InvalidInput(
                 f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
                 "isotropic bodies and layers only (a transversely isotropic body has no single strength, the strength "
@@ -165,7 +164,7 @@ class YieldOnsetSolution:
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
         medium = self.problem.bed.medium
-        length = medium.response.length if isinstance(medium, LayeredMedium) else math.inf
+        length = medium.response.length if offers(medium, PressedWaves) else math.inf
         fading = [
             one.name
             for one in self.onsets

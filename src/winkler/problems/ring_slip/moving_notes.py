@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.foundation.bed import Bed
-from winkler.media.families import LayeredBody
+from winkler.media.offers import LayerStack, offers
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.ring_slip.push_notes import push_note
 from winkler.validity import Assumption, Note, Standing
@@ -61,7 +61,7 @@ def moving_ring_notes(bed: Bed, coefficient: float, radius: float, error: str) -
     if math.isinf(coefficient):
         return (STUCK, RINGS_NOTE)
     source = "a march of 60 rings with constant tractions, normal and tangential"
-    if not isinstance(bed.medium, LayeredBody):
+    if not offers(bed.medium, LayerStack):
         error += " Those were layers; bodies graded in depth were not compared."
     outer = Note(Assumption.SLIP, Standing.APPROXIMATE, OUTER_RINGS + error, source)
     return (push_note(bed, radius), outer, RINGS_NOTE)

@@ -17,7 +17,7 @@ from winkler.errors import OutsideValidity
 from winkler.footprint import DISC
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import TwistBound
-from winkler.media.families import PushedLayers
+from winkler.media.offers import PushedWaves, offers
 from winkler.media.twisting.kernels import TwistKernel
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.transforms import fredholm
@@ -28,7 +28,7 @@ from winkler.numerics.types import Array
 __all__ = ["PushBound", "layers_of_rings", "push_bound", "pushed_body"]
 
 
-def layers_of_rings(bed: Bed) -> PushedLayers | None:
+def layers_of_rings(bed: Bed) -> PushedWaves | None:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface; else None.
 
     Raises
@@ -37,13 +37,13 @@ def layers_of_rings(bed: Bed) -> PushedLayers | None:
         If one of its layers slides on what lies below it, and bears no push.
     """
     medium = bed.medium
-    if not isinstance(medium, PushedLayers) or bed.footprint != DISC:
+    if not offers(medium, PushedWaves) or bed.footprint != DISC:
         return None
     _ = medium.tangential_response  # refuses layers that slide
     return medium
 
 
-def pushed_body(bed: Bed) -> PushedLayers:
+def pushed_body(bed: Bed) -> PushedWaves:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface.
 
     Raises

@@ -33,7 +33,7 @@ def push_note(bed: Bed, radius: float) -> Note:
         f"over each ring (Cattaneo and Mindlin); a stuck contact is softer than without that assumption, {softer}. "
         "Within it normal and shear kernels are those of the layers or the grading, and every ring bears its own "
         "pressure times the coefficient.",
-        "k_x with tractions of both directions, winkler.media.layered.sheared",
+        "k_x with tractions of both directions, from flat punches on waves along and across the motion",
     )
 
 

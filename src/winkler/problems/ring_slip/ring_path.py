@@ -11,7 +11,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.loading import Angle, Depth, Shift
-from winkler.media.families import TwistedLayers
+from winkler.media.offers import TwistedWaves, offers
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.normal.solve_contact import at_depth, at_force
@@ -110,7 +110,7 @@ def ring_points(
 
 def _own_length(bed: Bed) -> float:
     """Return a radius [m] for the tables of bodies that never touch; of no effect where the body has no length."""
-    return float(bed.medium.response.length) if isinstance(bed.medium, TwistedLayers) else 1.0
+    return float(bed.medium.response.length) if offers(bed.medium, TwistedWaves) else 1.0
 
 
 def _pressed(bed: Bed, path: Path, forced: bool) -> tuple[Array, Array, Array]:

@@ -13,8 +13,8 @@ import math
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
@@ -44,7 +44,7 @@ def line_stiffnesses(medium: MappedMedium, count: int, spacing: float) -> Array:
     from scipy.interpolate import PchipInterpolator
 
     radii = 0.5 * spacing * np.arange(1.0, count + 1.0)
-    most = WIDEST_PUNCH * medium.thickness if isinstance(medium, DepthVaryingMedium) else math.inf
+    most = WIDEST_PUNCH * medium.thickness if offers(medium, PressedWaves) else math.inf
     widest = max(min(float(radii[-1]), most), 2.0 * float(radii[0]))
     some = np.log(np.geomspace(radii[0], widest, RADII))
     stiffness = np.log(medium.punch_stiffness(np.exp(some)))

@@ -17,6 +17,8 @@ from winkler.checks.number_checks import Positive, Seed
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
@@ -85,7 +87,8 @@ class RoughIndentation:
     needs_round: ClassVar[str] = "roughness on the springs of a line"
 
     def __post_init__(self) -> None:
-        if not isinstance(getattr(self.bed, "medium", None), MappedMedium):
+        medium = getattr(self.bed, "medium", None)
+        if not (isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves) or offers(medium, PowerOfDepth)):
             raise InvalidInput(
                 "RoughIndentation: roughness is known on elastic half-spaces, layered or not, alone; give "
                 "Foundation(profile, HalfSpace(...))."

@@ -7,9 +7,9 @@ from typing import TypeAlias, cast
 from winkler.errors import OutsideValidity
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import GradedInDepth, PowerOfDepth, PressedWaves, offers
 from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
@@ -20,7 +20,9 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["MappedMedium", "homogeneous", "layers_of", "medium_notes"]
 
-MappedMedium: TypeAlias = HomogeneousMedium | CoatedHalfSpace | SlidingStack | DepthGradedHalfSpace | GradedHalfSpace
+MappedMedium: TypeAlias = (
+    HomogeneousMedium | CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | GradedHalfSpace
+)
 """A medium under a height map."""
 SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.1115/1.3261591"
 FOLLOWED_SHARE = 0.01
@@ -34,15 +36,15 @@ def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
     ----------
     medium : HomogeneousMedium, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     """
-    if isinstance(medium, HomogeneousMedium):
-        return None
-    if isinstance(medium, GradedHalfSpace):
+    if offers(medium, PowerOfDepth):
         if medium.exponent == 1.0:
             raise OutsideValidity(
                 "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's "
                 "boundary elements do not hold; give an exponent below 1."
             )
         return PowerLawSurface(medium.exponent, medium.depth_scale)
+    if not offers(medium, PressedWaves):
+        return None
     own, unit = in_own_lengths(medium.response)
     return LayeredSurface(cast(GridResponse, own), unit)
 
@@ -100,8 +102,8 @@ def medium_notes(
             "the mean pressure compresses the layers on their rigid base.",
             SULLIVAN,
         )
-    graded = medium.notes if isinstance(medium, DepthGradedHalfSpace) else ()
-    if isinstance(medium, GradedHalfSpace):
+    graded = medium.notes if offers(medium, GradedInDepth) else ()
+    if offers(medium, PowerOfDepth):
         graded = medium.notes[1:]  # the first one is of one round contact
     lost = 0.0 if rough.periodic else layers.lost(rough.pixel)
     coarse = Note(

@@ -22,6 +22,7 @@ from winkler.foundation.plane import PlaneFoundation
 from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.unknown_yield import unknown_yield
@@ -245,7 +246,7 @@ class ReductionSolution:
         InvalidInput
             If the medium is not homogeneous.
         """
-        elastic = medium.elastic if isinstance(medium, RelaxingMedium) else medium
+        elastic = medium.elastic if offers(medium, RelaxingMedium) else medium
         if not self.bed.homogeneous:
             raise InvalidInput(
                 f"Reduction: these springs are those of the map on a {type(self.problem.medium).__name__}, whose "

@@ -12,8 +12,8 @@ import numpy as np
 
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.types import Array
@@ -50,7 +50,7 @@ class StuckContacts:
 
     def __init__(self, medium: MappedMedium, pixel: tuple[float, float]) -> None:
         self.medium, self.pixel = medium, pixel
-        self.compliance = NONE if isinstance(medium, GradedHalfSpace) else compliance_of(medium)
+        self.compliance = NONE if offers(medium, PowerOfDepth) else compliance_of(medium)
         self.depths: list[float] = []
         self.rows: list[tuple[float, float, float]] = []
         """Normal stiffness [N/m], K_x/k and K_y/k."""

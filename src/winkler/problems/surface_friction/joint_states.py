@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PushedWaves, offers
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms import fredholm
@@ -49,8 +48,9 @@ def disc_ratio(stiffness: float, medium: MappedMedium) -> float:
     Of homogeneous bodies it does not depend on the disc.  Of layers the part of the displacement that turns with the
     angle is left out.
     """
-    if isinstance(medium, HomogeneousMedium | GradedHalfSpace) or math.isinf(stiffness):
-        return medium.shear_modulus / medium.modulus
-    radius = radii_of(np.array([stiffness]), medium)
+    bodies = medium
+    if math.isinf(stiffness) or not offers(medium, PushedWaves):
+        return bodies.shear_modulus / bodies.modulus
+    radius = radii_of(np.array([stiffness]), bodies)
     tangential = 2.0 * medium.shear_modulus * fredholm.area(medium.tangential_response, radius)
     return float(tangential[0] / stiffness)

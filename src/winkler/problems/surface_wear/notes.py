@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.surface_wear.states import SurfaceWearState
@@ -43,7 +42,7 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             ALEXANDER,
         ),
     ]
-    if isinstance(contact.medium, CoatedHalfSpace):
+    if offers(contact.medium, LayerStack):
         share = last.worn_depth / contact.medium.layers[0].thickness
         notes.append(
             Note(
@@ -54,7 +53,7 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
                 OWN_CHECK,
             )
         )
-    if isinstance(contact.medium, DepthGradedHalfSpace):
+    if offers(contact.medium, GradedInDepth):
         notes.append(
             Note(
                 Assumption.WEAR,

@@ -25,6 +25,7 @@ from winkler.laws.crack import CrackLaw
 from winkler.loading import Depth, Shift
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
@@ -176,10 +177,10 @@ class ViscoelasticAdhesion:
     def _relaxed(self) -> Bed:
         """The bed when all has relaxed."""
         medium = self.bed.medium
-        if not isinstance(medium, RelaxingMedium):
+        if not offers(medium, RelaxingMedium):
             return self.bed
         assert isinstance(self.bed, OnMedium)
-        if isinstance(medium, RelaxingByWaves):
+        if offers(medium, RelaxingByWaves):
             return self.bed.with_medium(medium.relaxed)
         if isinstance(medium, RelaxingInProportion):
             return self.bed.with_medium(medium.elastic)

@@ -23,6 +23,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force, Shift
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array
@@ -132,7 +133,7 @@ class ViscoelasticIndentation:
         if isinstance(self.path.normal, Depth) or most <= 0.0:
             return max(most, 0.0)
         medium = self.bed.medium
-        assert isinstance(medium, RelaxingMedium)
+        assert offers(medium, RelaxingMedium)
         spent = float(self.path.time[-1] - self.path.time[0])
         most *= ROW_MARGIN * float(medium.creep.at(np.array(spent)))
         if most == 0.0:  # a dashpot, and no time

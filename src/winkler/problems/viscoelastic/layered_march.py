@@ -10,6 +10,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.loading import Depth, Force
+from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, BorneCells, CoupledCells, LoadedCells
 from winkler.numerics.types import Array
@@ -48,7 +49,7 @@ class MarchedPoint(NamedTuple):
 def cells_of(bed: Bed, reach: float, count: int) -> CoupledCells:
     """Return cells up to a radius [m], or up to the rim of the body."""
     assert isinstance(bed, UnderProfile)
-    assert isinstance(bed.medium, RelaxingByWaves)
+    assert offers(bed.medium, RelaxingByWaves)
     reach = min(reach, bed.rim)
     width = reach / (count + EDGE_SHIFT)
     creep = bed.medium.creep_of_waves(width, reach)

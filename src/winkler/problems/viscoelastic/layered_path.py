@@ -12,6 +12,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium, UnderProfile
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array, ComplexArray
@@ -36,7 +37,7 @@ PUNCH_CELLS = 192
 
 def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
     """Return whether layers of a bed relax each by a law of its own; refuse too many cells, and no profile."""
-    if not isinstance(bed.medium, RelaxingByWaves):
+    if not offers(bed.medium, RelaxingByWaves):
         return False
     if not isinstance(bed, UnderProfile) or bed.footprint != DISC:
         raise InvalidInput(
@@ -54,7 +55,7 @@ def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
 def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
     """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
     assert isinstance(bed, OnMedium)
-    assert isinstance(bed.medium, RelaxingByWaves)
+    assert offers(bed.medium, RelaxingByWaves)
     by_depth = isinstance(normal, Depth)
     relaxed = bed.medium.relaxed
     alike = bed.with_medium(HalfSpace(relaxed.layers[0].solid, relaxed.second))

@@ -12,6 +12,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.foundation.springs import Springs
+from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
@@ -51,13 +52,13 @@ class SpringMemory(NamedTuple):
 def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     """Return by what the springs of a bed relax, E*(t) on half-spaces; refuse one that does not."""
     medium = bed.medium
-    if isinstance(medium, RelaxingByWaves):
+    if offers(medium, RelaxingByWaves):
         raise InvalidInput(
             f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
             "function of time stands for all springs, as it must here; ViscoelasticIndentation, CreepTest, "
             f"RelaxationTest and HarmonicIndentation know such a medium: use one of these, or {medium.alike}."
         )
-    if not isinstance(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
+    if not offers(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(
             f"{owner}: the bed stands on a {type(medium).__name__}; give Foundation(profile, "
             "ViscoelasticHalfSpace(solid)), or RelaxingInProportion(medium, solid, shear) of a graded or layered "
@@ -69,7 +70,7 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
 def elastic_like(bed: Bed) -> Bed:
     """Return the bed as if it were elastic: on half-spaces with E* = 1 Pa, since g does not depend on the modulus."""
     assert isinstance(bed, OnMedium)
-    assert isinstance(bed.medium, RelaxingMedium)
+    assert offers(bed.medium, RelaxingMedium)
     return bed.with_medium(bed.medium.elastic)
 
 

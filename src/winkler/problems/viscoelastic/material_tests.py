@@ -17,6 +17,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive, PositiveRow
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth, Force
+from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import RELAXING
@@ -91,7 +92,7 @@ class CreepTest:
             If cells do not resolve layers that relax each by a law of its own.
         """
         medium = self.bed.medium
-        assert isinstance(medium, RelaxingMedium)
+        assert offers(medium, RelaxingMedium)
         if is_layered("CreepTest", self.bed):
             return StepSolution(self, self.time, *stepped("CreepTest", self.bed, self.time, Force(self.force)))
         sunk = Indentation(elastic_like(self.bed), Force(self.force * medium.creep.at(self.time))).solve()

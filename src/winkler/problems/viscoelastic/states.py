@@ -9,6 +9,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
@@ -64,8 +65,8 @@ class ViscoelasticState:
     def pressed(self) -> RelaxedSprings:
         """The springs, from which the fields are restored; a smooth function of g between them."""
         assert isinstance(self.bed, OnMedium)
-        assert isinstance(self.bed.medium, RelaxingMedium)
-        if isinstance(self.bed.medium, RelaxingByWaves):
+        assert offers(self.bed.medium, RelaxingMedium)
+        if offers(self.bed.medium, RelaxingByWaves):
             raise OutsideValidity(
                 f"ViscoelasticState: on a {type(self.bed.medium).__name__} the pressure is restored alone, no field "
                 "inside and no surface outside; request the pressure."
@@ -118,8 +119,8 @@ class ViscoelasticState:
         refuse_unless_round(self, "pressure", "the pressure")
         places = np.asarray(r, dtype=float)
         medium = self.bed.medium
-        layered = isinstance(medium, RelaxingByWaves)
-        if not (layered or (isinstance(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium))):
+        layered = offers(medium, RelaxingByWaves)
+        if not (layered or (offers(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium))):
             return medium.pressure(self.pressed, places)
         edges, loads = self._edges
         # parabolas between the springs: much faster, and of the same order

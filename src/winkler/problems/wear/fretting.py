@@ -21,7 +21,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
 from winkler.loading import ShearForce
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.assumptions.declared import WORN
@@ -276,7 +276,7 @@ class FrettingSolution:
         share = shear_force / (stated.law.coefficient * first.force)
         notes = fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states)
         medium = stated.bed.medium
-        if not isinstance(medium, DepthVaryingMedium):
+        if not offers(medium, PressedWaves):
             springs = FrictionDamping(stated.bed, stated.law, stated.normal, stated.amplitude).solve()
             return (*notes, *slip_grid_note(found, float(springs.loss_per_cycle), share))
         wears = layer_loses(medium, stated.wear, layer_wears=stated.layer_wears)

@@ -7,9 +7,8 @@ from typing import Annotated, TypeAlias
 from winkler.checks.number_checks import Whole, between
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
-from winkler.media.families import DepthVaryingMedium
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PowerOfDepth, PressedWaves, PushedWaves, offers
 
 __all__ = ["Cells", "WearTolerance", "refuse_unless_pressed", "refuse_unless_rubbed"]
 
@@ -17,15 +16,16 @@ __all__ = ["Cells", "WearTolerance", "refuse_unless_pressed", "refuse_unless_rub
 def refuse_unless_rubbed(owner: str, bed: Foundation) -> None:
     """Refuse a bed whose slip is not known for worn profiles: layers that slide on one another, bodies that relax."""
     refuse_unless_pressed(owner, bed)
-    if isinstance(bed.medium, DepthVaryingMedium):
-        _ = bed.medium.tangential_response  # type: ignore[attr-defined]
+    if offers(bed.medium, PushedWaves):
+        _ = bed.medium.tangential_response
 
 
 def refuse_unless_pressed(owner: str, bed: Foundation) -> None:
     """Refuse a bed whose pressure is not known for worn profiles."""
-    if not isinstance(bed.medium, HomogeneousMedium | GradedHalfSpace | DepthVaryingMedium):
+    medium = bed.medium
+    if not (isinstance(medium, HomogeneousMedium) or offers(medium, PowerOfDepth) or offers(medium, PressedWaves)):
         raise OutsideValidity(
-            f"{owner}: the pressure of a worn profile on a {type(bed.medium).__name__} is not known; give elastic "
+            f"{owner}: the pressure of a worn profile on a {type(medium).__name__} is not known; give elastic "
             "bodies: HalfSpace, GradedHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace or "
             "DepthGradedHalfSpace."
         )

@@ -23,7 +23,7 @@ from winkler.foundation.bed import StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.loading import Depth, Shift
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
@@ -157,7 +157,7 @@ class LimitingProfile:
     def _stuck(self, depth: float, radius: float) -> StuckRadii:
         """Return the radii of the core before wear and where it bears alone."""
         stated = (self.bed, self.law.coefficient, depth, radius, float(self.amplitude.shift))
-        if isinstance(self.bed.medium, DepthVaryingMedium):
+        if offers(self.bed.medium, PressedWaves):
             return layered_core(*stated)
         core = spring_core(*stated)
         return StuckRadii(core, core)

@@ -18,7 +18,7 @@ import numpy as np
 
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, ShearForce
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.transforms import fredholm
 from winkler.numerics.types import Array
@@ -106,7 +106,7 @@ def _slips(core: float, radius: float) -> bool:
 
 def fretting_nodes(problem: Any) -> Array:
     """Return the radii on which a `FrettingWear` begins to wear."""
-    if isinstance(problem.bed.medium, DepthVaryingMedium):
+    if offers(problem.bed.medium, PressedWaves):
         return _layered_nodes(problem)
     return round_nodes(problem, lambda pressed: _stick_radius(problem, pressed))
 

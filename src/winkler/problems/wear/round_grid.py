@@ -23,8 +23,7 @@ from winkler.errors import NotConverged
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Normal
 from winkler.media.body_of import exponent_of
-from winkler.media.families import DepthVaryingMedium
-from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
@@ -62,11 +61,11 @@ class RubbedContact(NamedTuple):
 
 
 def _rings(medium: object, nodes: Array, exponent: float) -> GridTransforms:
-    if isinstance(medium, DepthVaryingMedium):
+    if offers(medium, PressedWaves):
         # numerics of layers are loaded with layers
         from winkler.numerics.transforms.layered_rings import LayeredRings
 
-        return LayeredRings(nodes, medium.response)  # type: ignore[attr-defined]
+        return LayeredRings(nodes, medium.response)
     return RingTransforms(nodes, exponent)
 
 
@@ -87,8 +86,8 @@ class RoundGrid(WornGrid):
         medium = bed.medium
         self.k = exponent_of(medium)
         self.rings = _rings(medium, nodes, self.k)
-        scale = float(medium.depth_scale**self.k) if isinstance(medium, GradedHalfSpace) else 1.0
-        super().__init__(bed, self.rings, bed.gap(nodes), float(medium.modulus / scale))  # type: ignore[attr-defined]
+        scale = float(medium.depth_scale**self.k) if offers(medium, PowerOfDepth) else 1.0
+        super().__init__(bed, self.rings, bed.gap(nodes), float(bed.medium.modulus / scale))  # type: ignore[attr-defined]
 
     @functools.cached_property
     def lifted(self) -> Array:

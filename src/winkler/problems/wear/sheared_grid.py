@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.media.families import DepthVaryingMedium
+from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.types import Array
 
@@ -70,4 +70,4 @@ class LayeredShearGrid(ShearedGrid):
 
 def sheared_grid(grid: Any) -> ShearedGrid:
     """Return the springs of a RoundGrid that are pushed along the surface."""
-    return (LayeredShearGrid if isinstance(grid.bed.medium, DepthVaryingMedium) else ShearedGrid)(grid)
+    return (LayeredShearGrid if offers(grid.bed.medium, PressedWaves) else ShearedGrid)(grid)

@@ -9,8 +9,8 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
-from winkler.media.families import DepthVaryingMedium
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import PressedWaves, offers
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import unknown_yield
@@ -64,7 +64,7 @@ def slip_note(bed: Bed) -> Note:
         "Slip is taken to be parallel to the motion and the same all around the axis (Cattaneo-Mindlin): with lateral "
         "contraction the worn profile would not be quite round."
     )
-    if isinstance(bed.medium, DepthVaryingMedium):
+    if offers(bed.medium, PressedWaves):
         slip += " Within that, pressures, tractions and slip follow from the normal and shear kernels of the layers."
     return Note(Assumption.SLIP, Standing.APPROXIMATE, slip, JOHNSON)
 
@@ -121,7 +121,7 @@ def core_notes(bed: Bed, first: float, alone: float) -> Iterator[Note]:
     grows = alone > first * (1.0 + SAME_CORE)
     if not grows:
         yield core_note(POPOV)
-    if not isinstance(bed.medium, DepthVaryingMedium):
+    if not offers(bed.medium, PressedWaves):
         return
     fate = (
         f"grows while its surroundings wear, to less than {alone:.4g} m; how far depends on the law of wear, and the "

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.wear import PairWear, Unworn, WearLaw
 from winkler.loading import Depth, Force
-from winkler.media.families import DepthVaryingMedium, LayeredBody
+from winkler.media.offers import LayerStack, PressedWaves, offers
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.states import WearState
@@ -42,7 +42,7 @@ MODEL = "the profile is lowered by what is worn off, the compliance stays that o
 
 def refuse_without_layer(owner: str, medium: object) -> None:
     """Refuse a medium that has no layer to be worn."""
-    if not isinstance(medium, LayeredBody):
+    if not offers(medium, LayerStack):
         raise InvalidInput(
             f"{owner}: layer_wears is True, and a {type(medium).__name__} has no layers; leave it out, or give a "
             "CoatedHalfSpace, SlidingFilm or StackedHalfSpace."
@@ -62,7 +62,7 @@ def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_we
                 f"{owner}: layer_wears is True, and the law of wear is a PairWear, whose first law is that of the "
                 "layer; leave layer_wears out, or give one law."
             )
-    if isinstance(wear, PairWear) and isinstance(medium, DepthVaryingMedium) and not isinstance(medium, LayeredBody):
+    if isinstance(wear, PairWear) and offers(medium, PressedWaves) and not offers(medium, LayerStack):
         raise InvalidInput(
             f"{owner}: under a PairWear the first body wears, and a {type(medium).__name__} has no layers of which it "
             "is known how much may go; give one law, that of the other body, or a CoatedHalfSpace."
@@ -71,7 +71,7 @@ def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_we
 
 def layer_loses(medium: object, wear: WearLaw, *, layer_wears: bool) -> bool:
     """Return whether the uppermost layer wears; parameters as of `laws_on`."""
-    return layer_wears or (isinstance(wear, PairWear) and isinstance(medium, DepthVaryingMedium))
+    return layer_wears or (isinstance(wear, PairWear) and offers(medium, PressedWaves))
 
 
 def laws_on(medium: object, wear: WearLaw, *, layer_wears: bool) -> WearLaw:
@@ -85,7 +85,7 @@ def laws_on(medium: object, wear: WearLaw, *, layer_wears: bool) -> WearLaw:
     layer_wears : bool
         Whether the uppermost layer wears by it.
     """
-    if isinstance(wear, PairWear) or layer_wears or not isinstance(medium, DepthVaryingMedium):
+    if isinstance(wear, PairWear) or layer_wears or not offers(medium, PressedWaves):
         return wear
     return PairWear(Unworn(), wear)
 
@@ -123,7 +123,7 @@ def layer_notes(medium: Any, states: Sequence[WearState], *, layer_wears: bool) 
     layer_wears : bool
         Whether the uppermost layer wears, and not the other body.
     """
-    if not isinstance(medium, DepthVaryingMedium):
+    if not offers(medium, PressedWaves):
         return
     last = states[-1]
     yield _thinned(medium, last) if layer_wears else OTHER_WEARS

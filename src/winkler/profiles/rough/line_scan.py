@@ -19,6 +19,7 @@ from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
+from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.values import value, words
 
@@ -43,6 +44,8 @@ class LineScan:
         Places along the line [m], rising; they need not be equally far apart.
     heights : array_like, (n,)
         Heights there [m], up.
+    missing : int, optional
+        Number of points of the file without a height, which were left out.
 
     Raises
     ------
@@ -59,6 +62,7 @@ class LineScan:
 
     __words__ = words(
         position=("x", "m", "places along a line over a surface"),
+        missing=("", "", "number of points without a height that were left out"),
         arithmetic_height=("Ra", "m", "mean distance of the heights from the straight line through them"),
         rms_height=("Rq", "m", "root mean square of the heights about the straight line through them"),
         skewness=("Rsk", "", "mean cube of the heights over that of their root mean square"),
@@ -68,6 +72,20 @@ class LineScan:
 
     position: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS, order="rising")]
     heights: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS)]
+    missing: int = 0
+
+    @staticmethod
+    def measured(position: Array, heights: Array) -> LineScan:
+        """Return the scan of a file, without the points whose height is nan or a number that marks a missing one.
+
+        Parameters
+        ----------
+        position, heights : ndarray, (n,)
+            [m].
+        """
+        left, _ = without_marks(heights)
+        there = np.isfinite(left) & np.isfinite(position)
+        return LineScan(position[there], left[there], int(np.count_nonzero(~there)))
 
     def __post_init__(self) -> None:
         if self.position.size != self.heights.size:

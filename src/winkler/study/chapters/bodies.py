@@ -174,8 +174,8 @@ BODIES: Kinds = {
         "coated_half_space": kind(
             "winkler.media.layered.coated:CoatedHalfSpace", "barber_1974", "hayes_1972", "hess_2023"
         ),
-        "sliding_film": kind("winkler.media.stacked.sliding_film:SlidingFilm", "barber_1974"),
-        "stacked_half_space": kind("winkler.media.stacked.stacked:StackedHalfSpace", "barber_1974", "elliott_1949"),
+        "sliding_film": kind("winkler.media.layered.coated:SlidingFilm", "barber_1974"),
+        "stacked_half_space": kind("winkler.media.layered.coated:StackedHalfSpace", "barber_1974", "elliott_1949"),
         "depth_graded_half_space": kind(
             "winkler.media.layered.depth_graded:DepthGradedHalfSpace", "barber_1974", "hess_2023", tolerance=1e-2
         ),

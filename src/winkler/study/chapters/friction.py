@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
 
 __all__ = ["FRICTION", "TANGENTIAL_FORCE", "TANGENTIAL_SPRINGS", "tangential_formulas"]
@@ -79,7 +80,7 @@ tangential_formulas = followed_by(normal_formulas, TANGENTIAL_SPRINGS, TANGENTIA
 def torsion_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a twist: those of homogeneous bodies, or of bodies that change with depth."""
     medium = getattr(getattr(problem, "bed", None), "medium", None)
-    changing = is_a(medium, *(f"winkler.media.families:{name}" for name in ("PowerLawMedium", "DepthVaryingMedium")))
+    changing = offers(medium, PowerOfDepth) or offers(medium, PressedWaves)
     more = (TWISTED_DEEP, TORQUE_DEEP) if changing else (TWISTED, TWIST_BOUND, TORQUE)
     return followed_by(normal_formulas, *more)(problem)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 
@@ -159,8 +160,6 @@ GREATEST = Equation(
 HOMOGENEOUS = "winkler.media.halfspace:HomogeneousMedium"
 HALF_SPACE = "winkler.media.halfspace:HalfSpace"
 TRANSVERSE_HALF_SPACE = "winkler.media.transverse:TransverselyIsotropicHalfSpace"
-GRADED_HALF_SPACE = "winkler.media.graded.power_law:GradedHalfSpace"
-LAYERED = "winkler.media.layered.coated:LayeredMedium"
 MEASURED_BED = "winkler.foundation.measured:MeasuredBed"
 PLANE_FOUNDATION = "winkler.foundation.plane:PlaneFoundation"
 
@@ -193,9 +192,9 @@ def bed_formulas(
     varied = springs or (VARIED_PINNED if pinned else VARIED, VARIED_FORCE)
     if is_a(bed, MEASURED_BED):
         return (MEASURED, *varied)
-    if is_a(medium, GRADED_HALF_SPACE):
+    if offers(medium, PowerOfDepth):
         return (GRADED_SPRINGS, GRADED_PROFILE, *varied, GRADED_PRESSURE)
-    if is_a(medium, LAYERED):
+    if offers(medium, PressedWaves):
         found = (TOP, COMPLIANCE, PUNCHES, LAYERED_SPRINGS, LAYERED_PROFILE)
         return (*found, *varied, SUPERPOSED, STRESSES)
     return ()

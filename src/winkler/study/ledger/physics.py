@@ -9,9 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.stacked.stacked import SlidingStack
+from winkler.media.offers import LayerStack, offers
 from winkler.study.chapters import contents
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.study import Study
@@ -43,7 +42,7 @@ def physics_of(study: Study) -> str:
 
 def _normal(study: Study) -> str:
     medium: Any = getattr(study.problem.bed, "medium", None)
-    if isinstance(medium, CoatedHalfSpace | SlidingStack):
+    if offers(medium, LayerStack):
         return COATINGS
     if isinstance(medium, GradedHalfSpace | DepthGradedHalfSpace):
         return GRADED

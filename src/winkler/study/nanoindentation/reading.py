@@ -26,10 +26,12 @@ from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter
+from winkler.io.tables.given_units import checked_units
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
 from winkler.study.language.compared.expectations import expectations
 from winkler.study.language.reading import parsed, read_text
+from winkler.study.language.segmenting import stated_segments
 from winkler.study.language.study import Expectation, Output
 from winkler.study.nanoindentation.keys import UNITS
 from winkler.values import value
@@ -39,6 +41,7 @@ __all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_s
 SECTIONS = ("indentation", "calibration")
 TOP = ("title", *SECTIONS, "indenter", "output", "expect", "source", "grade")
 OF_OUTPUT = ("folder", "figures", "report")
+MEASURED, NO_DRIFT = "measured", "none"
 
 
 @value
@@ -61,6 +64,10 @@ class NanoindentationStudy:
         What is written.
     text, folder
         The study file, word for word, and where it lies.
+    segments : tuple of str
+        Stated segments of the curves; none where they are those of the file, or found.
+    units : tuple of (str, str)
+        Units that the files do not state.
     expect
         Expected numbers.
     source, grade
@@ -78,6 +85,8 @@ class NanoindentationStudy:
     expect: tuple[Expectation, ...] = ()
     source: str = ""
     grade: str = ""
+    segments: tuple[str, ...] = ()
+    units: tuple[tuple[str, str], ...] = ()
 
     @property
     def calibrates(self) -> bool:
@@ -121,6 +130,8 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         raise InvalidInput("a study has either [indentation] or [calibration]; write two studies.")
     title, output = str(raw.get("title", path.stem)), _output(raw.get("output", {}))
     folder = path.parent
+    segments: tuple[str, ...] = ()
+    units: tuple[tuple[str, str], ...] = ()
     if "calibration" in raw:
         section = _section(raw["calibration"], UNITS["calibration"], "calibration")
         if "indenter" in raw:
@@ -143,6 +154,12 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
                 raise InvalidInput(f"indentation.{key} is missing; give it.")
         sources, references = _files(section.pop("curve"), folder, "indentation.curve"), ()
         indenter = _indenter(section.pop("indenter", ""), raw.get("indenter"), folder)
+        if "segments" in section:
+            segments = quantities.read_at(
+                "indentation.segments", section.pop("segments"), None, lambda stated, _: stated_segments(stated)
+            )
+        units = tuple(sorted(checked_units(section.pop("units", {}), "indentation.units").items()))
+        _state_drift(section)
         seeks = section.pop("pop_ins", False)
         if not isinstance(seeks, bool):
             raise InvalidInput(f"indentation.pop_ins is {seeks!r}; give true or false.")
@@ -165,6 +182,22 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         str(folder),
         expectations(raw.get("expect", []), path.name),
         *of_case,
+        segments,
+        units,
+    )
+
+
+def _state_drift(section: dict[str, Any]) -> None:
+    """Put the number of a stated drift [m/s] in place of its word; "measured" is the same as none stated."""
+    stated = section.pop("drift", MEASURED)
+    if stated == MEASURED:
+        if "drift_error" in section:
+            raise InvalidInput(
+                "indentation.drift_error belongs to a given drift; give drift as a number, or leave it out."
+            )
+        return
+    section["drift"] = (
+        0.0 if stated == NO_DRIFT else float(quantities.read_at("indentation.drift", stated, "m/s", quantities.number))
     )
 
 

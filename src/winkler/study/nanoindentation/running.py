@@ -21,11 +21,14 @@ from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
 from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
+from winkler.fitting.nanoindentation.standing_out import copies, standing_out
+from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.placed_curves import PlacedCurve
 from winkler.study.batch.outcome import ComparedNumber, Provenance
 from winkler.study.batch.run import provenance
+from winkler.study.language.segmenting import segmented
 from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously, evaluated_continuously
 from winkler.study.nanoindentation.expected import verdicts_of
 from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
@@ -83,10 +86,23 @@ class NanoindentationOutcome:
         found += [(one.name, None) for one in self.unevaluated if not self.calibration]
         return verdicts_of(self.study.expect, found)
 
+    @functools.cached_property
+    def doubts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Names of the curves with doubts, and these: of each alone, and what sets it apart from the others."""
+        solutions = [one.solution for one in self.evaluated]
+        apart, first = standing_out(solutions), copies(solutions)
+        found = []
+        for place, one in enumerate(self.evaluated):
+            same = f"Copy: the data of {self.evaluated[first[place]].name}, left out of the means."
+            doubts = (*one.solution.doubts, *(text for text in (apart[place], same * (first[place] < place)) if text))
+            found.append((one.name, doubts))
+        return tuple((name, doubts) for name, doubts in found if doubts)
+
     @property
     def means(self) -> dict[str, RepeatedMean]:
-        """Means of Young's modulus and hardness over the curves."""
-        solutions = [one.solution for one in self.evaluated]
+        """Means of Young's modulus and hardness over the curves; of copies one counts."""
+        every = [one.solution for one in self.evaluated]
+        solutions = [every[place] for place in dict.fromkeys(copies(every))]
         return {name: repeated_mean(solutions, name) for name in ("young", "hardness")} if solutions else {}
 
 
@@ -98,7 +114,7 @@ def evaluated_files(
         name = _name(study, path)
         yield tuple(
             result
-            for one in try_curves(path)
+            for one in try_curves(path, units=dict(study.units))
             for result in (
                 (Unevaluated(name, one.reason, InvalidInput.exit_code),)
                 if isinstance(one, UnreadCurve)
@@ -128,6 +144,9 @@ def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Eva
         zero = () if touch is None else ZeroPoint(touch, given["contact_point_error"], 0.0, extrapolated=False)
         names = ("poisson_error", "force_error", "depth_error", "upper", "lower")
         more: dict[str, Any] = {key: given[key] for key in names if key in given}
+        if "drift" in given:
+            more["drift"] = ThermalDrift(given["drift"], given.get("drift_error", 0.0))
+        curve = segmented(curve, study.segments) if study.segments else curve
         solution = Nanoindentation(curve, study.indenter, given["poisson"], zero_point=zero, **more).solve()
         pop_in = first_pop_in(solution) if "tip_radius" in given else math.nan
         return Evaluated(name, solution, indentation_quantities(solution), pop_in)

@@ -87,7 +87,7 @@ def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
     good, failed = outcome.evaluated, outcome.unevaluated
     names = [*(one.name for one in good), *(one.name for one in failed)]
     columns = [_column("curve", None, "where the curve comes from", names)]
-    lost = [np.nan] * len(failed)
+    lost, doubts = [np.nan] * len(failed), {name: " ".join(each) for name, each in outcome.doubts}
     first = good[0].quantities
     for place, (name, unit) in enumerate(zip(first.names, first.units, strict=True)):
         key = name.replace("*", "_star")
@@ -105,6 +105,12 @@ def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
         ),
         _column("drift", "m/s", "thermal drift", [*(o.solution.drift.rate for o in good), *lost]),
         _column("drift_error", "m/s", "its standard error", [*(o.solution.drift.error for o in good), *lost]),
+        _column(
+            "doubts",
+            None,
+            "what makes the answer doubtful",
+            [*(doubts.get(o.name, "") for o in good), *("" for _ in failed)],
+        ),
         _column("failure", None, "why a curve has no answer", [*("" for _ in good), *(one.reason for one in failed)]),
     ]
     return columns

@@ -10,8 +10,8 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
-from winkler.media.families import LayeredBody
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import LayerStack, offers
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
 from winkler.problems.normal.single_contact import ended, refuse_tension, refuse_unless_disc, surely_pressed
 from winkler.problems.normal.solve_contact import at_end, flat_radius
@@ -43,8 +43,8 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
     strength, flat, buried = part.solid.strength, flat_radius(bed), part.top > 0.0
     sharp = [b for b, jump in bed.kinks if jump != 0.0 and not buried]  # below a layer the stress stays finite
     widest = math.inf
-    if isinstance(bed.medium, LayeredBody):
-        widest = WIDEST_ON_LAYER * bed.medium.layers[0].thickness  # type: ignore[attr-defined]
+    if offers(bed.medium, LayerStack):
+        widest = WIDEST_ON_LAYER * bed.medium.layers[0].thickness
         if flat > widest:
             return _too_wide(part, widest)
     end = min([bed.reach, bed.rim, widest, *(b for b in sharp if b > flat)])
@@ -165,7 +165,7 @@ def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float
         return greatest_stress(pressed, part, mu, fine=fine)
     except NotConverged:  # where a stiff layer bends away nearly all of the pressure cancels
         refuse_unless_disc(bed, pressed.depth, radius, min(bed.reach, bed.rim))
-        if not isinstance(bed.medium, LayeredBody):
+        if not offers(bed.medium, LayerStack):
             raise
         raise NotConverged(
             f"YieldOnset: at a contact radius of {radius:.6g} m the stress in the {part.name} is not found: the "
@@ -179,9 +179,10 @@ def _before_bending(bed: Bed, known: float, radius: float) -> tuple[float, Outsi
 
     A wider contact may be a disc again, but whether a body yields on the way is not known.
     """
-    if not isinstance(bed.medium, LayeredBody) or not bed.medium.punch_facts(radius).pulls:
+    medium = bed.medium
+    if not offers(medium, LayerStack) or not bed.medium.punch_facts(radius).pulls:
         return radius, None
-    narrowest = max(known, bed.medium.layers[0].thickness)  # type: ignore[attr-defined]
+    narrowest = max(known, medium.layers[0].thickness)
     steps = math.ceil(math.log(radius / narrowest) / math.log(BENT_STEP)) if radius > narrowest else 0
     last = narrowest
     for a in np.geomspace(narrowest, radius, steps + 1)[1:].tolist():
@@ -208,12 +209,11 @@ def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
 
     On half-spaces it lies a little beyond the onset under a ball, so that no larger radius need be looked at.
     """
-    assert isinstance(bed.medium, HalfSpace | LayeredBody)
-    wanted = strength / bed.medium.modulus
+    wanted = strength / bed.medium.modulus  # type: ignore[attr-defined]
     middle, before = 0.5 * (flat + end), math.nan
     a = middle if math.isfinite(end) else 2.0 * flat or 1.0
-    if isinstance(bed.medium, LayeredBody):  # flat punches far wider than the layers are costly
-        a = min(middle, flat + FIRST_ON_LAYER * bed.medium.layers[0].thickness)  # type: ignore[attr-defined]
+    if offers(bed.medium, LayerStack):  # flat punches far wider than the layers are costly
+        a = min(middle, flat + FIRST_ON_LAYER * bed.medium.layers[0].thickness)
         a, _ = _before_bending(bed, flat, a)
     for _ in range(OCTAVES):
         slope = float(np.abs(bed.gap_slope(np.array([a])))[0])

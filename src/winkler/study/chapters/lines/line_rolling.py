@@ -16,7 +16,7 @@ PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}
 CREEPAGES = {"kind": "creepages", "longitudinal": {"from": 0.0, "to": 0.004, "count": 25}}
 
 HERTZ = Equation(
-    "A cylinder is pressed to the half-width and pressure of Hertz",
+    "A cylinder is pressed on half-planes to the half-width and pressure of Hertz",
     r"a = \sqrt{\frac{4PR}{\pi E^*}}, \quad p = p_0\,\sqrt{1-\frac{x^2}{a^2}}, \quad p_0 = \frac{2P}{\pi a}",
 )
 STICK = Equation(
@@ -66,6 +66,12 @@ COUPLED = Equation(
     r"s(x) = \xi-\frac{2}{\pi E^*}\int\frac{q(s)}{x-s}\,\mathrm{d}s-\frac{2\beta}{E^*}\,p",
 )
 
+LAYERED = Equation(
+    "On layers each kernel is that of their response: to pressure (N), shear (A), and of one to the other (C)",
+    r"\frac{x-m}{R} = \int N(x-s)\,p\,\mathrm{d}s-\int C(x-s)\,q\,\mathrm{d}s, \quad "
+    r"s(x) = \xi-\int A(x-s)\,q\,\mathrm{d}s-\int C(x-s)\,p\,\mathrm{d}s",
+)
+
 LINE_ROLLING = Chapter(
     "line contact",
     kinds={
@@ -90,7 +96,7 @@ LINE_ROLLING = Chapter(
             ),
             curves=(("longitudinal_creepage", "shear_force_per_length"), ("longitudinal_creepage", "stick_share")),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP, COUPLED),
+            formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP, COUPLED, LAYERED),
         ),
         "line_rolling_start": answer(
             "winkler.problems.line_rolling.start:LineRollingStart",

@@ -20,7 +20,6 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID
 from winkler.media.layered.across import climbed_across, impedance
-from winkler.media.layered.climb import is_bonded
 from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
@@ -66,7 +65,7 @@ class FloatingAcross(PairResponse):
         surface, *below = climbed_across(stack.layers, stack.on, xi)
         for (g, d), layer, face in reversed(list(zip(self._plates, stack.layers, below, strict=True))):
             x = xi * d
-            bent = np.tanh(x) / (g * face) if is_bonded(layer) else 0.0
+            bent = np.tanh(x) / (g * face) if layer.bonded else 0.0
             less = (less + g * d * _missing(x) + (sheet + g * d) * bent) / (1.0 + bent)
             sheet += g * d
         pole, y = self._pole / self._share, -2.0 * xi * self.length

@@ -1,4 +1,4 @@
-"""Stresses below dissimilar cylinders that roll, and what must be stated about them: elements, coupling, yield."""
+"""Stresses below cylinders that roll, from a strip of elements, and what is stated: elements, coupling, yield."""
 
 from __future__ import annotations
 
@@ -8,33 +8,33 @@ from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineFields
-from winkler.problems.line_rolling.coupled import CoupledStrip, creepage_error, loss_error
+from winkler.problems.line_rolling.rolled_strip import RolledStrip, creepage_error, loss_error
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["FULL_COUPLING", "coupled_note", "coupled_stresses", "coupled_yield_notes"]
+__all__ = ["FULL_COUPLING", "strip_note", "strip_stresses", "strip_yield_notes"]
 
 BENTALL = "R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404, doi:10.1016/0020-7403(67)90043-4"
 FULL_COUPLING = Note(
     Assumption.UNCOUPLED,
     Standing.EXACT,
-    "Pressure and traction of the dissimilar bodies act on each other, both ways.",
+    "Pressure and traction act on each other, both ways.",
     BENTALL,
 )
 ACROSS, DOWN = 61, 31
 """Places at which von Mises' stress is compared with the strength."""
 
 
-def coupled_stresses(
-    strip: CoupledStrip, half_width: float, modulus: float, poisson: float, below: bool, x: Array, z: Array
+def strip_stresses(
+    strip: RolledStrip, half_width: float, modulus: float, poisson: float, below: bool, x: Array, z: Array
 ) -> LineFields:
     """Return the stresses below a strip, in the first body (`below`) or the second.
 
     Parameters
     ----------
-    strip : CoupledStrip
+    strip : RolledStrip
     half_width, modulus : float
         Of similar bodies [m]; E* [Pa].
     poisson : float
@@ -53,7 +53,7 @@ def coupled_stresses(
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
 
 
-def coupled_note(strip: CoupledStrip, slope: float) -> Note:
+def strip_note(strip: RolledStrip, slope: float) -> Note:
     """Return how far creepage, force and loss of a strip are off, under a slope a/R [-]."""
     part, lost = 100.0 * creepage_error(strip), "The loss is too small for these elements to show."
     error = loss_error(strip, slope)
@@ -69,13 +69,13 @@ def coupled_note(strip: CoupledStrip, slope: float) -> Note:
     )
 
 
-def coupled_yield_notes(contact: LineSolution, strip: CoupledStrip) -> tuple[Note, ...]:
+def strip_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
     """Return whether the body that comes nearest to its strength stays elastic, from stresses on a grid of places."""
     medium, a = contact.problem.bed.medium, float(contact.half_width)
     x, z = np.meshgrid(a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN), indexing="ij")
     found = []
     for part in strong_parts(medium):
-        stress = coupled_stresses(strip, a, medium.modulus, part.solid.poisson, part.first, x, z).von_mises
+        stress = strip_stresses(strip, a, medium.modulus, part.solid.poisson, part.first, x, z).von_mises
         place = np.unravel_index(int(np.argmax(stress)), stress.shape)
         found.append((float(stress[place]) / part.solid.strength, float(x[place]), float(z[place]), part))
     if not found:

@@ -1,1 +1,0 @@
-"""Layers that may slide on each other, or be transversely isotropic."""

@@ -1,0 +1,215 @@
+"""Ghosts: media of no class, delegating to a coating, a stack, a grading or a power law, in each problem on a bed."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+
+import winkler as wk
+
+SOLID, BASE = wk.Elastic(0.91, 0.3, strength=0.2), wk.Elastic(0.2, 0.4, strength=0.1)
+MEDIA = {
+    "coating": wk.CoatedHalfSpace([wk.Layer(SOLID, 0.2)], BASE, wk.Elastic(5.0, 0.2)),
+    "stack": wk.StackedHalfSpace([wk.StackLayer(SOLID, 0.2), wk.StackLayer(BASE, 0.3, bonded=False)], SOLID),
+    "grading": wk.DepthGradedHalfSpace(wk.ExponentialGrading(0.9, 0.3, depth_scale=0.3, poisson=0.3), tolerance=1e-4),
+    "relaxing layers": wk.ViscoelasticCoatedHalfSpace(
+        [wk.ViscoelasticLayer(wk.StandardSolid(0.2, 0.3, 1.0), 0.2)], BASE
+    ),
+    "power law": wk.GradedHalfSpace(wk.PowerLawGraded(1.0, 0.5, 0.3, 0.3)),
+}
+
+
+@functools.cache
+def ghost_of(medium: Any) -> Any:
+    """Return a medium that has the public members of another one, and none of its classes."""
+
+    def delegated(name: str) -> Any:
+        if callable(getattr(type(medium), name, None)):
+            return lambda self, *given, **named: getattr(self.of, name)(*given, **named)
+        return property(lambda self: getattr(self.of, name))
+
+    names = {*dir(type(medium)), *(field.name for field in dataclasses.fields(medium))}
+    members = {name: delegated(name) for name in names if not name.startswith("_")}
+    kind = type("Ghost", (), {**members, "__annotations__": {"of": Any}})
+    return dataclasses.dataclass(frozen=True)(kind)(medium)
+
+
+MU, DEPTH, LOAD = wk.Coulomb(0.3), wk.Depth(0.02), wk.Force(0.005)
+SWING, STUCK = wk.Shift(0.001), wk.ShearForce(0.0005)
+SHORT, FAR = wk.ShortRange(1e-4), wk.Dugdale(1e-4, strength=0.02)
+STEEL = wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6))
+WIRES = wk.ElectricalConductors(wk.ElectricalConductor(0.2e-6), wk.ElectricalConductor(0.2e-6))
+
+
+PUSH = wk.Path.through(LOAD, wk.ShearForce([0.0, 0.001, -0.0005]))
+TWIST = wk.Path.through(LOAD, wk.Torque([0.0, 5e-5, -2e-5]))
+RISE = wk.Path([0.0, 1.0, 2.0], wk.Force([0.0, 0.004, 0.002]))
+CRACK = wk.RateDependentWork(1e-4, 1e-3, 0.5)
+SPECTRUM = wk.SelfAffine(hurst=0.8, rms_height=1e-3, longest=0.1, shortest=0.01)
+
+PROBLEMS = {
+    "AdhesiveCycle": lambda bed: wk.AdhesiveCycle(bed, SHORT, wk.Depth([0.01, -0.02])),
+    "AdhesiveImpact": lambda bed: wk.AdhesiveImpact(bed, SHORT, 1.0, 0.01, count=11),
+    "AdhesiveIndentation": lambda bed: wk.AdhesiveIndentation(bed, SHORT, LOAD),
+    "AdhesiveIndentation, Dugdale": lambda bed: wk.AdhesiveIndentation(bed, FAR, LOAD),
+    "AdhesiveShear": lambda bed: wk.AdhesiveShear(bed, SHORT, LOAD, STUCK),
+    "BimodalDamping": lambda bed: wk.BimodalDamping(bed, MU, 0.02, 0.002, 0.001),
+    "CoatedTangential": lambda bed: wk.CoatedTangential(bed, MU, PUSH),
+    "ConductanceBounds": lambda bed: wk.ConductanceBounds(bed, WIRES, 1e-4, 0.005),
+    "Constriction": lambda bed: wk.Constriction(bed, WIRES, LOAD),
+    "ContactLaw": lambda bed: wk.ContactLaw(bed, 0.02),
+    "CreepTest": lambda bed: wk.CreepTest(bed, 0.005, [1.0]),
+    "Equilibrium": lambda bed: wk.Equilibrium(bed, SHORT, 0.3, count=50),
+    "FrettingWear": lambda bed: wk.FrettingWear(
+        bed, wk.Archard(1e-3), MU, DEPTH, wk.Shift(0.003), [0.0, 1.0], count=30, tolerance=1e-2
+    ),
+    "FrictionDamping": lambda bed: wk.FrictionDamping(bed, MU, LOAD, wk.ShearForce(0.001)),
+    "FrictionHeating": lambda bed: wk.FrictionHeating(bed, MU, LOAD, STEEL, 3e-5),
+    "HarmonicIndentation": lambda bed: wk.HarmonicIndentation(bed, LOAD, 1.0),
+    "Impact": lambda bed: wk.Impact(bed, MU, 1.0, 0.01, 0.002, count=11),
+    "Indentation": lambda bed: wk.Indentation(bed, LOAD),
+    "JouleHeating": lambda bed: wk.JouleHeating(bed, WIRES, LOAD, wk.Voltage(1e-3)),
+    "LimitingProfile": lambda bed: wk.LimitingProfile(bed, MU, DEPTH, wk.Shift(0.003)),
+    "OscillatingRolling": lambda bed: wk.OscillatingRolling(bed, MU, 0.01, 1e-4, LOAD, cycles=1, count=20),
+    "PullOff": lambda bed: wk.PullOff(bed, SHORT),
+    "RelaxationDamper": lambda bed: wk.RelaxationDamper(bed, 0.02, 0.001, 1.0),
+    "RelaxationTest": lambda bed: wk.RelaxationTest(bed, 0.02, [1.0]),
+    "Rolling": lambda bed: wk.Rolling(bed, MU, wk.Creepage(1e-3), LOAD),
+    "RollingStart": lambda bed: wk.RollingStart(bed, MU, wk.Creepage(1e-3), LOAD, 0.1, points=3, count=20),
+    "RoughIndentation": lambda bed: wk.RoughIndentation(SPECTRUM, bed, 1.0, LOAD, realisations=2, count=128),
+    "SlidingResistance": lambda bed: wk.SlidingResistance(bed, LOAD, 1.0, count=10),
+    "SlidingWear": lambda bed: wk.SlidingWear(bed, wk.Archard(1e-3), LOAD, [0.0, 1.0], count=30, tolerance=1e-2),
+    "SpringMarch": lambda bed: wk.SpringMarch(bed, MU, PUSH, count=40),
+    "Tangential": lambda bed: wk.Tangential(bed, MU, PUSH),
+    "ThermalConstriction": lambda bed: wk.ThermalConstriction(bed, STEEL, LOAD, 1.0),
+    "Torsion": lambda bed: wk.Torsion(bed, MU, TWIST),
+    "TransientHeating": lambda bed: wk.TransientHeating(bed, MU, LOAD, STEEL, 3e-5, [1.0]),
+    "ViscoelasticAdhesion": lambda bed: wk.ViscoelasticAdhesion(bed, CRACK, RISE),
+    "ViscoelasticImpact": lambda bed: wk.ViscoelasticImpact(bed, 1.0, 0.01, count=20),
+    "ViscoelasticIndentation": lambda bed: wk.ViscoelasticIndentation(bed, RISE, count=20),
+    "ViscoelasticTangential": lambda bed: wk.ViscoelasticTangential(bed, MU, PUSH, count=20),
+    "YieldOnset": lambda bed: wk.YieldOnset(bed),
+    "YieldOnset, sliding": lambda bed: wk.YieldOnset(bed, MU),
+}  # fmt: skip
+
+
+def test_all_problems_on_a_bed_are_walked():
+    """By name, so that a new one is added here."""
+    found = {
+        name
+        for name in wk.__all__
+        if dataclasses.is_dataclass(kind := getattr(wk, name))
+        and hasattr(kind, "solve")
+        and any(field.name == "bed" and field.type in ("Bed", "Foundation") for field in dataclasses.fields(kind))
+    }
+    assert found == {name.split(",")[0] for name in PROBLEMS}
+
+
+def outcome(name: str, medium: Any) -> tuple[list[str], list[np.ndarray]]:
+    """Return the sentences and the numbers of an answer and of its validity, or the refusal."""
+    try:
+        solution = PROBLEMS[name](wk.Foundation(wk.Paraboloid(1.0), medium)).solve()
+        stated = solution.validity
+    except wk.WinklerError as refusal:
+        return [type(refusal).__name__, masked(str(refusal), medium)], []
+    sentences = [masked(f"{note.assumption} {note.standing} {note.statement}", medium) for note in stated]
+    return sentences, list(numbers(solution))
+
+
+def masked(sentence: str, medium: Any) -> str:
+    """Return a sentence without the name of the medium, or of the one it delegates to."""
+    names = "|".join(type(one).__name__ for one in (medium, getattr(medium, "of", medium)))
+    return re.sub(rf"\b({names})\b", "MEDIUM", sentence)
+
+
+def numbers(answer: Any) -> Any:
+    """Yield all numbers of an answer, those of its parts included, but not of the question."""
+    if isinstance(answer, np.ndarray | float | int):
+        yield np.asarray(answer, dtype=float)
+    elif isinstance(answer, tuple):
+        for part in answer:
+            yield from numbers(part)
+    elif dataclasses.is_dataclass(answer) and not isinstance(answer, wk.Foundation):
+        for field in dataclasses.fields(answer):
+            if field.name not in ("problem", "bed"):
+                yield from numbers(getattr(answer, field.name))
+
+
+QUICK = {
+    ("FrictionDamping", "coating"),
+    ("Tangential", "coating"),
+    ("Indentation", "stack"),
+    ("Indentation", "grading"),
+}
+LONG = {
+    *((name, medium) for name in ("YieldOnset", "YieldOnset, sliding", "AdhesiveImpact") for medium in MEDIA),
+    *(
+        (name, "grading")
+        for name in ("AdhesiveShear", "BimodalDamping", "CoatedTangential", "Impact", "LimitingProfile")
+    ),
+    *((name, "coating") for name in ("FrictionHeating", "Impact", "SpringMarch")),
+    *(("AdhesiveIndentation, Dugdale", medium) for medium in ("stack", "grading")),
+}
+
+
+def marked(name: str, medium: str) -> Any:
+    slow_on_power_law = ("AdhesiveImpact", "AdhesiveIndentation, Dugdale", "FrictionHeating", "Impact", "Torsion")
+    quick = medium == "power law" and name not in slow_on_power_law
+    if quick or (name, medium) in QUICK:
+        return pytest.param(name, medium)
+    return pytest.param(name, medium, marks=pytest.mark.long if (name, medium) in LONG else pytest.mark.slow)
+
+
+@pytest.mark.parametrize(("name", "medium"), [marked(name, medium) for medium in MEDIA for name in PROBLEMS])
+def test_a_medium_of_no_class_gives_the_same_numbers_or_the_same_refusal(name, medium):
+    known, ghost = (outcome(name, each) for each in (MEDIA[medium], ghost_of(MEDIA[medium])))
+    assert known[1] or (name, medium) not in QUICK
+    assert ghost[0] == known[0]
+    assert len(ghost[1]) == len(known[1])
+    for one, other in zip(ghost[1], known[1], strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-300)
+
+
+BONDED = wk.StackedHalfSpace([wk.StackLayer(SOLID, 0.2)], BASE, wk.Elastic(5.0, 0.2))
+QUICK_ON_STACK = ("FrictionDamping", "Tangential", "Indentation")
+SLOW_ON_STACK = ("AdhesiveShear", "CoatedTangential", "FrettingWear", "Rolling", "SlidingWear", "Torsion")
+
+
+@pytest.mark.parametrize(
+    "name", [*QUICK_ON_STACK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW_ON_STACK)]
+)
+def test_a_coating_is_the_stack_of_the_same_layers(name):
+    """Numbers and notes; only the note of the medium itself names other layers."""
+    found = []
+    for medium in (MEDIA["coating"], BONDED):
+        own = {note.statement for note in medium.notes}
+        sentences, values = outcome(name, medium)
+        found.append(([line for line in sentences if not any(line.endswith(note) for note in own)], values))
+    (coated, numbers_on_coating), (stacked, numbers_on_stack) = found
+    assert stacked == coated
+    for one, other in zip(numbers_on_stack, numbers_on_coating, strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-300)
+
+
+def test_a_pyramid_on_a_bonded_stack_has_the_note_of_the_coating():
+    """By how much the cone that stands for it is wrong was said of a CoatedHalfSpace alone."""
+    tip = wk.Pyramid(face_angle=0.3, sides=4)
+    coated, stacked = (
+        wk.Indentation(wk.Foundation(tip, medium), DEPTH).solve().validity for medium in (MEDIA["coating"], BONDED)
+    )
+    assert coated[1:] == stacked[1:]
+
+
+def test_stresses_of_a_push_in_an_anisotropic_second_body_are_refused_for_that():
+    """They were refused because that body were rigid."""
+    second = wk.TransverselyIsotropic(2.0, 0.5, 0.4, 1.5, 0.6)
+    medium = wk.StackedHalfSpace([wk.StackLayer(SOLID, 0.2)], BASE, second)
+    pressed = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), medium), DEPTH).solve().pressed
+    place = np.array([0.05])
+    with pytest.raises(wk.OutsideValidity, match="transversely isotropic second body"):
+        medium.pushed_interior(pressed, place, place, place, below=False)

@@ -1,0 +1,71 @@
+"""What was replaced is gone: no name of two mechanisms, and no question of solvers after the class of a medium."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import winkler
+
+SOURCE = Path(winkler.__file__).parent
+GONE = {
+    "TwistedMedium": "TwistModuli",
+    "PowerLawMedium": "PowerOfDepth",
+    "DepthVaryingMedium": "PressedWaves",
+    "LayeredBody": "LayerStack",
+    "TwistedLayers": "TwistedWaves",
+    "PushedLayers": "PushedWaves",
+    "CoatedBody": "LayerStack",
+    "StackedBody": "LayerStack",
+    "SlidingStack": "StackMedium",
+    "is_bonded": "Layer.bonded, StackLayer.bonded",
+}
+"""Classes and functions that are no more, and what stands for them."""
+OFFERING = {
+    "CoatedHalfSpace",
+    "StackedHalfSpace",
+    "SlidingFilm",
+    "StackMedium",
+    "LayeredMedium",
+    "DepthGradedHalfSpace",
+}
+OFFERING |= {"GradedHalfSpace"}
+"""Media that are asked by `winkler.media.offers` for what they offer, never for their class."""
+SOLVERS = ("problems", "foundation", "fitting", "peaks.py", "fields.py", "punch_staircase.py", "media")
+
+
+def trees(*parts: str) -> list[tuple[str, ast.Module]]:
+    files = [
+        file for part in parts for file in ([SOURCE / part] if part.endswith(".py") else (SOURCE / part).rglob("*.py"))
+    ]
+    return [(str(file.relative_to(SOURCE)), ast.parse(file.read_text())) for file in files]
+
+
+def names_in(node: ast.AST) -> set[str]:
+    """Return the names that a definition, a reading or an import brings in."""
+    if isinstance(node, ast.ClassDef | ast.FunctionDef):
+        return {node.name}
+    if isinstance(node, ast.ImportFrom):
+        return {one.name for one in node.names}
+    return {node.id} if isinstance(node, ast.Name) else set()
+
+
+def test_replaced_names_are_gone():
+    found = [
+        f"{file}: {name}, now {GONE[name]}"
+        for file, tree in trees(".")
+        for node in ast.walk(tree)
+        for name in names_in(node) & GONE.keys()
+    ]
+    assert not found
+    assert not [part for part in ("media/families.py", "media/stacked") if (SOURCE / part).exists()]
+
+
+def test_solvers_ask_for_offers_and_not_for_classes():
+    asked = []
+    for file, tree in trees(*SOLVERS):
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("isinstance", "is_a"):
+                kinds = {part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name)} & OFFERING
+                asked += [f"{file}:{node.lineno} {kind}" for kind in sorted(kinds)]
+    assert not asked
