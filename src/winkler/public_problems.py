@@ -32,7 +32,12 @@ from winkler.problems.heating.transient import TransientHeating, TransientHeatin
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
 from winkler.problems.line.adhesion import LayeredLineAdhesionSolution, LineAdhesion, LineAdhesionSolution
-from winkler.problems.line.indentation import LayeredLineSolution, LineIndentation, LineSolution
+from winkler.problems.line.indentation import (
+    LayeredLineSolution,
+    LineIndentation,
+    LineSolution,
+    PowerLawLineSolution,
+)
 from winkler.problems.line.layered_stress import LayerStress
 from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
@@ -115,27 +120,30 @@ from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
 from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
-from winkler.problems.wear.line_limiting_profile import LineLimitingProfile, LineLimitingSolution
+from winkler.problems.wear.line_limiting_profile import (
+    LayeredLineLimitingSolution,
+    LineLimitingProfile,
+    LineLimitingSolution,
+)
 from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingWear
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
-    "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution",
-    "BandHeating", "BandHeatingSolution",
-    "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution", "ConductanceBounds",
-    "ConductanceBoundsSolution", "Constriction", "ConstrictionSolution", "ContactLaw", "ContactLawSolution",
-    "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest", "Creepage",
-    "CurrentFields", "ElasticPlasticParticle",
-    "ElastomerFriction", "ElastomerFrictionSolution", "EllipticFields", "EllipticFrictionHeating",
-    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear",
-    "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "Equilibrium", "EquilibriumCurve",
-    "FlowFactors", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution", "BandHeating",
+    "BandHeatingSolution", "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution",
+    "ConductanceBounds", "ConductanceBoundsSolution", "Constriction", "ConstrictionSolution", "ContactLaw",
+    "ContactLawSolution", "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce",
+    "CreepTest", "Creepage", "CurrentFields", "ElasticPlasticParticle", "ElastomerFriction",
+    "ElastomerFrictionSolution", "EllipticFields", "EllipticFrictionHeating", "EllipticFrictionHeatingSolution",
+    "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear", "EllipticWearSolution",
+    "EllipticYieldOnset", "EllipticYieldOnsetSolution", "Equilibrium", "EquilibriumCurve", "FlowFactors",
+    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "HarmonicIndentation", "HeatFields",
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "JointStiffness", "JointStiffnessSolution",
-    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress",
-    "LayeredLineAdhesionSolution", "LayeredLineSolution", "LimitingProfile",
-    "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
+    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineAdhesionSolution",
+    "LayeredLineLimitingSolution", "LayeredLineSolution", "LimitingProfile", "LimitingSolution", "LineAdhesion",
+    "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
     "LineFields", "LineForcePath", "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating",
     "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePartOnset",
     "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
@@ -145,24 +153,24 @@ __all__ = [
     "LineYieldOnset", "LineYieldOnsetSolution", "MapStress", "MapStressSolution", "MasterCurve", "MasterCurveSolution",
     "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling", "OscillatingRollingSolution", "PartOnset",
     "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase", "PoroelasticRelaxation",
-    "PoroelasticSolution", "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution", "ProfilePairSolution",
-    "ProfilePatch", "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution",
-    "Reduction", "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationSpectrum",
-    "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution",
-    "RollingStart", "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation",
-    "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "SimplifiedRolling", "SimplifiedRollingSolution",
-    "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin",
-    "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion", "SurfaceAdhesionSolution",
-    "SurfaceConduction", "SurfaceConductionSolution", "SurfaceConstriction", "SurfaceConstrictionSolution",
-    "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution",
-    "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution",
-    "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
-    "SurfaceWear", "SurfaceWearSolution", "Tangential", "TangentialSolution", "ThermalConstriction",
-    "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution", "Torsion", "TorsionSolution",
-    "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields", "Uncalibrated",
-    "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact", "ViscoelasticImpactSolution",
-    "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential", "ViscoelasticTangentialSolution",
-    "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile",
-    "flow_factors", "linear_creep_coefficients", "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce",
-    "restore_conduction", "tabor_parameter", "which_model",
+    "PoroelasticSolution", "PowerLawLineSolution", "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution",
+    "ProfilePairSolution", "ProfilePatch", "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction",
+    "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution",
+    "RelaxationSpectrum", "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling",
+    "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact", "RoughContactSolution",
+    "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "SimplifiedRolling",
+    "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear",
+    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion",
+    "SurfaceAdhesionSolution", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceConstriction",
+    "SurfaceConstrictionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating",
+    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
+    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
+    "SurfaceTangential", "SurfaceTangentialSolution", "SurfaceWear", "SurfaceWearSolution", "Tangential",
+    "TangentialSolution", "ThermalConstriction", "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution",
+    "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution",
+    "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
+    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
+    "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
+    "design_for_pressure", "design_profile", "flow_factors", "linear_creep_coefficients", "maugis_parameter",
+    "mean_separation", "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter", "which_model",
 ]  # fmt: skip

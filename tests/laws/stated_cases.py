@@ -452,3 +452,24 @@ def springs_under_a_sphere(rng):
     known = wk.Tangential(bed, wk.Coulomb(0.4), path).solve()
     stated = next(re.search(r"is below (\S+) of", str(note)) for note in marched.validity if "springs: " in str(note))
     return float(stated[1]), change(marched.shear_force, known.shear_force, 0.4 * np.max(known.force))
+
+
+@states("EllipticSolution.grid_error", "EllipticSolution.edge_error", "NearlyRoundSolution.grid_error",
+        "NearlyRoundSolution.edge_error", "problems.pressed_shape.notes")  # fmt: skip
+def shapes_by_pixels(rng):
+    """Balls pressed by pixels on random coatings; the round engine has the true numbers."""
+    layer, base = wk.Elastic(10.0 ** rng.uniform(-1.5, 1.3), rng.uniform(0.0, 0.45)), wk.Elastic(1.0, 0.3)
+    coat = wk.CoatedHalfSpace([wk.Layer(layer, 0.1 * 10.0 ** rng.uniform(-1, 0.7))], on=base)
+    ball = wk.Indentation(wk.Foundation(wk.Paraboloid(10.0), coat), wk.Radius(0.1)).solve()
+    load = wk.Force(float(ball.force)) if rng.random() < 0.5 else wk.Depth(float(ball.depth))
+    if rng.random() < 0.5:
+        found = wk.NearlyRoundIndentation((wk.Paraboloid(10.0),) * 8, coat, load).solve()
+        errors, edges = (found.depth / ball.depth, found.force / ball.force), found.contour / 0.1
+    else:
+        found = wk.EllipticIndentation(wk.CurvedBodies(10.0, 10.0), coat, load).solve()
+        errors = found.depth / ball.depth, found.force / ball.force, found.peak_pressure / ball.peak_pressure
+        edges = np.array(
+            [found.longitudinal_semi_axis / 0.1, found.lateral_semi_axis / 0.1, found.area * 100.0 / math.pi]
+        )
+    edges = np.append(edges, found.stiffness / ball.stiffness)
+    return exceeded((found.grid_error, change(errors, 1.0)), (found.edge_error, change(edges, 1.0)))

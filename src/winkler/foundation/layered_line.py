@@ -1,6 +1,7 @@
 r"""The bed of a line contact on layers: a two-dimensional profile on a coated half-plane or a strip on a rigid base.
 
-The layers are isotropic or transversely isotropic, bonded or sliding: only their responses count.
+The layers are isotropic or transversely isotropic, bonded or sliding, or a body is graded with depth: only their
+responses count.
 
 The uppermost layer's half-plane carries :math:`E^*w(a)` as it does without layers; what the others add is the
 correction :math:`\beta` of `winkler.numerics.transforms.strip_equation`, with which
@@ -17,7 +18,7 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import Annotated, ClassVar, NamedTuple
+from typing import Annotated, ClassVar, NamedTuple, cast
 
 import numpy as np
 
@@ -28,22 +29,29 @@ from winkler.foundation.line_bed import LineBed
 from winkler.foundation.periodic import from_line
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves, plane_waves
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.depth_response import GradedBody
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, PlaneWaves, plane_waves
+from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
+from winkler.numerics.transforms import strip_punches
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded
+from winkler.numerics.transforms.layered_strips import LayeredStrips
 from winkler.numerics.transforms.strip_equation import (
     TAIL,
     VANISHED,
     StripResponse,
+    Strips,
     Waves,
     octaves,
     settled_strips,
     strip_responses,
+    summed,
     waves,
 )
 from winkler.numerics.transforms.strip_modes import (
@@ -54,7 +62,7 @@ from winkler.numerics.transforms.strip_modes import (
     pressure_of_modes,
     signs,
 )
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
@@ -71,6 +79,8 @@ STEP = 1e-4
 """Of differences, over the length that is changed."""
 KERNEL_TOLERANCE = 1e-12
 """Error of what the layers add to the displacement of an element, over its greatest value."""
+SUMMED = 2e-15
+"""Rounding of a sum of waves, over the sum of their sizes."""
 MOST_KEPT = 4096
 """Half-widths whose modes are kept of one bed."""
 MOST_EXAMINED = 16
@@ -139,9 +149,9 @@ class LayeredLineFoundation(LineBed):
     ----------
     profile : Profile
         The gap f between the undeformed bodies, as of `LineFoundation`.
-    medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm or PlaneLayers
-        Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, against a
-        homogeneous body.
+    medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or PlaneMedium
+        Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, or a body graded
+        with depth; against a homogeneous body.
 
     References
     ----------
@@ -151,7 +161,7 @@ class LayeredLineFoundation(LineBed):
 
     profile: Profile
     medium: Annotated[
-        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | PlaneLayers,
+        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | PlaneMedium,
         Advice("homogeneous bodies go into a LineFoundation"),
     ]
 
@@ -164,8 +174,36 @@ class LayeredLineFoundation(LineBed):
     @property
     def half_plane(self) -> LineFoundation:
         """The same profile on a half-plane of the uppermost layer."""
-        top = self.medium.layers[0].solid
-        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(top, self.medium.second))
+        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(self.layered_body.top, self.medium.second))
+
+    @property
+    def layered_body(self) -> Layered:
+        """The layered body, as what it answers to waves."""
+        return cast(PlaneMedium, self.medium).response.first
+
+    @property
+    def layered(self) -> PlaneLayers:
+        """The medium, if it has layers.
+
+        Raises
+        ------
+        OutsideValidity
+            If it is a grading, in which stresses are not known.
+        """
+        self._refuse_grading(
+            "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading"
+        )
+        return cast(PlaneLayers, self.medium)
+
+    def _refuse_grading(self, why: str) -> None:
+        if isinstance(self.layered_body, GradedBody):
+            raise OutsideValidity(f"{why} give a CoatedHalfSpace of layers that follow it.")
+
+    def _refuse_sticking_grading(self) -> None:
+        self._refuse_grading(
+            "Lines stick on layers and on homogeneous bodies; the edges of flat punches on a grading, whose waves fall "
+            "slowly, are not built in:"
+        )
 
     def own_modes(self, half_width: Array) -> Array | None:
         """Return the modes of the half-planes' pressures ``(a, n)``, as of `smooth_modes`."""
@@ -185,7 +223,8 @@ class LayeredLineFoundation(LineBed):
 
     def solved(self, half_width: Array) -> StripResponse:
         """Return what the layers add under strips [m]."""
-        return strip_responses(self.medium.response, half_width, self.own_transforms)
+        slopes = self.half_plane.load_profile_slope(half_width)
+        return strip_responses(self.medium.response, half_width, self.own_transforms, slopes)
 
     def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
         """Return the pressure of a strip as waves, for places up to a distance [m] from the middle."""
@@ -194,7 +233,7 @@ class LayeredLineFoundation(LineBed):
         def transform(k: Array) -> Array:
             return np.asarray(self.medium.modulus * self.transform(k, carried))
 
-        return plane_waves(self.medium, half_width, farthest, transform)
+        return plane_waves(self.layered, half_width, farthest, transform)
 
     def refuse_dragged(self, friction: float) -> None:
         """Refuse friction [-] where a layer slides on what lies below it."""
@@ -204,7 +243,7 @@ class LayeredLineFoundation(LineBed):
     @property
     def surfaces(self) -> tuple[Body, Body]:
         """The solid of the uppermost layer, and the second body."""
-        return self.medium.layers[0].solid, self.medium.second
+        return self.layered_body.top, self.medium.second
 
     @property
     def similar(self) -> bool:
@@ -214,12 +253,12 @@ class LayeredLineFoundation(LineBed):
     @property
     def strained(self) -> Body:
         """What carries the layers, which a bulk stress strains together with them."""
-        return self.medium.on
+        return self.layered_body.on
 
     @property
     def trial(self) -> float:
-        """Half of the thickness of the uppermost layer [m]."""
-        return 0.5 * self.medium.layers[0].thickness
+        """Half of the thickness of the uppermost layer, or of the depth over which a grading changes [m]."""
+        return 0.5 * self.layered_body.unit[1]
 
     @property
     def single(self) -> bool:
@@ -249,6 +288,7 @@ class LayeredLineFoundation(LineBed):
 
     def edge_share(self, half_width: Array) -> Array:
         """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
+        self._refuse_sticking_grading()
         half_width = np.asarray(half_width, dtype=float)
         result, touching = np.ones(half_width.shape), half_width > 0.0
         if touching.any():
@@ -261,6 +301,7 @@ class LayeredLineFoundation(LineBed):
         A punch that widens adds a pressure whose singularity is that of the derivative of 1/sqrt(a^2 - x^2): of the
         half-plane's, -k J_1(ka), the layers take away what closes at the edge.
         """
+        self._refuse_sticking_grading()
         half_width = np.asarray(half_width, dtype=float)
         result, touching = np.zeros(half_width.shape), half_width > 0.0
         if touching.any():
@@ -347,6 +388,7 @@ class LayeredLineFoundation(LineBed):
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
         response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
+        _ = self.medium.coupling_response  # what rolls on a grading would need it, and is refused
         found = waves(response, int(octaves(response, away[-1:])[0]))
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
         near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
@@ -361,6 +403,7 @@ class LayeredLineFoundation(LineBed):
         names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
         response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
         far = x[:, None] - nodes
+        _ = self.medium.coupling_response  # as in `hat_compliance`
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
         unit = response.length * 2.0**octave
         if part is Wave.COUPLING:
@@ -381,10 +424,35 @@ class LayeredLineFoundation(LineBed):
         """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`."""
         response, one = self.medium.along_response, np.array([half_width])
         found = waves(response, int(octaves(response, one)[0]))
-        punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size))).punch[0]
+        punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size)), np.zeros(1)).punch[0]
         rows = bessel_rows(found.k * half_width, punch.size)
         felt = float(((punch * signs(punch.size)) @ rows * rows[0] - 1.0) @ found.weights)
+        felt += float((np.sum(punch) / (np.pi * found.shorter * half_width) - 1.0) @ found.shares)
         return LineBed.stuck_compliance(self, half_width, unit) + 2.0 / np.pi * self.along_share * felt
+
+    def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
+        """Return how steep flat punches are that press and that push, as of `LineBed.punch_edges`."""
+        self._refuse_worn_grading()
+        pressed, pushed = (
+            strip_punches.edge(of, half_width) for of in (self.medium.response, self.medium.along_response)
+        )
+        return pressed, pushed
+
+    def _refuse_worn_grading(self) -> None:
+        self._refuse_grading(
+            "Lines wear on layers and on homogeneous bodies; flat punches of all widths on a grading, whose waves fall "
+            "slowly, are not built in:"
+        )
+
+    def grid_transforms(self, nodes: Array) -> LayeredStrips:
+        """Return the transforms of worn contacts between nodes [m]."""
+        self._refuse_worn_grading()
+        return LayeredStrips(nodes, self.medium.response)
+
+    def shear_transforms(self, nodes: Array) -> LayeredStrips:
+        """Return the same of tractions along the strip's width."""
+        self._refuse_worn_grading()
+        return LayeredStrips(nodes, self.medium.along_response)
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a, by small differences."""
@@ -481,6 +549,13 @@ class PeriodicLayers(LayeredLineFoundation):
 
     pitch: Positive
 
+    def __post_init__(self) -> None:
+        LayeredLineFoundation.__post_init__(self)
+        self._refuse_grading(
+            "Many strips press on layers and on homogeneous bodies; sums over the waves of their pitch, which fall "
+            "slowly on a grading, are not built in:"
+        )
+
     @property
     def discrete(self) -> Waves:
         """The waves, and 2 pi M / (lambda k)."""
@@ -492,7 +567,7 @@ class PeriodicLayers(LayeredLineFoundation):
                 f"{response.length:.6g} m: {count} waves would be felt, {MOST_HARMONICS} at most; give a thicker layer."
             )
         k = 2.0 * math.pi / self.pitch * np.arange(1, count + 1)
-        return Waves(k, 2.0 * math.pi / self.pitch * response.excess(k) / k)
+        return Waves(k, 2.0 * math.pi / self.pitch * response.excess(k) / k, np.zeros(0), np.zeros(0))
 
     def rows(self, half_width: Array, count: int, orders: int) -> Array:
         """Return B_n(m) of so many modes for m = 1 ... `orders` under strips of half-widths over u ``(a, n, m)``."""
@@ -531,9 +606,12 @@ class PeriodicLayers(LayeredLineFoundation):
             octave = max(0.0, float(np.log2(np.max(a) / self.medium.response.length)))
             rounding, pressed = VANISHED * 2.0 ** (0.5 * octave), self.own_transforms(a, found.k)
             first = min(FIRST_MODES + 8 * math.ceil(octave), whole)
-            return settled_strips(
-                lambda count: self.rows(a, count, found.k.size), found.weights, pressed, first, rounding, whole
-            )
+
+            def equation(count: int) -> tuple[Array, Array]:
+                return summed(self.rows(a, count, found.k.size), found.weights, pressed)
+
+            strips = Strips(from_line(a, self.pitch), np.abs(pressed[:, 0]), equation)
+            return settled_strips(strips, first, rounding, whole)
 
         parts = [settled(half_width[i : i + step]) for i in range(0, half_width.size, step)]
         most = max(part.closing.shape[1] for part in parts)
@@ -589,6 +667,10 @@ class ZonedLayers(LayeredLineFoundation):
     contact: NonNegative
     outer: Positive
 
+    def __post_init__(self) -> None:
+        LayeredLineFoundation.__post_init__(self)
+        self._refuse_sticking_grading()
+
     @property
     def half_plane(self) -> ZonedBed:
         """The same on a half-plane of the uppermost layer."""
@@ -620,6 +702,7 @@ def _of_punches(widths: Array, loads: Array, k: Array) -> Array:
 
 def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength: float) -> EndedZones:
     """Return strips beside which a stress [Pa] attracts over the spans l [m]."""
+    bed._refuse_sticking_grading()
     response, plain, outer = bed.medium.response, bed.half_plane, np.hypot(half_width, span)
     ends = dict(zip(half_width.tolist(), span.tolist(), strict=True))
     node, weight = gauss_legendre(
@@ -639,7 +722,7 @@ def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength:
     closing, added = np.zeros(half_width.size), np.zeros((2, half_width.size, 1))
     (strips,) = np.nonzero(half_width > 0.0)
     if strips.size:
-        found = strip_responses(response, half_width[strips], pressed)
+        found = strip_responses(response, half_width[strips], pressed, np.zeros(strips.size))
         order = np.arange(found.closing.shape[1])
         added = np.zeros((2, half_width.size, order.size))
         added[:, strips] = found
@@ -666,7 +749,8 @@ def _edge_slopes(bed: LayeredLineFoundation, half_width: Array) -> Array:
 
     punch = _responses(bed, half_width).punch
     share, order = np.sum(punch, axis=1), np.arange(punch.shape[1])
-    widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k))
+    none = np.zeros(half_width.size)  # the waves of no grading, which alone ask for slopes
+    widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k), none)
     return np.asarray(2.0 / half_width * (punch @ order**2) - share**2 * widened.closing[:, 0])
 
 
@@ -674,14 +758,14 @@ def _turns(found: Waves, x: Array) -> Array:
     """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
     step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
     rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
-    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights))
+    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights) + np.sum(found.shares))
 
 
 @cached_by_value(64)
 def _twists(response: WaveResponse, octave: int) -> Panels:
     """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
     found, unit = waves(response, octave), response.length * 2.0**octave
-    return fit_panels(lambda t: _turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+    return _panels(lambda t: _turns(found, unit * t) / unit, found)
 
 
 @cached_by_value(64)
@@ -694,7 +778,14 @@ def _bends(response: WaveResponse, octave: int) -> Panels:
         half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
         return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
 
-    return fit_panels(bent, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+    return _panels(bent, found)
+
+
+def _panels(function: Curve, found: Waves) -> Panels:
+    """Return a sum of these waves from 0 to 2 as panels, no more precise than its rounding."""
+    greatest = float(np.max(np.abs(function(np.array([1.0, 2.0])))))
+    rounding = SUMMED * float(np.sum(np.abs(found.weights)))
+    return fit_panels(function, np.array([0.0, 2.0]), max(KERNEL_TOLERANCE * max(1.0, greatest), rounding))
 
 
 @functools.lru_cache(maxsize=16)
@@ -711,8 +802,8 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
         if len(kept) > MOST_KEPT:
             kept.clear()
             missing = np.unique(half_width)
-        top = bed.medium.layers[0].thickness
-        if missing[-1] > WIDEST * top:
+        response, top = bed.medium.response, bed.layered_body.unit[1]
+        if response.smooth == response.length and missing[-1] > WIDEST * top:
             raise OutsideValidity(
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
                 f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."

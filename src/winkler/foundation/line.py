@@ -44,6 +44,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.transforms.abel_intervals import noise
+from winkler.numerics.transforms.strip_transforms import StripTransforms
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.flat import CappedCylinder
@@ -219,6 +220,10 @@ class LineFoundation(LineBed):
         angles = np.arcsin(np.minimum(edges / half_width, 1.0))
         share = self.medium.modulus * half_width**2 / (4.0 * self._round)
         return np.asarray(share * np.diff(0.5 * np.sin(2.0 * angles) + angles) / np.diff(edges))
+
+    def grid_transforms(self, nodes: Array) -> StripTransforms:
+        """Return the transforms of worn contacts between nodes [m]."""
+        return StripTransforms(nodes)
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside."""

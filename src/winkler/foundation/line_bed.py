@@ -11,6 +11,7 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.wave_constants import Body, Wave, constants_of, half_space_compliance
 from winkler.numerics.surfaces.strip_elements import element_compliance, hats, linear_slope
 from winkler.numerics.surfaces.strip_grid import strip_compliance
+from winkler.numerics.transforms.grid_transforms import GridTransforms
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
@@ -319,9 +320,32 @@ class LineBed:
         """
         return -2.0 / math.pi * self.along_share * math.log(0.5 * half_width / unit)
 
+    @property
+    def layered(self) -> Any:
+        """The medium, if it has layers."""
+        raise NotImplementedError
+
     def waves_below(self, half_width: float, rim_load: float, farthest: float) -> Any:
         """Return the pressure of a strip as waves that layers feel, for places up to a distance [m]."""
         raise NotImplementedError
+
+    def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
+        """Return the loads over E* at the edges of flat punches that bear one: of those that press, and that push.
+
+        Parameters
+        ----------
+        half_width : ndarray, (m,)
+            a [m].
+        """
+        return np.ones(half_width.shape), np.ones(half_width.shape)
+
+    def grid_transforms(self, nodes: Array) -> GridTransforms:
+        """Return the transforms of worn contacts between nodes [m] ``(n,)``."""
+        raise NotImplementedError
+
+    def shear_transforms(self, nodes: Array) -> GridTransforms:
+        """Return the same of tractions along the strip's width, as of `grid_transforms` if they move surfaces alike."""
+        return self.grid_transforms(nodes)
 
     def opening(self, x: Array, half_width: float) -> Array:
         """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""

@@ -234,6 +234,11 @@ class PeriodicBed:
         """Places [m] and strengths over u."""
         return tuple((float(from_line(np.array(b), self.pitch)), strength) for b, strength in self.line.kinks)
 
+    @property
+    def layered(self) -> Any:
+        """The medium, if it has layers."""
+        return self.line.layered
+
     def slope(self, x: Array) -> Array:
         """df/du [-]."""
         return self.line.slope(to_line(x, self.pitch))

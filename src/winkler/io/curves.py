@@ -23,13 +23,13 @@ from winkler.io.foreign import in_file, quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.instruments.find import instrument_tests
 from winkler.io.instruments.instrument_test import InstrumentTest
+from winkler.io.instruments.tests_side_by_side import tests_side_by_side
 from winkler.io.instruments.to_curve import curves_of_test
 from winkler.io.memory import limited_memory
 from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
 from winkler.io.tables.given_units import checked_units
-from winkler.io.tables.tests_side_by_side import tests_side_by_side
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 

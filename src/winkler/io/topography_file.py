@@ -43,9 +43,9 @@ def read_topography(
     Parameters
     ----------
     path : str or path
-        A matrix of heights as text (tabs, semicolons, commas or spaces between them; every line runs along the second
-        direction; nan, nothing, or a number that instruments write for it (-25400, -9999, 32767, 1e10 ...), far from all
-        others, where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
+        A matrix of heights as text (tabs, semicolons, commas or spaces between; every line runs along the second
+        direction; nan, nothing, or a number that instruments write for it (-25400, -9999, 1e10 ...), far from others,
+        where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
         file; an NPZ file with ``heights`` and, if they are known, ``lengths``, ``unit`` and ``periodic``; or a file
         that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf, Zygo, Gwyddion, X3P and some forty
         others; or a container (zip) that contact.engineering has published, whose maps come as its authors prepared

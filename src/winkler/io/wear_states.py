@@ -13,6 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
@@ -76,12 +77,14 @@ def write_wear(states: Sequence[WearState | LineWearState], path: str | os.PathL
 
 
 @reader("wear")
-def read_wear(bed: Foundation | LineFoundation, path: str | os.PathLike[str]) -> tuple[WearState | LineWearState, ...]:
+def read_wear(
+    bed: Foundation | LineFoundation | LayeredLineFoundation, path: str | os.PathLike[str]
+) -> tuple[WearState | LineWearState, ...]:
     """Return states of wear as they were saved.
 
     Parameters
     ----------
-    bed : Foundation or LineFoundation
+    bed : Foundation, LineFoundation or LayeredLineFoundation
         The springs before wear, of the problem whose states they are.
     path : str or path
         A file that `write_wear` wrote.

@@ -100,13 +100,8 @@ class PressedWaves(Medium, Protocol):
         ...
 
 
-class TwistedWaves(TwistModuli, Protocol):
+class TwistedWaves(PressedWaves, TwistModuli, Protocol):
     """The responses of layers to a pressure and to a twist."""
-
-    @property
-    def response(self) -> GridWaves:
-        """The response of the pair to a pressure."""
-        ...
 
     @property
     def across_response(self) -> GridWaves:
@@ -194,11 +189,6 @@ class GradedInDepth(PushedWaves, Protocol):
     @property
     def grading(self) -> DepthGrading:
         """E(z) and nu(z)."""
-        ...
-
-    @property
-    def second(self) -> Elastic | Rigid:
-        """The other body."""
         ...
 
     @property

@@ -12,7 +12,7 @@ import winkler as wk
 from winkler.media.layered.across import across_added, across_inside
 from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
-from winkler.media.layered.wave_constants import Wave
+from winkler.media.layered.wave_constants import Wave, constants_of
 
 XI_H = (1e-12, 1e-8, 1e-4, 1e-2, 0.3, 0.999, 1.001, 2.0, 5.0, 20.0, 100.0, 700.0)
 POISSON = (0.0, 0.2, 0.3, 0.45, 0.4999, 0.4999999, 0.5)
@@ -195,3 +195,20 @@ def test_a_wave_across_keeps_its_digits_at_depth():
             for part, reference in zip(found, references, strict=True):
                 # only what a layer adds may vanish, on the surface
                 assert abs(mp.mpf(float(part)) - reference) <= allowed * abs(reference), (own, x, start)
+
+
+def test_decay_is_finite_on_a_turned_path_where_exponents_are_complex():
+    """The regression of issue 39: inf times zero from (p^2 - 4 q) / 4 < 0 and 800 of xi h on; by mpmath there."""
+    constants = constants_of(wk.TransverselyIsotropic(c11=1.2, c12=0.3, c13=0.5, c33=1.5, c44=0.6))
+    assert constants.split < 0.0
+    x = np.array([1.0, 30.0, 800.0, 1e5]) * np.exp(1j * np.pi / 12.0)
+    found = np.array(constants.decay(x))
+    assert np.all(np.isfinite(found))
+    with mp.workdps(40):
+        matrix = mp.matrix([[constants.total, -constants.product], [1.0, 0.0]])
+        for place in (0, 1):
+            expected = mp.expm(-matrix * mp.mpc(x[place]))
+            np.testing.assert_allclose(
+                found[:, place], [complex(expected[i, j]) for i in (0, 1) for j in (0, 1)], rtol=1e-12
+            )
+    assert np.max(np.abs(found[:, 2:])) < 1e-200

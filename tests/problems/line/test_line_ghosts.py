@@ -168,6 +168,9 @@ ON_LAYERS = (
     "LineConstriction",
     "LineYieldOnset",
     "LineAdhesion",
+    "LineLimitingProfile",
+    "LineFrettingWear",
+    "LineSlidingWear",
     *ROLLING,
 )
 

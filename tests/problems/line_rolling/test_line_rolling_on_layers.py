@@ -254,3 +254,9 @@ def test_notes_and_fields_of_a_cylinder_that_rolls_on_layers():
     free = rolled(bed, 1.0, 0.0, coupled=True)
     assert "act on each other, both ways" in " ".join(note.statement for note in free.validity)
     assert free.longitudinal_creepage != 0.0
+
+
+def test_a_narrow_contact_on_a_layer_feels_no_base_that_is_ten_thousand_times_as_soft():
+    """Sums of waves round at 1e-10 there, and were asked to be exact to 1e-12: `NotConverged`."""
+    found = rolled(coated(1e-4), 1e-3, 0.5)
+    assert found.longitudinal_creepage == pytest.approx(MU * 1e-3 * (1.0 - np.sqrt(0.5)), rel=1e-4)

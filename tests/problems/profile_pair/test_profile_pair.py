@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
@@ -229,3 +230,39 @@ def test_refusals():
     found = wk.ProfilePair(narrow, arc(-0.1), PAIR, wk.Force(50e3), second_radius=0.1, pixels=32).solve()
     assert found.cut
     assert any(note.standing is wk.Standing.OUTSIDE for note in found.validity)
+
+
+RATIOS = [(0.1, 3.0), (10.0, 0.3), (0.1, 0.3), (0.1, 10.0), (10.0, 3.0), (10.0, 10.0)]
+
+
+@pytest.mark.parametrize(
+    ("contrast", "ratio"), [pytest.param(*pair, marks=[pytest.mark.slow] if n else []) for n, pair in enumerate(RATIOS)]
+)
+def test_a_ball_on_a_coating_is_that_of_the_round_engine(contrast, ratio):
+    """Another derivation (springs of flat punches); the base is felt: its half-space gives other pressures."""
+    y = np.linspace(-2e-3, 2e-3, 81)
+    ball = wk.CrossProfile(y, 10e-3 - np.sqrt(10e-3**2 - y**2))
+    coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(contrast * 210e9, 0.25), 100e-6 / ratio)], on=STEEL)
+    true = wk.Indentation(wk.Foundation(wk.Sphere(10e-3), coat), wk.Radius(100e-6)).solve()
+    pair = wk.ProfilePair(wk.CrossProfile(y, 0.0 * y), ball, coat, wk.Force(float(true.force)), second_radius=10e-3)
+    found = pair.solve()
+    assert found.depth == pytest.approx(true.depth, rel=1e-4)
+    assert found.peak_pressure == pytest.approx(true.peak_pressure, rel=min(found.grid_error, 3e-3))
+    assert "layers" in found.validity[0].statement
+    with pytest.raises(wk.InvalidInput, match="homogeneous"):
+        wk.ProfilePairRolling(pair, wk.Coulomb(0.3))
+    assert abs(dataclasses.replace(pair, medium=PAIR).solve().peak_pressure / found.peak_pressure - 1.0) > 0.02
+
+
+@pytest.mark.slow
+def test_places_far_from_each_other_sink_each_other_through_the_base():
+    """Two arcs on a soft coating: each is a ball under half of the load, which the other one sinks as on bare steel."""
+    y = np.linspace(-30e-3, 30e-3, 241)
+    hills = wk.CrossProfile(y, 100e-3 - np.sqrt(100e-3**2 - (np.abs(y) - 15e-3) ** 2))
+    coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(21e9, 0.3), 50e-6)], on=STEEL)
+    found = wk.ProfilePair(wk.CrossProfile(y, 0.0 * y), hills, coat, wk.Force(200.0), second_radius=0.1).solve()
+    ball = wk.Indentation(wk.Foundation(wk.Paraboloid(0.1), coat), wk.Force(100.0)).solve()
+    sunk = 100.0 / (math.pi * wk.HalfSpace(STEEL).modulus * 30e-3)
+    assert sunk > 2e-3 * ball.depth
+    assert found.depth == pytest.approx(ball.depth + sunk, rel=5e-4)
+    assert found.windows == 2

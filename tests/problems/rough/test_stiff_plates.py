@@ -7,9 +7,9 @@ import pytest
 from scipy.optimize import nnls
 
 import winkler as wk
+from winkler.media.mapped import layers_of
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
-from winkler.problems.rough.mapped_medium import layers_of
 
 
 def plate(contrast, thickness):

@@ -1,6 +1,5 @@
 """Wear of line contacts: against boundary elements, closed forms, volumes and energies; and what is refused."""
 
-import dataclasses
 import itertools
 import math
 
@@ -295,12 +294,6 @@ def test_a_wrong_question_is_refused_in_one_sentence(changes, error, words):
 def test_places_that_are_none_are_refused(sought, x):
     with pytest.raises(wk.InvalidInput, match=f"LineLimitingSolution.{sought}: x"):
         getattr(limiting(), sought)(x)
-
-
-def test_slip_is_known_on_isotropic_bodies_only():
-    quartz = wk.TransverselyIsotropicHalfSpace(wk.TransverselyIsotropic(87e9, 7e9, 12e9, 106e9, 58e9))
-    with pytest.raises(wk.InvalidInput, match="isotropic"):
-        fretting(bed=dataclasses.replace(CYLINDER, medium=quartz))
 
 
 @pytest.mark.parametrize(

@@ -42,6 +42,8 @@ __all__ = ["is_curve_table", "read_curve_tables"]
 
 POSITION = Column("position", POSITION_NAMES, "m", "nm")
 DEPTH = Column("depth", DEPTH_NAMES, "m", "nm")
+GAP = Column("gap", ("gap", "spalt"), "m", "mm")
+"""Distance of the plates of a rheometer: it falls as they approach."""
 FORCE = Column("force", FORCE_NAMES, "N", "nN")
 DEFLECTION = Column("deflection", ("deflection", "cantilever", "defl"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", "defl"), "V")
@@ -65,7 +67,7 @@ def is_curve_table(path: str | os.PathLike[str]) -> bool:
 
 
 def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
-    pairs = ((place, load) for place in (POSITION, DEPTH) for load in (FORCE, DEFLECTION, VOLTAGE))
+    pairs = ((place, load) for place in (POSITION, DEPTH, GAP) for load in (FORCE, DEFLECTION, VOLTAGE))
     return any(names_columns(path, pair, head=head) for pair in pairs)
 
 
@@ -118,7 +120,7 @@ def read_curve_tables(
     table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True)
     found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
     stiffness = _stiffness(path, head, spring_constant)
-    position, force = table.values[:, 0], table.values[:, 1]
+    position, force = table.values[:, 0] * (-1.0 if place is GAP else 1.0), table.values[:, 1]
     if load is not FORCE:
         if stiffness is None:
             raise InvalidInput(
@@ -127,13 +129,14 @@ def read_curve_tables(
         if load is VOLTAGE and sensitivity is None:
             raise InvalidInput(f"{path}: the deflection is a voltage; give sensitivity, deflection per volt in m/V.")
         force = force * stiffness * (sensitivity if load is VOLTAGE and sensitivity is not None else 1.0)
-    if place is POSITION and stiffness is None:
+    travels = place in (POSITION, GAP)
+    if travels and stiffness is None:
         raise InvalidInput(
-            f"{path}: the table holds a position ({', '.join(POSITION.names[:3])} ...) and so the depth needs the "
+            f"{path}: the table holds a {place.word} ({', '.join(place.names[:3])} ...) and so the depth needs the "
             "bending of the cantilever; give spring_constant in N/m, infinite where the position is the travel of the "
             "tip itself."
         )
-    machine = stiffness if place is POSITION and stiffness is not None else math.inf
+    machine = stiffness if travels and stiffness is not None else math.inf
     none = np.zeros(0)
     read_as = dict(zip(("place", "load", *found), table.read_as, strict=True))
     measured = "stiffness" in found and place is DEPTH
@@ -148,11 +151,13 @@ def read_curve_tables(
         with in_file(path):
             continuous = loading_stiffness(at, load_at, found["stiffness"][part], time, name) if measured else None
             facts = (
-                f"{place.word} from '{read_as['place']}', {load.word} from '{read_as['load']}'"
+                f"{'position' if place is GAP else place.word} from '{read_as['place']}'"
+                + ", its sign changed" * (place is GAP)
+                + f", {load.word} from '{read_as['load']}'"
                 + (f", time from '{read_as['time']}'" if "time" in found else ""),
                 stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
                 segment_fact(at, load_at, segment, read_as.get("segment", "")),
-                _origin_of_spring(stiffness, spring_constant) if place is POSITION or load is not FORCE else "",
+                _origin_of_spring(stiffness, spring_constant) if travels or load is not FORCE else "",
                 f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
                 f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
                 f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
@@ -196,7 +201,9 @@ def _place(path: str | os.PathLike[str], head: Sequence[str], *, prefer_position
     position, depth = (names_columns(path, (column,), head=head) for column in (POSITION, DEPTH))
     if position and (prefer_position or not depth or _stated_cantilever(path, head) is not None):
         return POSITION
-    return DEPTH if depth else None
+    if depth:
+        return DEPTH
+    return GAP if names_columns(path, (GAP,), head=head) else None
 
 
 def _load(path: str | os.PathLike[str], head: Sequence[str], units: Mapping[str, str]) -> Column | None:

@@ -19,6 +19,9 @@ __all__ = ["Header", "header_lines", "header_of", "names_columns", "needs_of", "
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
 COMMENT_MARKS = "#% \t"
+MOST_EMPTY = 1
+"""Most empty rows between the names and their units."""
+LONGEST_UNIT = 12
 NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 NAME_LETTER = re.compile(r"[^\W\d_eE]")
 """A letter other than that of an exponent: rows of numbers have none."""
@@ -132,11 +135,11 @@ def _with_units(
     stated_units = zip(header.places, header.units, needs, strict=True)
     bare = [header.cells[place] for place, unit, need in stated_units if need and not unit]
     if bare:
-        below = cells_of(lines[header.line].lstrip(COMMENT_MARKS), header.separator) if header.line < len(lines) else []
+        below, skipped = _row_below(lines, header)
         wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
         missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
         if wanted and not any(missing):
-            header = header._replace(line=header.line + 1, units=tuple(wanted))
+            header = header._replace(line=header.line + 1 + skipped, units=tuple(wanted))
             where = f"{file}, line {header.line}"
         else:
             header = header._replace(
@@ -148,6 +151,31 @@ def _with_units(
             scale(unit, column.unit, what=f"{where}, {column.word}")
         refuse_contradiction(column, unit, given, where)
     return header._replace(units=plain)
+
+
+def _row_below(lines: Sequence[str], header: Header) -> tuple[list[str], int]:
+    """Return the cells of the row below the header, and how many empty rows lie between."""
+    for skipped in range(MOST_EMPTY + 1):
+        if header.line + skipped >= len(lines):
+            break
+        cells = cells_of(lines[header.line + skipped].lstrip(COMMENT_MARKS if not skipped else " "), header.separator)
+        if any(cell.strip() for cell in cells):
+            return cells, skipped
+    return [], 0
+
+
+def _are_units(cells: Sequence[str]) -> bool:
+    """Return whether a row holds units alone, such as the row below the names."""
+
+    def known(cell: str) -> bool:
+        try:
+            scale(cell, cell)
+        except InvalidInput:
+            return cell in CELSIUS
+        return True
+
+    texts = [cell.strip("[]() ") for cell in cells if cell.strip("[]()- ")]
+    return bool(texts) and all(len(text) <= LONGEST_UNIT and known(text) for text in texts)
 
 
 def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
@@ -164,7 +192,8 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
                 return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
             break
         if text:
-            above = next((cells for cells in splits if len(cells) > 1), [text])
+            row = next((cells for cells in splits if len(cells) > 1), [text])
+            above = row if not above or not _are_units(row) else above
     missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
     wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)

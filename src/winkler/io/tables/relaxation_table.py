@@ -17,26 +17,111 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.numerics.types import Array
 
 __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
-TIME = Column("time", ("time", "t"), "s", "s")
-FREQUENCY = Column("frequency", ("frequency", "f"), "Hz")
-ANGULAR = Column("angular frequency", ("angular_frequency", "angular frequency", "omega"), "rad/s")
+TIME = Column("time", ("time", "t", "step time", "test time", "zeit"), "s", "s")
+FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz"), "Hz")
+FREQUENCY_IN_RADIANS = Column(FREQUENCY.word, FREQUENCY.names, "rad/s")
+ANGULAR = Column(
+    "angular frequency",
+    (
+        "angular_frequency", "angular frequency", "omega", "w", "ω", "ang. freq.", "ang. freq", "ang. frequency"
+    ),
+    "rad/s",
+)  # fmt: skip
 SHEAR_MODULUS = Column(
-    "shear modulus", ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation"), "Pa", "kPa"
-)
+    "shear modulus",
+    ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation", "relaxation modulus"), "Pa", "kPa"
+)  # fmt: skip
 YOUNG_MODULUS = Column("Young's modulus", ("young", "e", "e(t)", "young's modulus", "tensile modulus"), "Pa", "kPa")
-SHEAR_COMPLIANCE = Column("shear compliance", ("compliance", "j", "j(t)", "shear compliance"), "1/Pa")
-TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
-SHEAR_STORAGE = Column("storage modulus in shear", ("storage_shear", "storage", "g'", "storage modulus"), "Pa", "kPa")
-SHEAR_LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "loss modulus"), "Pa", "kPa")
-TENSILE_STORAGE = Column(
-    "storage modulus in tension", ("tensile_storage", "e'", "tensile storage modulus"), "Pa", "MPa"
+SHEAR_COMPLIANCE = Column(
+    "shear compliance", ("compliance", "j", "j(t)", "shear compliance", "creep compliance"), "1/Pa"
 )
-TENSILE_LOSS = Column("loss modulus in tension", ("tensile_loss", "e''", 'e"', "tensile loss modulus"), "Pa", "MPa")
+TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
+SHEAR_STORAGE = Column(
+    "storage modulus in shear", ("storage_shear", "storage", "g'", "g_stor", "storage modulus"), "Pa", "kPa"
+)
+SHEAR_LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "g_loss", "loss modulus"), "Pa", "kPa")
+TENSILE_STORAGE = Column(
+    "storage modulus in tension", ("tensile_storage", "e'", "e_stor", "tensile storage modulus"), "Pa", "MPa"
+)
+TENSILE_LOSS = Column(
+    "loss modulus in tension", ("tensile_loss", "e''", 'e"', "e_loss", "tensile loss modulus"), "Pa", "MPa"
+)
+LOSS_FACTOR = Column(
+    "loss factor", ("tan delta", "tan_delta", "tan(delta)", "tan δ", "tan(δ)", "tanδ", "tand", "loss factor"), ""
+)
+SHEAR_COMPLEX = Column(
+    "complex modulus in shear", ("g*", "|g*|", "complex modulus", "complex shear modulus"), "Pa", "kPa"
+)
+TENSILE_COMPLEX = Column("complex modulus in tension", ("e*", "|e*|", "complex tensile modulus"), "Pa", "MPa")
+PHASE = Column("phase angle", ("delta", "δ", "phase", "phase angle"), "rad", "deg")
+
+
+def _of_loss(size: Array, other: Array) -> tuple[Array, Array]:
+    return size, other
+
+
+def _of_factor(size: Array, other: Array) -> tuple[Array, Array]:
+    return size, size * other
+
+
+def _of_phase(size: Array, other: Array) -> tuple[Array, Array]:
+    return size * np.cos(other), size * np.sin(other)
+
+
+MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, Array]]], ...] = (
+    (SHEAR_STORAGE, SHEAR_LOSS, False, _of_loss),
+    (TENSILE_STORAGE, TENSILE_LOSS, True, _of_loss),
+    (SHEAR_STORAGE, LOSS_FACTOR, False, _of_factor),
+    (TENSILE_STORAGE, LOSS_FACTOR, True, _of_factor),
+    (SHEAR_COMPLEX, PHASE, False, _of_phase),
+    (TENSILE_COMPLEX, PHASE, True, _of_phase),
+)
+"""Pairs of columns, whether they are of tension, and storage and loss from them."""
+
+
+def dynamic_rows(path: str | os.PathLike[str], further: tuple[Column, ...], poisson: float) -> tuple[Table, Array]:
+    """Return further columns, angular frequency [rad/s], storage and loss in shear [Pa] of a table.
+
+    A frequency in radians over time is angular, whatever its name.  Storage and loss stand there, or storage and loss
+    factor, or the complex modulus and the phase angle.
+
+    Parameters
+    ----------
+    path : str or path
+    further : tuple of Column
+    poisson : float
+        nu [-], for moduli in tension.
+
+    Raises
+    ------
+    InvalidInput
+        If columns, units or numbers are missing.
+    """
+    frequency = ANGULAR if names_columns(path, (*further, ANGULAR)) else FREQUENCY
+    first = (*further, frequency)
+    size, other, tensile, moduli = next(
+        (one for one in MODULI if names_columns(path, (*first, *one[:2]))),
+        next((one for one in MODULI if names_columns(path, one[:2])), MODULI[0]),
+    )
+    try:
+        table = read_table(path, (*first, size, other), decimal_comma=True)
+    except InvalidInput as reason:
+        try:  # instruments write a frequency in rad/s as well: the unit says which it is
+            table = read_table(path, (*further, FREQUENCY_IN_RADIANS, size, other), decimal_comma=True)
+        except InvalidInput:
+            raise reason from None
+        frequency = FREQUENCY_IN_RADIANS
+    values, place = np.array(table.values), len(further)
+    values[:, place] *= 2.0 * math.pi if frequency is FREQUENCY else 1.0
+    storage, loss = moduli(values[:, -2], values[:, -1])
+    divisor = young_over_shear(poisson) if tensile else 1.0
+    return table, np.column_stack([values[:, : place + 1], storage / divisor, loss / divisor])
 
 
 @reader("a relaxation")
@@ -97,7 +182,8 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Dynam
     ----------
     path : str or path
         The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
-        ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.
+        ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of the
+        loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
 
@@ -110,18 +196,14 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Dynam
     InvalidInput
         If the file cannot be read, or what it holds is no storage and loss.
     """
-    abscissa = ANGULAR if names_columns(path, (ANGULAR,)) else FREQUENCY
-    table, tensile = _read(path, (abscissa, SHEAR_STORAGE, SHEAR_LOSS), (abscissa, TENSILE_STORAGE, TENSILE_LOSS))
-    frequency, storage, loss = table.values.T
-    angular = 2.0 * math.pi * frequency if abscissa is FREQUENCY else frequency
-    divisor = young_over_shear(poisson) if tensile else 1.0
-    return _data(DynamicData, table, (angular, storage / divisor, loss / divisor), poisson)
+    table, rows = dynamic_rows(path, (), poisson)
+    return _data(DynamicData, table, tuple(rows.T), poisson)
 
 
 def _read(path: str | os.PathLike[str], sheared: tuple[Column, ...], tensile: tuple[Column, ...]) -> tuple[Table, bool]:
     """Return the columns of shear or, where the table has those alone, of tension; and whether it was tension."""
     tension = names_columns(path, tensile) and not names_columns(path, sheared)
-    return read_table(path, tensile if tension else sheared), tension
+    return read_table(path, tensile if tension else sheared, decimal_comma=True), tension
 
 
 def young_over_shear(poisson: float) -> float:

@@ -11,15 +11,10 @@ from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.relaxation_table import (
-    ANGULAR,
-    FREQUENCY,
-    SHEAR_LOSS,
     SHEAR_MODULUS,
-    SHEAR_STORAGE,
-    TENSILE_LOSS,
-    TENSILE_STORAGE,
     TIME,
     YOUNG_MODULUS,
+    dynamic_rows,
     young_over_shear,
 )
 from winkler.io.tables.table import Column, read_table
@@ -28,7 +23,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
 
-TEMPERATURE = Column("temperature", ("temperature", "temp", "t_c"), "K", "degC")
+TEMPERATURE = Column("temperature", ("temperature", "temp", "temp.", "t_c", "temperatur"), "K", "degC")
+TEMPERATURE_OR_T = Column(TEMPERATURE.word, (*TEMPERATURE.names, "t"), "K", "degC")
+"""Where there is no time, T is the temperature."""
 
 
 @reader("sweeps of storage and loss")
@@ -55,12 +52,7 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -
     """
     rows = []
     for file in _files(path):
-        abscissa = ANGULAR if names_columns(file, (TEMPERATURE, ANGULAR)) else FREQUENCY
-        sheared = (TEMPERATURE, abscissa, SHEAR_STORAGE, SHEAR_LOSS)
-        tensile = (TEMPERATURE, abscissa, TENSILE_STORAGE, TENSILE_LOSS)
-        values = _moduli(file, sheared, tensile, poisson)
-        values[:, 1] *= 2.0 * np.pi if abscissa is FREQUENCY else 1.0
-        rows.append(values)
+        rows.append(dynamic_rows(file, (TEMPERATURE_OR_T,), poisson)[1])
     with in_file(str(path)):
         temperature, angular, storage, loss = np.concatenate(rows).T
         return DynamicSweeps(temperature, angular, storage, loss, poisson=poisson)
@@ -99,7 +91,7 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
 def _moduli(file: str, sheared: tuple[Column, ...], tensile: tuple[Column, ...], poisson: float) -> Array:
     """Return the rows of a table with moduli in shear."""
     tension = names_columns(file, tensile) and not names_columns(file, sheared)
-    values = np.array(read_table(file, tensile if tension else sheared).values)
+    values = np.array(read_table(file, tensile if tension else sheared, decimal_comma=True).values)
     if tension:
         values[:, 2:] /= young_over_shear(poisson)
     return values

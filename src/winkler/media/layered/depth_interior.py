@@ -34,7 +34,7 @@ from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.transforms.cosine_transform import NODES
 from winkler.numerics.types import Array
 
-__all__ = ["field"]
+__all__ = ["field", "sunk"]
 
 LARGEST_WAVE_NUMBER = 3000.0
 """Largest wave number, over the contact radius, near the surface."""
@@ -117,6 +117,16 @@ def _states(
         held = np.exp(-xi[:last] * depth)
         parts = [panels_from(bounds, row.reshape(samples.shape))(xi[:last]) * held for row in grown]
         yield depth, WaveState(np.stack(parts[:2], axis=1), np.stack(parts[2:], axis=1), solid_at(grading, depth)), last
+
+
+def sunk(grading: DepthGrading, tolerance: float, xi: Array, depth: float) -> Array:
+    """Return displacements times xi per pressure of 1 [1/Pa] at one depth [m] below the grading ``(m,)``."""
+    result, last = np.zeros(xi.size), int(np.searchsorted(xi, DECAY_DEPTH / depth))
+    if last:
+        cells = mesh(grading, tolerance, 0.25 / float(xi[last - 1]), (depth,))
+        ((_, amplitudes),) = _amplitudes(cells, xi[:last], np.array([depth]))
+        result[:last] = amplitudes[1]
+    return result
 
 
 def _amplitudes(cells: Mesh, xi: Array, depths: Array) -> Iterator[tuple[float, Array]]:

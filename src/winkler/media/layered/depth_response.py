@@ -32,6 +32,7 @@ from winkler.media.layered.wave_constants import Wave, half_space_compliance, in
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
+from winkler.validity import Standing
 from winkler.values import value
 
 __all__ = [
@@ -46,6 +47,8 @@ SERIES_WAVE_NUMBER = 100.0
 SERIES_SPAN = 16.0
 """The series is fitted up to this many xi_1."""
 SERIES_TERMS = 6
+FAR = 1e3
+"""Where a grading is what it is far below, over the depth at which it has settled."""
 STIFFNESS_ERROR_RATIO = 0.434
 """Largest change of a stiffness, over |A| delta (a quadrature over the punches of a homogeneous half-space)."""
 
@@ -86,7 +89,31 @@ class GradedBody:
 
     def short(self, part: Wave) -> float:
         """The limit of `waves` for short waves [1/Pa]."""
-        return half_space_compliance(solid_at(self.grading), part)
+        return half_space_compliance(self.top, part)
+
+    @property
+    def top(self) -> Elastic:
+        """The solid at the surface."""
+        return solid_at(self.grading)
+
+    @property
+    def on(self) -> Elastic:
+        """The solid far below."""
+        return solid_at(self.grading, FAR * self.grading.settled_at(self.tolerance))
+
+    @property
+    def in_plane(self) -> tuple[Standing, str]:
+        """What is assumed of it in plane strain."""
+        return (
+            Standing.ASYMPTOTIC,
+            "A linear elastic, isotropic body graded with depth, in plane strain under normal load: the Fourier "
+            f"response of cells so thin that it is known to {self.tolerance:.0e}",
+        )
+
+    @property
+    def unit(self) -> tuple[float, float]:
+        """Modulus at the surface [Pa], and the depth over which it changes there [m]."""
+        return self.top.young, surface_depth(self.grading)
 
 
 @value

@@ -65,6 +65,14 @@ class WavePair:
         """The same of the second body."""
         return sum(abs(weight) * half_space_compliance(self.second, part) for part, weight in self._weights)
 
+    @property
+    def _own_second(self) -> Body:
+        """The second body in the unit of the first; only its compliance matters: it is one without Poisson's ratio."""
+        if not self.added:
+            return RIGID
+        like = sum(abs(weight) * half_space_compliance(Elastic(1.0, 0.0), part) for part, weight in self._weights)
+        return Elastic(rounded(like / (self.first.unit[0] * self.added)), 0.0)
+
     @functools.cached_property
     def modulus(self) -> float:
         """E*, G*, m_L or m_T [Pa] of the surface of the first and the second body: C = 2 (1 + M) / (modulus xi)."""
@@ -109,14 +117,8 @@ class PairResponse(WavePair):
 
     @property
     def own(self) -> tuple[PairResponse, float]:
-        """The same in units of thickness and modulus of its uppermost layer; and that thickness [m].
-
-        Of the second body only its additional compliance matters: it becomes one without Poisson's ratio.
-        """
-        modulus, length = self.first.unit
-        like = sum(abs(weight) * half_space_compliance(Elastic(1.0, 0.0), part) for part, weight in self._weights)
-        second = Elastic(rounded(like / (modulus * self.added)), 0.0) if self.added else RIGID
-        return type(self)(self.mode, self.first.in_own_units(), second), length
+        """The same in units of thickness and modulus of its uppermost layer; and that thickness [m]."""
+        return type(self)(self.mode, self.first.in_own_units(), self._own_second), self.first.unit[1]
 
     @functools.cached_property
     def length(self) -> float:

@@ -28,12 +28,23 @@ from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Rigid
 from winkler.media.layered.coated_interior import WaveState, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
-from winkler.media.layered.wave_constants import constants_of
+from winkler.media.layered.stack import Layered
+from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.media.offers import LayerStack
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, WaveResponse, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["PlaneLayers", "PlaneWaves", "added_stresses", "plane_waves"]
+__all__ = ["PlaneLayers", "PlaneMedium", "PlaneWaves", "added_stresses", "plane_waves"]
+
+
+class PlaneResponse(SurfaceResponse, Protocol):
+    """A response of which the first body is known."""
+
+    @property
+    def first(self) -> Layered:
+        """The body that is not homogeneous."""
+        ...
+
 
 FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
@@ -42,9 +53,26 @@ MOST_WAVES = 200_000
 PAIRS_PER_CHUNK = 1_000_000
 
 
-@offered("a medium of layers, such as CoatedHalfSpace(layers, on) or StackedHalfSpace(layers, on)")
-class PlaneLayers(LayerStack, Protocol):
-    """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
+@offered(
+    "a medium of layers or graded with depth, such as CoatedHalfSpace(layers, on) or DepthGradedHalfSpace(grading)"
+)
+class PlaneMedium(Protocol):
+    """A body whose moduli depend on the depth alone, against a homogeneous body."""
+
+    @property
+    def second(self) -> Body:
+        """The other body."""
+        ...
+
+    @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m]: of all layers together."""
+        ...
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the other body."""
+        ...
 
     @property
     def along_modulus(self) -> float:
@@ -52,12 +80,12 @@ class PlaneLayers(LayerStack, Protocol):
         ...
 
     @property
-    def response(self) -> SurfaceResponse:
+    def response(self) -> PlaneResponse:
         """Of the pair to a pressure."""
         ...
 
     @property
-    def along_response(self) -> SurfaceResponse:
+    def along_response(self) -> PlaneResponse:
         """Of the pair to shear along its wave; refused where it does not reach the base."""
         ...
 
@@ -65,6 +93,10 @@ class PlaneLayers(LayerStack, Protocol):
     def coupling_response(self) -> WaveResponse:
         """Of the first body: how much farther than its uppermost layer alone a pressure draws its surface along."""
         ...
+
+
+class PlaneLayers(PlaneMedium, LayerStack, Protocol):
+    """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
 
 
 class PlaneWaves(NamedTuple):

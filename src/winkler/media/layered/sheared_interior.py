@@ -38,7 +38,7 @@ from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 
-__all__ = ["field"]
+__all__ = ["across_states", "field"]
 
 SHORT_ARGUMENT = 1e-2
 """Up to this J_2(x)/x is taken from its series."""
@@ -83,14 +83,14 @@ def field(
         waves = waves.up_to(max(reaching(layers, on, bottoms, depths, waves.xi)))
         radial = RadialWaves(waves.xi)
         along = wave_states(layers, on, bottoms, depths, waves.xi, dragged=True)
-        across = _across_states(layers, on, bottoms, depths, waves.xi)
+        across = across_states(layers, on, bottoms, depths, waves.xi)
         for (depth, state, end), beside in zip(along, across, strict=True):
             (members,) = np.nonzero(z == depth)
             result[:, members] += _superposed(state, beside, waves.up_to(end), radial, x[members], y[members])
     return ShearField(*(part.reshape(shape) for part in result))
 
 
-def _across_states(
+def across_states(
     layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array
 ) -> Iterator[AcrossState]:
     """Yield, depth by depth, the amplitudes of waves across; in the uppermost layer without those of a half-space."""

@@ -20,6 +20,7 @@ from winkler.media.layered.wave_constants import (
     stiffness_scale,
 )
 from winkler.numerics.types import ComplexArray
+from winkler.validity import Standing
 from winkler.values import value
 
 __all__ = ["Layered", "StackBody", "rounded"]
@@ -34,6 +35,26 @@ class Layered(Protocol):
 
     def short(self, part: Wave) -> float:
         """Its limit for short waves [1/Pa]: that of a half-space of what lies at the surface."""
+        ...
+
+    @property
+    def top(self) -> Body:
+        """The solid at the surface."""
+        ...
+
+    @property
+    def on(self) -> Body:
+        """The solid far below, or a rigid base."""
+        ...
+
+    @property
+    def in_plane(self) -> tuple[Standing, str]:
+        """What is assumed of it in plane strain."""
+        ...
+
+    @property
+    def unit(self) -> tuple[float, float]:
+        """Modulus [Pa] and length [m] of what lies at the surface, in which other bodies may be the same."""
         ...
 
 
@@ -56,6 +77,13 @@ class StackBody:
     def top(self) -> Body:
         """The solid at the surface."""
         return self.layers[0].solid if self.layers else self.on
+
+    in_plane = (
+        Standing.EXACT,
+        "Linear elastic layers in plane strain under normal load, each perfectly bonded to what lies below it or, as "
+        "given, sliding there without friction and gap: the Fourier response of the stack",
+    )
+    """What is assumed of it in plane strain."""
 
     def waves(self, part: Wave, xi: ComplexArray) -> ComplexArray:
         """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m]: of a half-space, 1 / modulus."""

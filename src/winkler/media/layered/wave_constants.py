@@ -103,10 +103,12 @@ class WaveConstants(NamedTuple):
 
     def decay(self, x: ComplexArray) -> Four:
         """Return exp(-L x): tractions x below those of 1 that decay downward."""
-        root = cmath.sqrt(self.split)
+        single = cmath.sqrt(self.split)
+        # the functions are even in the root: of both signs the one whose exponentials do not grow along a turned path
+        root = np.where(np.real(single * x) < 0.0, -single, single)
         slow = np.exp(-(self.product / (0.5 * self.total + root)) * x)
         even = 0.5 * slow * (1.0 + np.exp(-2.0 * root * x))
-        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root) if root else x)
+        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root) if single else x)
         if not np.iscomplexobj(x):
             even, odd = np.real(even), np.real(odd)
         half = 0.5 * self.total

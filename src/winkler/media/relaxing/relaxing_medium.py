@@ -22,18 +22,9 @@ from winkler.profiles.profile import Profile
 if TYPE_CHECKING:
     from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
-__all__ = ["RelaxingDisplacement", "RelaxingMedium"]
+__all__ = ["RelaxingMedium"]
 
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
-
-
-class RelaxingDisplacement(Displacement, Protocol):
-    """The springs of a relaxing medium at one moment: how far they are pressed in, or have not recovered."""
-
-    @property
-    def borne(self) -> tuple[Displacement, ...]:
-        """The displacements of elastic springs that would bear the same, one if any of them is pressed."""
-        ...
 
 
 class RelaxingMedium(Protocol):

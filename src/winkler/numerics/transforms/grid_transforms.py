@@ -54,6 +54,8 @@ class GridTransforms:
         Distances from the middle [m], rising from zero.
     """
 
+    borders: Array
+    """Where the parts about the nodes begin."""
     gap: Array
     """Change of the equivalent profile by changes of the profile from that in the middle, ``(n, n)``."""
     areas: Array
@@ -114,6 +116,18 @@ class GridTransforms:
     def surface_parts(self, upto: Array) -> tuple[Array, Array]:
         """Return what the surface shows at every node (rows) of springs displaced by 1 and by y, up to places in y."""
         raise NotImplementedError
+
+    def moments(self, low: Array, high: Array) -> tuple[Array, Array]:
+        """Return the integrals of 1 and x^2 between places in y."""
+        return np.sqrt(high) - np.sqrt(low), (high**1.5 - low**1.5) / 3.0
+
+    def missed(self, cut: Cuts) -> Array:
+        """Return by how much the integrals of values(x)+ over the cells of a cut exceed those by nodes alone."""
+        zeroth, second = self.moments(cut.first, cut.last)
+        whole = cut.slope * (second - cut.place * zeroth)
+        base = np.where(cut.falls, cut.stop, cut.start)
+        zeroth, second = self.moments(cut.start, cut.stop)
+        return np.asarray(whole - cut.cut_slope * (second - base * zeroth))
 
     def means(self, squares: Array, values: Array) -> Array:
         """Return the means over the parts about the nodes of a function given at the nodes of another grid.

@@ -80,8 +80,8 @@ class RingTransforms(GridTransforms):
         upto = below[cell] + part * (values[cell] + 0.5 * slope * part)
         return np.asarray(np.diff(upto) / np.diff(borders))
 
-    def _moments(self, low: Array, high: Array) -> tuple[Array, Array]:
-        """Return the integrals of x^k and x^(k+2) between places in y."""
+    def moments(self, low: Array, high: Array) -> tuple[Array, Array]:
+        """As `GridTransforms.moments`, of x^k and x^(k+2)."""
         k = self.k
         return (
             (high**self.q - low**self.q) / (1.0 + k),
@@ -90,19 +90,11 @@ class RingTransforms(GridTransforms):
 
     def _force_weights(self) -> Array:
         low, high = self.squares[:-1], self.squares[1:]
-        zeroth, second = self._moments(low, high)
+        zeroth, second = self.moments(low, high)
         weights = np.zeros(self.nodes.size)
         weights[1:] += (second - low * zeroth) / self.widths
         weights[:-1] += (high * zeroth - second) / self.widths
         return weights
-
-    def missed(self, cut: Cuts) -> Array:
-        """Return by how much the integrals of x^k values(x)+ over the cells of a cut exceed those by nodes alone."""
-        zeroth, second = self._moments(cut.first, cut.last)
-        whole = cut.slope * (second - cut.place * zeroth)
-        base = np.where(cut.falls, cut.stop, cut.start)
-        zeroth, second = self._moments(cut.start, cut.stop)
-        return np.asarray(whole - cut.cut_slope * (second - base * zeroth))
 
     def integral(self, values: Array, cut: Cuts) -> float:
         """Return the integral of x^k values(x)+ from 0 to the last node."""
@@ -110,5 +102,5 @@ class RingTransforms(GridTransforms):
 
     def springs_within(self, squares: Array) -> Array:
         """Return the integral of x^k from 0 to places in y: what springs displaced by one metre bear there."""
-        zeroth, _ = self._moments(np.zeros(np.shape(squares)), squares)
+        zeroth, _ = self.moments(np.zeros(np.shape(squares)), squares)
         return zeroth

@@ -1,7 +1,7 @@
-r"""What springs bear under rings that slide on layers, and how the surface slips, on a grid of radii.
+r"""What springs bear under rings, or strips, that slide on layers, and how the surface slips, on a grid.
 
 Normal and shear kernels of layers differ.  Rings that slide bear :math:`\mu p`, and the line load q of the springs
-which press like that on a homogeneous body (`winkler.numerics.transforms.layered_rings`) is also that of springs pushed
+which press like that on a homogeneous body (`winkler.numerics.transforms.layered_grid`) is also that of springs pushed
 by b along the surface,
 
 .. math:: \varphi_S(x;x)\,b(x) - \int_x^\infty\rho_S(x;t)\,\varphi_S(t;t)\,b(t)\,\mathrm dt = q(x) .
@@ -12,35 +12,32 @@ The surface lags behind a rigid shift by the s of which the transform :math:`h` 
 .. math:: h(x) - \int_0^x\rho_S(t;x)\,h(t)\,\mathrm dt = \varphi_S(x;x)\,\sigma(x) , \qquad
           s(r) = \frac2\pi\int_0^r\frac{h(x)\,\mathrm dx}{\sqrt{r^2-x^2}} .
 
-Both equations are triangular on the nodes.
+Both equations are triangular on the nodes.  Of strips the second has x/t beside h, and the transform of the surface is
+their own.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
-from winkler.numerics.transforms.layered_rings import LayeredRings
+from winkler.numerics.transforms.layered_grid import LayeredGrid
 from winkler.numerics.types import Array
 
 __all__ = ["RubbedRings"]
 
 
 class RubbedRings:
-    """The shear springs of layers on one grid of radii.
+    """The shear springs of layers on one grid.
 
     Parameters
     ----------
-    normal : LayeredRings
-        Of the response to a pressure.
-    response : WaveResponse
-        To a shear traction.
+    normal, shear : LayeredGrid
+        Of the responses to a pressure and to a shear traction.
     """
 
-    def __init__(self, normal: LayeredRings, response: WaveResponse) -> None:
-        self.normal = normal
-        self.shear = LayeredRings(normal.nodes, response)
+    def __init__(self, normal: LayeredGrid, shear: LayeredGrid) -> None:
+        self.normal, self.shear = normal, shear
         self._surface = SurfaceTransform(self.shear.plain)
         self._squares = normal.squares
 

@@ -15,6 +15,7 @@ where the pressure of the half-plane is infinite at a tip or a kink.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -22,31 +23,74 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, in_own_lengths, wave_numbers
-from winkler.numerics.transforms.strip_modes import bessel_rows, signs
+from winkler.numerics.transforms.cosine_transform import (
+    DECAY_SPAN,
+    NODES,
+    WaveResponse,
+    in_own_lengths,
+    on_axis,
+    wave_numbers,
+)
+from winkler.numerics.transforms.strip_modes import bessel_rows, far_sides, signs
 from winkler.numerics.types import Array
 
-__all__ = ["TAIL", "VANISHED", "StripResponse", "Transforms", "Waves", "settled_strips", "strip_responses", "waves"]
+__all__ = [
+    "LOCAL_PHASE",
+    "MOST_MODES",
+    "TAIL",
+    "VANISHED",
+    "PunchModes",
+    "StripResponse",
+    "Strips",
+    "Transforms",
+    "Waves",
+    "excess_at",
+    "first_modes",
+    "octaves",
+    "punch_modes",
+    "settled_strips",
+    "strip_responses",
+    "summed",
+    "waves",
+]
 
 FIRST_WAVE_NUMBER = 0.5
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0
 """Largest phase of a wave across the whole strip over one panel of the quadrature."""
+LEAST_PHASE, PHASE_PER_MODE, LOCAL_PHASE = 400.0, 24.0, 8000.0
+"""Largest wave number times length up to which waves are summed where M falls like 1 / xi: for modes, which meet their
+average beyond several times their order, and for places."""
+LEAST_ARGUMENT, WIDEST_ARGUMENT, FARTHEST = 2.0**-24, 16.0, 2.0**16
+"""First and widest panel of arguments ka where M falls like 1 / xi, and the end of those whose average counts."""
+LEAST_OCTAVE = -60
 FEWEST_MODES, MOST_MODES = 20, 384
 TAIL = 4
 """Modes at the end that must have vanished."""
 VANISHED = 3e-14
 """The same, over the largest, on a layer as thick as the strip is wide: rounding grows with a / h."""
+TAIL_IN_LOAD, TAIL_AT_EDGE = 1000.0, 2e-2
+"""The same, times their number, where M falls like 1 / xi: over the precision of M, and of a flat punch."""
 LEAST_SHARE = 0.1
 """What the layers add need be no more precise than this part of the half-plane's load."""
 ENTRIES_PER_BLOCK = 3_000_000
 
 
 class Waves(NamedTuple):
-    """Wave numbers [1/m] and quadrature weights times M / k."""
+    """Wave numbers [1/m] and quadrature weights times M / k.
+
+    Parameters
+    ----------
+    k, weights : ndarray, (n,)
+    shorter, shares : ndarray, (m,)
+        The same of waves so short that products of two of them count by their average over the phase; none where M
+        dies out like an exponential.
+    """
 
     k: Array
     weights: Array
+    shorter: Array
+    shares: Array
 
 
 class StripResponse(NamedTuple):
@@ -64,33 +108,103 @@ class StripResponse(NamedTuple):
     punch: Array
 
 
-Rows = Callable[[int], Array]
-"""Transforms of so many modes of several strips at wave numbers: ``(a, n, k)``."""
+class PunchModes(NamedTuple):
+    """Flat punches of several half-widths.
+
+    Parameters
+    ----------
+    settled
+        Whether there were enough modes.
+    edge
+        Sum of the modes of a punch that bears a load of one ``(a,)``.
+    adjoint
+        What a wave of the half-plane's pressure, times M / k, adds to the load of a contact, times `edge` ``(a, k)``.
+    """
+
+    settled: bool
+    edge: Array
+    adjoint: Array
+
+
+Equation = Callable[[int], tuple[Array, Array]]
+"""A of the equation of several strips ``(a, m, n)``, and its right-hand side ``(a, n)``, of so many modes."""
 Transforms = Callable[[Array, Array], Array]
 """G [m] of the half-plane's pressures under half-widths ``(a,)`` at wave numbers ``(k,)``: ``(a, k)``."""
+
+
+class Strips(NamedTuple):
+    """Strips whose equation is known.
+
+    Parameters
+    ----------
+    half_width
+        a [m] ``(a,)``.
+    borne
+        About what half-planes bear, a load over E* [m] ``(a,)``.
+    equation
+        Takes a number of modes.
+    """
+
+    half_width: Array
+    borne: Array
+    equation: Equation
+
+
+class _HalfPlanes(NamedTuple):
+    """Strips, what half-planes would bear under them, and by how much that grows with the half-width."""
+
+    half_width: Array
+    transforms: Transforms
+    slopes: Array
 
 
 @cached_by_value(64)
 def waves(response: WaveResponse, octave: int) -> Waves:
     """Return the waves of a response for places and half-widths up to 2^octave of its own units of length [m]."""
     own, unit = in_own_lengths(response)
-    k, weights = _own_waves(own, octave)
-    return Waves(k / unit, weights)
+    found = _own_waves(own, octave)
+    return Waves(found.k / unit, found.weights, found.shorter / unit, found.shares)
 
 
 @cached_by_value(64)
 def _own_waves(own: WaveResponse, octave: int) -> Waves:
-    widest = LARGEST_PHASE / (2.0 * own.length * 2.0**octave)
-    k, weights = wave_numbers(FIRST_WAVE_NUMBER / own.span, widest, DECAY_SPAN / own.length)
-    return Waves(k, weights * own.excess(k) / k)
+    extent = own.smooth * 2.0**octave
+    first, widest, last = FIRST_WAVE_NUMBER / own.span, LARGEST_PHASE / (2.0 * extent), DECAY_SPAN / own.length
+    if not _has_tail(own):
+        k, weights = wave_numbers(first, widest, last)
+        return Waves(k, weights * own.excess(k) / k, np.zeros(0), np.zeros(0))
+    end = min(last, LOCAL_PHASE / extent)
+    k, weights = wave_numbers(first, widest, end)
+    whole = weights * excess_at(own, k) / k
+    shorter, shares = (part[NODES:] for part in wave_numbers(0.5 * end, last, last))
+    shares = shares * excess_at(own, shorter) * (1.0 - _kept_share(shorter / end)) / shorter
+    return Waves(k, whole * _kept_share(k / end), shorter, shares)
+
+
+def excess_at(response: WaveResponse, k: Array) -> Array:
+    """Return M [-] at many real wave numbers ``(k,)`` [1/m]."""
+    return on_axis(response, k) if _has_tail(response) else response.excess(k)
+
+
+def _has_tail(response: WaveResponse) -> bool:
+    """Return whether M falls like 1 / xi, and its kernel has a logarithm."""
+    return response.smooth > response.length
+
+
+def _kept_share(ratio: Array) -> Array:
+    """Return how much of a wave is summed, the rest is averaged: none at a ratio of one, all below a half."""
+    from scipy.special import erfc
+
+    return np.asarray(0.5 * erfc(16.0 * ratio - 12.0))
 
 
 def octaves(response: WaveResponse, extent: Array, least: int = 0) -> Array:
-    """Return the octaves of `waves` for extents [m], none below `least`."""
-    return np.maximum(np.ceil(np.log2(np.maximum(extent / response.length, 1e-300))), least).astype(int)
+    """Return the octaves of `waves` for extents [m], none below `least`; all where M falls like 1 / xi."""
+    least = LEAST_OCTAVE if _has_tail(response) else least
+    return np.maximum(np.ceil(np.log2(np.maximum(extent / response.smooth, 1e-300))), least).astype(int)
 
 
-def strip_responses(response: WaveResponse, half_width: Array, transforms: Transforms) -> StripResponse:
+def strip_responses(response: WaveResponse, half_width: Array, transforms: Transforms, slopes: Array) -> StripResponse:
     """Return corrections and flat punches of strips.
 
     Parameters
@@ -100,6 +214,8 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
         a [m], positive.
     transforms
         The half-planes' pressures; they need not vanish at the edge.
+    slopes : ndarray, (m,)
+        By how much the loads of the half-planes over E* grow with the half-width [-].
 
     Raises
     ------
@@ -109,16 +225,13 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     groups = octaves(response, half_width, -1)
     parts: list[tuple[Array, Array, Array]] = []
     for octave in np.unique(groups):
-        found = waves(response, int(octave))
         (members,) = np.nonzero(groups == octave)
-        count = _modes_of(int(octave))
-        step = max(1, ENTRIES_PER_BLOCK // (found.k.size * count))
+        count = first_modes(int(octave))
+        step = max(1, ENTRIES_PER_BLOCK // (_size(response, int(octave)) * count))
         for start in range(0, members.size, step):
             chosen = members[start : start + step]
-            a = half_width[chosen]
-            allowed = VANISHED * 2.0 ** (0.5 * octave)
-            solved = settled_strips(_signed(a, found.k), found.weights, transforms(a, found.k), count, allowed)
-            parts.append((chosen, *solved))
+            pushed = _HalfPlanes(half_width[chosen], transforms, slopes[chosen])
+            parts.append((chosen, *_settled(response, pushed, int(octave))))
     most = max((closing.shape[1] for _, closing, _ in parts), default=1)
     result = StripResponse(np.zeros((half_width.size, most)), np.zeros((half_width.size, most)))
     for chosen, closing, punch in parts:
@@ -127,73 +240,168 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     return result
 
 
-def _signed(half_width: Array, k: Array) -> Rows:
-    """Return what gives the transforms of modes: (-1)^n J_2n(ka)."""
-
-    def rows_of(count: int) -> Array:
-        rows = np.moveaxis(bessel_rows(half_width[:, None] * k, count), 0, 1)
-        rows *= signs(count)[:, None]
-        return rows
-
-    return rows_of
-
-
-def _modes_of(octave: int) -> int:
-    return FEWEST_MODES + 8 * max(octave, -1)
-
-
 def settled_strips(
-    rows_of: Rows, weights: Array, transforms: Array, count: int, vanished: float, most: int = MOST_MODES
+    strips: Strips,
+    count: int,
+    rounding: float,
+    most: int = MOST_MODES,
+    falling: tuple[float, float] = (0.0, 0.0),
 ) -> StripResponse:
-    """Return corrections and flat punches of strips whose modes are known as waves.
+    """Return corrections and flat punches of strips, with as many modes as they need.
 
     Parameters
     ----------
-    rows_of
-        Takes a number of modes, returns their transforms at the wave numbers ``(a, n, k)``.
-    weights : ndarray, (k,)
-        Of the quadrature, times M / k.
-    transforms : ndarray, (a, k)
-        G [m] of the half-planes' pressures.
+    strips : Strips
     count : int
         Modes to begin with.
-    vanished : float
+    rounding : float
         What the last modes may be, over the largest.
     most : int
         More modes are not tried, nor more than 384.
+    falling : tuple of float
+        The same times the number of modes, of corrections and of flat punches, where modes fall like powers.
 
     Raises
     ------
     NotConverged
         If so many modes do not suffice.
     """
+    most = min(most, MOST_MODES)
     while True:
-        closing, punch = _solved(rows_of(count), weights, transforms)
-        scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * np.abs(transforms[:, 0]))
-        if _vanished(closing, vanished * scale) and _vanished(punch, vanished * np.max(np.abs(punch), axis=1)):
+        closing, punch = _solved(*strips.equation(count))
+        scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * strips.borne)
+        # modes fall geometrically, or like n^-5 and n^-3: then what is missing is about count / 2 last ones
+        allowed, ends = (max(rounding, part / count) for part in falling)
+        if _vanished(closing, allowed * scale) and _vanished(punch, ends * np.max(np.abs(punch), axis=1)):
             return StripResponse(closing, punch)
-        if count >= min(most, MOST_MODES):
+        if count >= most:
             raise NotConverged(
-                f"The pressure on a strip is not resolved by {count} modes: the layer is too thin for it; round a "
-                "sharp tip or kink off, press less, or give a thicker layer."
+                f"The pressure on a strip of the half-width {float(np.max(strips.half_width)):.6g} m is not resolved "
+                f"by {count} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give "
+                "a thicker layer."
             )
-        count = min(2 * count, most, MOST_MODES)
+        count = min(2 * count, most)
+
+
+def first_modes(octave: int) -> int:
+    """Return with how many modes an octave of half-widths is tried."""
+    return FEWEST_MODES + 8 * max(octave, -1)
+
+
+def punch_modes(found: Waves, half_width: Array, count: int, octave: int) -> PunchModes:
+    """Return flat punches of half-widths [m] ``(a,)`` of an octave, with so many modes."""
+    rows = _rows_at(found.k, half_width, count)
+    coupled = (rows * found.weights) @ np.swapaxes(rows, 1, 2)
+    fourfold = 4.0 * np.arange(1, count)
+    matrix = np.eye(count - 1) + fourfold[:, None] * coupled[:, 1:, 1:]
+    own = np.linalg.solve(matrix, -fourfold[:, None] * coupled[:, 1:, :1])[..., 0]
+    punch = np.concatenate([np.ones((half_width.size, 1)), own], axis=1)
+    adding = np.linalg.solve(np.swapaxes(matrix, 1, 2), np.ones((half_width.size, count - 1, 1)))[..., 0]
+    allowed = VANISHED * 2.0 ** (0.5 * octave) * np.max(np.abs(punch), axis=1)
+    adjoint = np.einsum("an,ank->ak", fourfold * adding, rows[:, 1:])
+    return PunchModes(_vanished(punch, allowed), np.sum(punch, axis=1), adjoint)
+
+
+def _size(response: WaveResponse, octave: int) -> int:
+    return 1 if _has_tail(response) else waves(response, octave).k.size
+
+
+def _settled(response: WaveResponse, pushed: _HalfPlanes, octave: int) -> StripResponse:
+    borne = np.abs(pushed.transforms(pushed.half_width, np.zeros(1))[:, 0])
+    first, rounding = first_modes(octave), VANISHED * 2.0 ** (0.5 * octave)
+    if _has_tail(response):
+        strips = Strips(pushed.half_width, borne, lambda count: _averaged(response, pushed, count))
+        return settled_strips(strips, first, rounding, falling=(TAIL_IN_LOAD * response.precision, TAIL_AT_EDGE))
+    found = waves(response, octave)
+    pressed = pushed.transforms(pushed.half_width, found.k)
+
+    def equation(count: int) -> tuple[Array, Array]:
+        return summed(_rows_at(found.k, pushed.half_width, count), found.weights, pressed)
+
+    return settled_strips(Strips(pushed.half_width, borne, equation), first, rounding)
 
 
 def _vanished(modes: Array, allowed: Array) -> bool:
     return bool(np.all(np.max(np.abs(modes[:, -TAIL:]), axis=1) <= allowed))
 
 
-def _solved(rows: Array, weights: Array, transforms: Array) -> tuple[Array, Array]:
+class _Rows(NamedTuple):
+    """Modes at arguments ka, with the weights of a quadrature over them: as they are, and averaged over the phase."""
+
+    argument: Array
+    weights: Array
+    rows: Array
+    far: Array
+    shares: Array
+    sides: Array
+    closing: Array
+
+
+@cached_by_value(4)
+def _rows_of(count: int) -> _Rows:
+    end = max(LEAST_PHASE, PHASE_PER_MODE * count)
+    argument, weights = wave_numbers(LEAST_ARGUMENT, WIDEST_ARGUMENT, end)
+    rows = signs(count)[:, None] * bessel_rows(argument, count)
+    far, shares = (part[NODES:] for part in wave_numbers(0.5 * end, math.inf, FARTHEST * end))  # from half of the end
+    sides = far_sides(far, 2.0 * np.arange(count))
+    # the pressure of a half-plane that closes with the slope w' has there the waves w' J_1(ka) / k
+    cosine, sine = far_sides(far, np.ones(1))[:, 0]
+    return _Rows(
+        argument,
+        weights * _kept_share(argument / end) / argument,
+        rows,
+        far,
+        shares * (1.0 - _kept_share(far / end)) / far,
+        np.concatenate(list(sides), axis=1),
+        np.concatenate([sine, -cosine]) / np.concatenate([far, far]),
+    )
+
+
+def _averaged(response: WaveResponse, pushed: _HalfPlanes, count: int) -> tuple[Array, Array]:
+    """Return A and the right-hand side of the equation where M falls like 1 / xi: by modes at the same arguments ka."""
+    table = _rows_of(count)
+    coupled, pressed = np.empty((pushed.half_width.size, count, count)), np.empty((pushed.half_width.size, count))
+    for place, a in enumerate(pushed.half_width):
+        k = table.argument / a
+        weighted = table.rows * (table.weights * excess_at(response, k))
+        far = table.shares * excess_at(response, table.far / a)
+        averaged = table.sides * np.concatenate([far, far])
+        coupled[place] = weighted @ table.rows.T + averaged @ table.sides.T
+        pressed[place] = weighted @ pushed.transforms(np.array([a]), k)[0]
+        pressed[place] += (a * pushed.slopes[place]) * (averaged @ table.closing)
+    return coupled, pressed
+
+
+def summed(rows: Array, weights: Array, transforms: Array) -> tuple[Array, Array]:
+    """Return the same as a sum over waves, where M dies out like an exponential.
+
+    Parameters
+    ----------
+    rows : ndarray, (a, n, k)
+        Transforms of modes, with their signs s_n.
+    weights : ndarray, (k,)
+        Of the sum, times M / k.
+    transforms : ndarray, (a, k)
+        G [m] of the half-planes' pressures.
+    """
     weighted = rows * weights
-    coupled = weighted @ np.swapaxes(rows, 1, 2)
-    pressed = np.einsum("ank,ak->an", weighted, transforms)
-    fourfold = 4.0 * np.arange(1, rows.shape[1])
-    matrix = np.eye(fourfold.size) + fourfold[:, None] * coupled[:, 1:, 1:]
-    sides = -fourfold[:, None] * np.stack([pressed[:, 1:], coupled[:, 1:, 0]], axis=2)
-    own = np.linalg.solve(matrix, sides)
-    first = np.ones((rows.shape[0], 1))
-    punch = np.concatenate([first, own[..., 1]], axis=1)
-    free = np.concatenate([0.0 * first, own[..., 0]], axis=1)
+    return weighted @ np.swapaxes(rows, 1, 2), np.einsum("ank,ak->an", weighted, transforms)
+
+
+def _rows_at(k: Array, half_width: Array, count: int) -> Array:
+    """Return s_n J_2n(ka) ``(a, n, k)``."""
+    rows = np.moveaxis(bessel_rows(half_width[:, None] * k, count), 0, 1)
+    rows *= signs(count)[:, None]
+    return rows
+
+
+def _solved(coupled: Array, pressed: Array) -> tuple[Array, Array]:
+    size, count = pressed.shape
+    fourfold = 4.0 * np.arange(1, count)
+    matrix = np.eye(count - 1) + fourfold[:, None] * coupled[:, 1:, 1:]
+    right = -fourfold[:, None] * np.stack([pressed[:, 1:], coupled[:, 1:, 0]], axis=2)
+    own = np.linalg.solve(matrix, right)
+    punch = np.concatenate([np.ones((size, 1)), own[..., 1]], axis=1)
+    free = np.concatenate([np.zeros((size, 1)), own[..., 0]], axis=1)
     edge = np.sum(free, axis=1) / np.sum(punch, axis=1)
     return free - edge[:, None] * punch, punch

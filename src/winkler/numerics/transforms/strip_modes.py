@@ -18,7 +18,15 @@ import numpy as np
 
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["along_surface", "bessel_rows", "lowered", "potential_of_modes", "pressure_of_modes", "signs"]
+__all__ = [
+    "along_surface",
+    "bessel_rows",
+    "far_sides",
+    "lowered",
+    "potential_of_modes",
+    "pressure_of_modes",
+    "signs",
+]
 
 LEAST_UPWARD = 2
 NOTHING = 1e-17
@@ -77,6 +85,31 @@ def _by_angles(argument: Array, count: int) -> Array:
     least = 2.0 * np.exp((math.log(NOTHING) + gammaln(twice + 1.0)) / twice)  # (x/2)^m / m! is nothing below
     rows[1:][argument < least[:, None]] = 0.0
     return rows
+
+
+def far_sides(argument: Array, order: Array) -> Array:
+    r"""Return the sides of Bessel functions far out, by Debye's first terms.
+
+    :math:`J_\nu(t) \approx \sqrt2\,(c\cos\tau - s\sin\tau)` with :math:`\tau = t - \nu\pi/2 - \pi/4`, so that
+    the product of two whose orders differ by an even number has the average :math:`\pm(cc' + ss')` over the phase.
+
+    Parameters
+    ----------
+    argument : ndarray, (k,)
+        t [-], above the orders.
+    order : ndarray, (n,)
+        nu [-].
+
+    Returns
+    -------
+    ndarray, (2, n, k)
+        c and s [-].
+    """
+    ratio = order[:, None] / argument
+    root = np.sqrt((1.0 - ratio) * (1.0 + ratio))
+    # sqrt(t^2 - nu^2) - nu arccos(nu / t) - t + nu pi / 2
+    lag = order[:, None] * np.arcsin(ratio) - argument * ratio**2 / (1.0 + root)
+    return np.asarray(np.stack([np.cos(lag), np.sin(lag)]) / np.sqrt(math.pi * argument * root))
 
 
 def pressure_of_modes(loads: Array, half_width: float, x: Array, edge: float) -> Array:

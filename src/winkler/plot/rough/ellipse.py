@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.stresses import stress_map
@@ -66,9 +67,15 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
 
 @without_extent(EllipticYieldOnsetSolution)
 def ellipse_yield_sheet(item: EllipticYieldOnsetSolution) -> Sheet:
-    """Return the von Mises stress below both axes of the ellipse when yielding begins, in the body that yields."""
+    """Return the von Mises stress below both axes at the onset, in the body that yields; on layers the place."""
     problem = item.problem
+    title = f"onset of yield: {with_unit(item.force, 'N')}"
     first = bool(np.copysign(1.0, item.z) > 0.0)
+    if not isinstance(problem.medium, HalfSpace):  # stresses in layers are sought, not mapped
+        place = Line(np.array([item.x]), np.array([item.y]), "white", width=0.0, marker="+", size=9.0)
+        deep = with_unit(abs(item.z), "m")
+        panel = _ellipse_panel(item.contact).plus(place)
+        return Sheet((panel.plus(title=f"pressure; + yields, {deep} deep"),), width=5.0, height=3.6, title=title)
     panels = _stress_panels(item.contact, first, problem.friction.coefficient, problem.angle)
     near = (item.y, item.x)
     drawn = []
@@ -76,7 +83,7 @@ def ellipse_yield_sheet(item: EllipticYieldOnsetSolution) -> Sheet:
         inside = abs(aside) <= 1e-6 * max(item.longitudinal_semi_axis, item.lateral_semi_axis)
         place = Line(np.array([along]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0)
         drawn.append(panel.plus(place) if inside else panel)
-    return Sheet(tuple(drawn), width=5.0, height=3.3, title=f"onset of yield: {with_unit(item.force, 'N')}")
+    return Sheet(tuple(drawn), width=5.0, height=3.3, title=title)
 
 
 def _stress_panels(
@@ -86,7 +93,7 @@ def _stress_panels(
     medium = item.problem.medium
     if first is None:
         known = [isinstance(getattr(medium, name, None), Elastic) for name in ("first", "second")]
-        if not any(known):
+        if not any(known) or not isinstance(medium, HalfSpace):
             return ()
         first = known[0]
     sign = 1.0 if first else -1.0

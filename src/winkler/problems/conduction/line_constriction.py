@@ -22,6 +22,7 @@ from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
@@ -44,7 +45,7 @@ class LineConstriction:
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     conductors : ElectricalConductors
         Two bodies of ElectricalConductor, and the film between them.
@@ -82,7 +83,7 @@ class LineConstriction:
         second_depth=("d_2", "m", "depth in the second body up to which the resistance is counted"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     conductors: ElectricalConductors
     load: LineForce | HalfWidth | MeanPressure
     first_depth: Positive

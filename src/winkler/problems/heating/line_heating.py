@@ -20,6 +20,7 @@ import numpy as np
 from winkler.checks.number_checks import FiniteQuantity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.loading import HalfWidth, LineForce, MeanPressure
@@ -42,7 +43,7 @@ class LineFrictionHeating(StripHeating):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction, with a finite coefficient.
@@ -94,7 +95,7 @@ class LineFrictionHeating(StripHeating):
         load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Overcome
     load: LineForce | HalfWidth | MeanPressure
     conductors: HeatConductors

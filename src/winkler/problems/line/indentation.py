@@ -16,6 +16,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
@@ -23,6 +24,7 @@ from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
+from winkler.problems.line.power_law_strip import OnPowerLaw
 from winkler.problems.line.pressing_load import given_by, pressing
 from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import OfStrip, Strip
@@ -32,7 +34,7 @@ from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["LayeredLineSolution", "LineIndentation", "LineSolution"]
+__all__ = ["LayeredLineSolution", "LineIndentation", "LineSolution", "PowerLawLineSolution"]
 
 
 @value
@@ -41,8 +43,8 @@ class LineIndentation:
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, homogeneous or layered.
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
+        Profile and bodies: homogeneous, layered, graded.
     load : LineForce, HalfWidth or MeanPressure
         What is prescribed; its value may be an array, the results then have its shape.
 
@@ -69,7 +71,7 @@ class LineIndentation:
         load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     load: LineForce | HalfWidth | MeanPressure
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "jaeger_1995")
@@ -97,8 +99,8 @@ class LineIndentation:
         else:
             half_width, force = under_force(bed, flat / modulus), flat
         refuse_unless_strips(bed, half_width)
-        kind = LayeredLineSolution if isinstance(bed, LayeredLineFoundation) else LineSolution
-        return kind(self, shaped(force, shape), shaped(half_width, shape))
+        kinds = {LayeredLineFoundation: LayeredLineSolution, PowerLawLineFoundation: PowerLawLineSolution}
+        return kinds.get(type(bed), LineSolution)(self, shaped(force, shape), shaped(half_width, shape))
 
 
 @value
@@ -209,4 +211,12 @@ class LayeredLineSolution(OnLayers, LineSolution):
     """The solution of a `LineIndentation` on layers; every quantity has the shape of the load.
 
     On a rigid base it has a `depth`; `layer_stresses` compares the layers.
+    """
+
+
+@value
+class PowerLawLineSolution(OnPowerLaw, LineSolution):
+    """The solution of a `LineIndentation` on bodies graded by a power; every quantity has the shape of the load.
+
+    Where the modulus grows with the depth it has a `depth`.
     """

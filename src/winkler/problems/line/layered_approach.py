@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import math
 from numbers import Real
+from typing import cast
 
 import numpy as np
 
@@ -26,9 +27,12 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.strip_waves import averages
 from winkler.materials.elastic import Elastic, Rigid
+from winkler.media.layered import depth_interior
 from winkler.media.layered.coated_interior import wave_states
-from winkler.media.layered.plane_interior import PlaneLayers
+from winkler.media.layered.depth_response import GradedBody
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
+from winkler.numerics.transforms.strip_equation import LOCAL_PHASE, excess_at
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 
@@ -41,8 +45,9 @@ WIDEST = 0.2
 
 
 def has_depth(medium: object) -> bool:
-    """Return whether a medium is layers on a rigid base under a rigid body, so that a depth needs no reference."""
-    return isinstance(getattr(medium, "on", None), Rigid) and isinstance(getattr(medium, "second", None), Rigid)
+    """Return whether a depth needs no reference: on layers that a rigid base holds, or moduli that grow forever."""
+    held = isinstance(getattr(medium, "on", None), Rigid) and isinstance(getattr(medium, "second", None), Rigid)
+    return held or getattr(medium, "exponent", 0.0) > 0.0
 
 
 def layered_approach(
@@ -64,26 +69,28 @@ def layered_approach(
     second : float, RollerCentre, PlateBase or None
         Depth [m] of the point in the other body, or a finite body; of a rigid one it is not used.
     """
-    medium = bed.medium
-    below = _first_depth(medium, first) if not isinstance(medium.on, Rigid) else math.inf
+    medium = cast(PlaneMedium, bed.medium)
+    below = _first_depth(medium, first) if not isinstance(bed.strained, Rigid) else math.inf
     above, added = math.inf, 0.0
     if not isinstance(medium.second, Rigid):
         above, added = _second_depth(medium, second, half_width)
     if half_width == 0.0:
         return 0.0
     carried, response = bed.carried(half_width, rim_load), medium.response
-    shortest = min(response.length, above)
+    shortest, end = min(response.smooth, above), 0.0
+    if response.smooth > response.length:
+        end = LOCAL_PHASE / half_width
     k, weights = wave_numbers(
         FIRST_WAVE_NUMBER / max([response.span, *(depth for depth in (below, above) if depth < math.inf)]),
         LARGEST_PHASE / (2.0 * half_width),
-        2.0 * DECAY_SPAN / shortest,
+        max(2.0 * DECAY_SPAN / shortest, end),
     )
     from scipy.special import j0
 
     flat, pressed = j0(k * half_width), bed.transform(k, carried)
     widths, loads = bed.beside(half_width)
     load = float(bed.load_profile(np.array([half_width]))[0]) + rim_load + float(np.sum(loads))
-    surface = response.excess(k) * pressed * flat + np.exp(-2.0 * k * shortest) * load * flat**2
+    surface = excess_at(response, k) * pressed * flat + np.exp(-2.0 * k * shortest) * load * flat**2
     references = 0.5 * medium.modulus * pressed * (_moved_first(medium, k, below) + _moved_second(medium, k, above))
     waves = float(weights @ ((surface - references) / k))
     mean = float(averages(bed.half_plane, np.array([half_width]))[0])
@@ -98,17 +105,17 @@ def _logarithm(ratio: float) -> float:
     return float(np.mean(np.log(ratio + np.hypot(ratio, 2.0 * np.sin(0.5 * angle)))))
 
 
-def _first_depth(medium: PlaneLayers, place: float | Reference | None) -> float:
+def _first_depth(medium: PlaneMedium, place: float | Reference | None) -> float:
     if not isinstance(place, Real) or not medium.thickness <= place < math.inf:
         raise InvalidInput(
             "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below "
             "the first body's surface against which it is counted, finite and at least the "
-            f"{medium.thickness:.6g} m of the layers."
+            f"{medium.thickness:.6g} m of the layers or the grading."
         )
     return float(place)
 
 
-def _second_depth(medium: PlaneLayers, place: float | Reference | None, half_width: float) -> tuple[float, float]:
+def _second_depth(medium: PlaneMedium, place: float | Reference | None, half_width: float) -> tuple[float, float]:
     """Return the depth in the second body [m], and what its finite size adds over the load per E*."""
     body = medium.second
     if not isinstance(body, Elastic):
@@ -135,10 +142,14 @@ def _second_depth(medium: PlaneLayers, place: float | Reference | None, half_wid
     return float(depth), share * finite.added(body.poisson)
 
 
-def _moved_first(medium: PlaneLayers, k: Array, depth: float) -> Array:
+def _moved_first(medium: PlaneMedium, k: Array, depth: float) -> Array:
     """Return displacements times k per pressure of 1 [1/Pa] in the body under the layers."""
     moved = np.zeros(k.size)
     if depth < math.inf:
+        body = medium.response.first
+        if isinstance(body, GradedBody):
+            return depth_interior.sunk(body.grading, body.tolerance, k, depth)
+        medium = cast(PlaneLayers, medium)
         bottoms = np.cumsum([layer.thickness for layer in medium.layers])
         at = np.array([np.nextafter(max(depth, float(bottoms[-1])), math.inf)])
         for _, state, end in wave_states(medium.stack, medium.on, bottoms, at, k):
@@ -146,7 +157,7 @@ def _moved_first(medium: PlaneLayers, k: Array, depth: float) -> Array:
     return moved
 
 
-def _moved_second(medium: PlaneLayers, k: Array, depth: float) -> Array:
+def _moved_second(medium: PlaneMedium, k: Array, depth: float) -> Array:
     """Return the same of the second body, a half-plane."""
     body = medium.second
     if depth == math.inf or not isinstance(body, Elastic):

@@ -52,12 +52,11 @@ def strip_notes(
     bed: LayeredLineFoundation, half_width: float, rim_load: float, *, sticking: bool = False
 ) -> tuple[Note, ...]:
     """Return these notes but for that on yield, and of edges that may pull without that on a single strip."""
+    standing, body = bed.layered_body.in_plane
     response = Note(
         Assumption.RESPONSE,
-        Standing.EXACT,
-        "Linear elastic layers in plane strain under normal load, each perfectly bonded to what lies below it or, as "
-        "given, sliding there without friction and gap: the Fourier response of the stack, solved in Chebyshev modes; "
-        "the ends of a body of finite length are not included.",
+        standing,
+        f"{body}, solved in Chebyshev modes; the ends of a body of finite length are not included.",
         WAVES,
     )
     notes = shape_notes(bed, half_width, response, examined=not sticking)

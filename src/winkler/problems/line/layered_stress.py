@@ -99,7 +99,7 @@ def layered_fields(
     friction : float
         Traction on the body along x over the pressure [-].
     """
-    medium = bed.medium
+    medium = bed.layered
     bed.refuse_dragged(friction)
     x, z = np.broadcast_arrays(x, z)
     across, deep = x.ravel(), np.abs(z).ravel()
@@ -141,9 +141,9 @@ def layer_stresses(bed: LayeredLineFoundation, strip: Strip, friction: float) ->
     friction : float
         Traction on the body along x over the pressure [-].
     """
-    waves = waves_for_search(bed, strip, bed.medium.thickness)
+    waves = waves_for_search(bed, strip, bed.layered.thickness)
     found = []
-    for number, (top, bottom) in enumerate(bed.medium.spans, 1):
+    for number, (top, bottom) in enumerate(bed.layered.spans, 1):
         shear, place = _interface(bed, strip, bottom, friction) if math.isfinite(bottom) else (math.nan, math.nan)
         greatest = greatest_within(bed, strip, (top, bottom), waves, friction)
         found.append(LayerStress(number, *greatest, shear, place))

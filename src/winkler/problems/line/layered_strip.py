@@ -15,15 +15,52 @@ from winkler.problems.line.layered_stress import LayerStress, layer_stresses, la
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineFields, one_coefficient
-from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.line.strip import OfStrip, Stressed, Strip
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.which_body import in_first_body
 from winkler.validity import Note
 
-__all__ = ["OnLayers"]
+__all__ = ["OnLayers", "StressedOnLayers"]
 
 
-class OnLayers(OfStrip):
+class StressedOnLayers(Stressed):
+    """A solution whose stresses below the surface are those of layers."""
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load, in the layers and what carries them.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the layered body, negative in the other, of which -0.0 is the surface.
+            All in one of them.  A place on an interface belongs to the upper layer.
+        friction : float
+            Traction with which the body is dragged along x, in its own axes, over the pressure [-].
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or a place lies in a rigid body.
+        """
+        coefficient = one_coefficient(type(self).__name__, friction)
+        contact = self._touching("stresses")
+        depth = np.asarray(z, dtype=float)
+        below = in_first_body(depth, type(self).__name__)
+        across = np.asarray(x, dtype=float)
+        return layered_fields(self._bed, contact, across, depth, below, friction=coefficient)
+
+    def _touching(self, requested: str) -> Strip:
+        strip = self._strip(requested)
+        if strip.half_width == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return strip
+
+
+class OnLayers(StressedOnLayers, OfStrip):
     """The part of a solution that a layered body determines."""
 
     force_per_length: Quantity
@@ -63,33 +100,6 @@ class OnLayers(OfStrip):
         """
         a, edge_load = self._strip("approach")
         return layered_approach(self._bed, a, edge_load, first, second)
-
-    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Return the stresses below the surface under one load, in the layers and what carries them.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the layered body, negative in the other, of which -0.0 is the surface.
-            All in one of them.  A place on an interface belongs to the upper layer.
-        friction : float
-            Traction with which the body is dragged along x, in its own axes, over the pressure [-].
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load, or the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or a place lies in a rigid body.
-        """
-        coefficient = one_coefficient(type(self).__name__, friction)
-        contact = self._touching("stresses")
-        depth = np.asarray(z, dtype=float)
-        below = in_first_body(depth, type(self).__name__)
-        across = np.asarray(x, dtype=float)
-        return layered_fields(self._bed, contact, across, depth, below, friction=coefficient)
 
     def layer_stresses(self, friction: float = 0.0) -> tuple[LayerStress, ...]:
         """Return the greatest stresses of each layer under one load, and of the body under them if it is elastic.
@@ -132,12 +142,6 @@ class OnLayers(OfStrip):
             raise InvalidInput("The greatest stress is sought in the layered body only: leave below at True.")
         worst = max(self.layer_stresses(friction), key=lambda one: one.von_mises)
         return Placed(worst.von_mises, worst.x, worst.z)
-
-    def _touching(self, requested: str) -> Strip:
-        strip = self._strip(requested)
-        if strip.half_width == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return strip
 
     def dragged_notes(self, friction: float) -> tuple[Note, ...]:
         """Return how far the result can be trusted, as of `LineSolution.dragged_notes`."""

@@ -1,4 +1,4 @@
-r"""Bodies of two curvatures pressed together: Hertz's elliptic contact, exactly, and the round body that stands for it.
+r"""Bodies of two curvatures pressed together: Hertz's elliptic contact in closed form, and by pixels on layers.
 
 With the larger semi-axis :math:`\alpha`, the smaller :math:`\beta`, :math:`m=1-\beta^2/\alpha^2`, and
 :math:`\alpha\propto F^{1/3}` of `winkler.profiles.ellipse.CurvedBodies`,
@@ -7,7 +7,8 @@ With the larger semi-axis :math:`\alpha`, the smaller :math:`\beta`, :math:`m=1-
           p = p_0\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}} , \quad p_0 = \frac{3F}{2\pi ab} .
 
 The force grows as that of a ball of the radius :math:`R_\mathrm{eq} = 9F^2/(16E^{*2}d^3)`: what needs no more
-than force, depth and stiffness runs on its springs, `winkler.foundation.elliptic`.
+than force, depth and stiffness runs on its springs, `winkler.foundation.elliptic`.  On layers and gradings the contact
+is nearly an ellipse, and its pressure another one: both follow from `winkler.problems.pressed_shape.pressed_map`.
 """
 
 from __future__ import annotations
@@ -23,22 +24,29 @@ from winkler.checks.place_checks import common_places
 from winkler.errors import OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior.peak import StressSpot
+from winkler.media.mapped import MappedMedium
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal import elliptic_fields as inside
 from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
+from winkler.problems.pressed_shape.notes import pixel_notes
+from winkler.problems.pressed_shape.pressed_map import PIXELS, PressedMap, edge_error, grid_error, pressed_levels
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["EllipticIndentation", "EllipticSolution"]
+__all__ = ["EDGE_ERROR", "EllipticIndentation", "EllipticSolution", "pressed_ellipse"]
 
 ELLIPSE = Note(
     Assumption.RESPONSE,
@@ -47,6 +55,10 @@ ELLIPSE = Note(
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
 OF_THE_DISTANCE = "It is that of the distance between the bodies; give a CurvedPair for the slopes of each body."
+IN_LAYERS = "this problem computes no stresses in layers; EllipticYieldOnset does"
+AXES = (0.0, 0.5 * math.pi)
+"""Directions of the semi-axes [rad]."""
+EDGE_ERROR = ("", "", "relative error of area, stiffness and edge of the contact that pixels leave")
 CONFORMING = "M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, doi:10.1016/S0020-7683(00)00289-4"
 
 
@@ -58,8 +70,9 @@ class EllipticIndentation:
     ----------
     bodies : CurvedBodies or CurvedPair
         1/R_x is the sum of the curvatures of both bodies along x, 1/R_y the same along y.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
+DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies: on homogeneous ones Hertz's ellipse, on others a map of pixels.
     load : Force or Depth
         What is prescribed, not negative; its value may be an array, the results then have its shape.
 
@@ -87,47 +100,106 @@ class EllipticIndentation:
     """
 
     bodies: CurvedBodies | CurvedPair
-    medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
+    medium: Annotated[MappedMedium, Advice("neither Hertz's ellipse nor the boundary elements apply to another")]
     load: Force | Depth
 
-    references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015")
+    references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015", "polonsky_keer_1999")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m], of the ball whose force grows with depth as this one's."""
+        """R_eq [m], of the ball whose force grows with depth as this one's, where the bodies are homogeneous."""
         return self.bodies.equivalent_radius
 
     @property
     def bed(self) -> EllipticFoundation:
-        """The springs that bear forces like these bodies, for problems that need no more; sheared along x."""
+        """The springs that bear forces like these bodies, for problems that need no more; sheared along x.
+
+        Raises
+        ------
+        InvalidInput
+            If the bodies are not homogeneous.
+        """
         return EllipticFoundation(self.bodies.together, self.medium)  # type: ignore[arg-type]
 
     def solve(self) -> EllipticSolution:
-        """Return force, depth and ellipse.
+        """Return force, depth and contact.
 
         Raises
         ------
         OutsideValidity
-            If a force is tensile.
+            If a force is tensile, or pixels are too coarse for an incompressible layer.
         InvalidInput
             If the curvatures are so different that the contact is a line.
+        NotConverged
+            If the pressures of the pixels are not found.
         """
+        if isinstance(self.load, Force) and np.any(np.asarray(self.load.force) < 0.0):
+            raise OutsideValidity(
+                f"EllipticIndentation: force {float(np.min(self.load.force)):.6g} N is tensile; without adhesion "
+                "bodies can only be pressed together: give a force of zero or more."
+            )
+        if not isinstance(self.medium, HomogeneousMedium):
+            return self._by_pixels()
         a, b = self.bodies.semi_axes(self.medium.modulus, 1.0)
         unit = float(np.cbrt(9.0 / (16.0 * self.equivalent_radius * self.medium.modulus**2)))
         if isinstance(self.load, Force):
             force = np.asarray(self.load.force, dtype=float)
-            if np.any(force < 0.0):
-                raise OutsideValidity(
-                    f"EllipticIndentation: force {float(np.min(force)):.6g} N is tensile; without adhesion bodies can "
-                    "only be pressed together: give a force of zero or more."
-                )
             depth = unit * np.cbrt(force) ** 2
         else:
             depth = np.asarray(self.load.depth, dtype=float)
             force = (np.maximum(depth, 0.0) / unit) ** 1.5
         grown = np.cbrt(force)
-        return EllipticSolution(self, shaped(depth), shaped(force), shaped(a * grown), shaped(b * grown))
+        stiffness = 2.0 * self.medium.modulus * np.sqrt(self.equivalent_radius * np.maximum(depth, 0.0))
+        area = math.pi * a * b * grown**2
+        pressure = 1.5 * force / np.where(area > 0.0, area, 1.0)
+        columns = (depth, force, a * grown, b * grown, stiffness, area, pressure, 0.0 * force, 0.0 * force)
+        return EllipticSolution(self, *(shaped(column) for column in columns))
+
+    def _by_pixels(self) -> EllipticSolution:
+        """Return the solution on layers, gradings and power laws, load by load."""
+        by_force = isinstance(self.load, Force)
+        loads = numbers_of(self.load)
+        rows = np.zeros((9, loads.size))
+        for row, load in zip(rows.T, loads.ravel().tolist(), strict=True):
+            row[1 if by_force else 0] = load
+            if load <= 0.0:
+                continue
+            coarse, fine = pressed_ellipse(self.bodies.together, self.medium, Force(load) if by_force else Depth(load))
+            row[:] = (
+                fine.depth, fine.force, *fine.contour(AXES), fine.stiffness, fine.area, fine.peak_pressure,
+                grid_error(coarse, fine), edge_error(coarse, fine, AXES),
+            )  # fmt: skip
+        return EllipticSolution(self, *(shaped(column, loads.shape) for column in rows))
+
+
+@cached_by_value(8)
+def pressed_ellipse(
+    bodies: CurvedBodies, medium: MappedMedium, load: Force | Depth, pixels: int = PIXELS
+) -> tuple[PressedMap, PressedMap]:
+    """Return the bodies pressed by pixels under one positive load, on a coarse grid and on a fine one.
+
+    Parameters
+    ----------
+    bodies : CurvedBodies
+    medium : CoatedHalfSpace, SlidingFilm, StackedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+    load : Force or Depth
+    pixels : int
+        Along each side of the fine grid.
+
+    Raises
+    ------
+    OutsideValidity, NotConverged
+        As of `EllipticIndentation.solve`.
+    """
+    radii = bodies.longitudinal_curvature_radius, bodies.lateral_curvature_radius
+
+    def gap(x: Array, y: Array) -> Array:
+        return np.asarray(0.5 * (x**2 / radii[0] + y**2 / radii[1]))
+
+    hertz = EllipticIndentation(bodies, HalfSpace(Elastic(medium.modulus, 0.0)), load).solve()  # a first guess
+    start = float(hertz.longitudinal_semi_axis), float(hertz.lateral_semi_axis)
+    return pressed_levels("EllipticIndentation", gap, medium, load, start, pixels=pixels)
 
 
 @value
@@ -143,12 +215,24 @@ class EllipticSolution:
     force : float or ndarray
         F_N [N], compression positive.
     longitudinal_semi_axis, lateral_semi_axis : float or ndarray
-        a [m] along x and b [m] along y; zero without contact.
+        a [m] along x and b [m] along y: how far the contact reaches; zero without contact.
+    stiffness : float or ndarray
+        dF/dd [N/m].
+    area : float or ndarray
+        Of the contact [m^2].
+    peak_pressure : float or ndarray
+        p_0 [Pa], the greatest; zero without contact.
+    grid_error : float or ndarray
+        Relative change of depth, force and greatest pressure from half as many pixels along a side; zero of the closed
+        form.
+    edge_error : float or ndarray
+        Relative error of area, stiffness and semi-axes that the pixels leave; zero of the closed form.
     """
 
     __words__ = words(
         longitudinal_semi_axis=("a", "m", "semi-axis of the contact along x"),
         lateral_semi_axis=("b", "m", "semi-axis of the contact along y"),
+        edge_error=EDGE_ERROR,
     )
 
     problem: EllipticIndentation
@@ -156,33 +240,21 @@ class EllipticSolution:
     force: Quantity
     longitudinal_semi_axis: Quantity
     lateral_semi_axis: Quantity
+    stiffness: Quantity
+    area: Quantity
+    peak_pressure: Quantity
+    grid_error: Quantity
+    edge_error: Quantity
 
     per_load: ClassVar[str] = "depth"
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m], of the ball whose force grows with depth as this one's."""
+        """R_eq [m], of the ball whose force grows with depth as this one's, where the bodies are homogeneous."""
         return self.problem.equivalent_radius
 
-    @property
-    def stiffness(self) -> Quantity:
-        """dF/dd [N/m]."""
-        radius = np.sqrt(self.equivalent_radius * np.maximum(self.depth, 0.0))
-        return shaped(2.0 * self.problem.medium.modulus * radius)
-
-    @property
-    def area(self) -> Quantity:
-        """pi a b [m^2]."""
-        return shaped(np.asarray(math.pi * self.longitudinal_semi_axis * self.lateral_semi_axis))
-
-    @property
-    def peak_pressure(self) -> Quantity:
-        """p_0 = 3 F / (2 pi a b) [Pa], in the middle; zero without contact."""
-        area = np.asarray(self.area)
-        return shaped(1.5 * np.asarray(self.force) / np.where(area > 0.0, area, 1.0))
-
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
-        """Return the pressure under one load [Pa], zero outside of the ellipse.
+        """Return the pressure under one load [Pa], zero outside of the contact.
 
         Parameters
         ----------
@@ -198,6 +270,10 @@ class EllipticSolution:
         along, across = common_places("EllipticSolution", x=x, y=y)
         if self.force == 0.0:
             return np.zeros(along.shape)
+        problem = self.problem
+        if not isinstance(problem.medium, HomogeneousMedium):
+            load = Force(float(self.force)) if isinstance(problem.load, Force) else Depth(float(self.depth))
+            return pressed_ellipse(problem.bodies.together, problem.medium, load)[1].pressure_at(along, across)
         squared = (along / self.longitudinal_semi_axis) ** 2 + (across / self.lateral_semi_axis) ** 2
         return np.asarray(self.peak_pressure * np.sqrt(np.maximum(1.0 - squared, 0.0)))
 
@@ -289,18 +365,16 @@ class EllipticSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, onset of yield."""
-        axes, bodies = (
-            (float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))),
-            self.problem.bodies,
-        )
-        slopes = _slopes_note(bodies, axes)
+        axes = float(np.max(self.longitudinal_semi_axis)), float(np.max(self.lateral_semi_axis))
+        medium, slopes = self.problem.medium, _slopes_note(self.problem.bodies, axes)
+        if not isinstance(medium, HomogeneousMedium):
+            errors = float(np.max(self.grid_error)), float(np.max(self.edge_error))
+            return (*pixel_notes(medium, *errors), slopes, *unknown_yield(medium, IN_LAYERS))
         return (
-            *(note for note in self.problem.medium.notes if note.standing is not Standing.EXACT),  # of a round contact
+            *(note for note in medium.notes if note.standing is not Standing.EXACT),  # of a round contact
             ELLIPSE,
             slopes,
-            *ellipse_yield_notes(
-                self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
-            ),
+            *ellipse_yield_notes(medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force),
         )
 
 

@@ -4,6 +4,9 @@ All stresses grow with :math:`p_0\propto F^{1/3}`: with the greatest von Mises s
 strength Y and the ellipse a, b of the force one, yielding begins at
 
 .. math:: F = \Big(\frac{2\pi ab\,Y}{3k}\Big)^3 .
+
+On layers pressures are those of pixels, stresses in each layer follow from waves in all directions
+(`winkler.media.layered.map_interior`), and the force is sought at which the greatest one is the strength.
 """
 
 from __future__ import annotations
@@ -16,14 +19,17 @@ from winkler.errors import InvalidInput
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic_fields import traction_of
+from winkler.problems.normal.onset.elliptic_layers import coarse_layers, onsets_in_layers
 from winkler.problems.normal.onset.part_onset import EllipticPartOnset, onset_note
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.validity import Assumption, Note
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["EllipticYieldOnset", "EllipticYieldOnsetSolution"]
@@ -39,8 +45,8 @@ class EllipticYieldOnset:
     ----------
     bodies : CurvedBodies or CurvedPair
         R_x and R_y, or the radii of each body.
-    medium : HalfSpace
-        Both bodies, of which at least one was given a strength.
+    medium : HalfSpace, CoatedHalfSpace, SlidingFilm or StackedHalfSpace
+        Both bodies, of which at least one part was given a strength.
     friction : Coulomb, optional
         The contact slides everywhere, and drags each body by mu p; none unless given.
     angle : float, optional
@@ -51,6 +57,8 @@ class EllipticYieldOnset:
     ------
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
+    OutsideValidity
+        If there is friction on a layer that slides on what lies below it.
 
     References
     ----------
@@ -73,7 +81,7 @@ class EllipticYieldOnset:
     )
 
     bodies: CurvedBodies | CurvedPair
-    medium: HalfSpace
+    medium: HalfSpace | CoatedHalfSpace | SlidingFilm | StackedHalfSpace
     friction: Overcome = FRICTIONLESS
     angle: float = 0.0
 
@@ -83,7 +91,9 @@ class EllipticYieldOnset:
     def __post_init__(self) -> None:
         if not math.isfinite(self.angle):
             raise InvalidInput(f"EllipticYieldOnset: the angle is {self.angle!r}; give one in radians.")
-        if min(self.medium.strengths) == math.inf:
+        if not isinstance(self.medium, HalfSpace) and self.friction.coefficient != 0.0:
+            _ = self.medium.along_modulus  # refuses layers that slide
+        if not strong_parts(self.medium):
             raise InvalidInput(
                 "EllipticYieldOnset: no body has a strength; give Elastic(young, poisson, strength=...)."
             )
@@ -95,7 +105,20 @@ class EllipticYieldOnset:
         ------
         InvalidInput
             If the curvatures are so different that the contact is a line.
+        OutsideValidity, NotConverged
+            If the pressures on layers, or the force, are not found.
         """
+        error = 0.0
+        if isinstance(self.medium, HalfSpace):
+            rows = self._in_half_spaces()
+        else:
+            traction = traction_of(self.friction.coefficient, self.angle)
+            rows, error = onsets_in_layers(self.bodies.together, self.medium, traction)
+        first = min(rows, key=lambda row: row.force)
+        pressed = self._pressed(first.force)
+        return EllipticYieldOnsetSolution(self, first.force, pressed, first.x, first.y, first.z, rows, error)
+
+    def _in_half_spaces(self) -> tuple[EllipticPartOnset, ...]:
         unit = self._pressed(1.0)
         rows = []
         for number, part in enumerate(strong_parts(self.medium), 1):
@@ -103,9 +126,7 @@ class EllipticYieldOnset:
             grown = part.solid.strength / place.value
             x, y, z = (grown * along for along in (place.x, place.y, place.z))
             rows.append(EllipticPartOnset(number, part.name, grown**3, x, y, z if part.first else -z))
-        first = min(rows, key=lambda row: row.force)
-        pressed = self._pressed(first.force)
-        return EllipticYieldOnsetSolution(self, first.force, pressed, first.x, first.y, first.z, tuple(rows))
+        return tuple(rows)
 
     def _pressed(self, force: float) -> EllipticSolution:
         return EllipticIndentation(self.bodies, self.medium, Force(force)).solve()
@@ -126,7 +147,9 @@ class EllipticYieldOnsetSolution:
     x, y, z : float
         Where it begins [m], in the axes of the body; below zero (also -0.0) in the second one.
     onsets : tuple of EllipticPartOnset
-        The same of each body that has a strength.
+        The same of each body, layer and base that has a strength, from the uppermost layer of the first body down.
+    grid_error : float
+        Relative error of these forces, from half as many pixels along a side; zero of the closed form.
     """
 
     __words__ = words(
@@ -142,6 +165,7 @@ class EllipticYieldOnsetSolution:
     y: float
     z: float
     onsets: tuple[EllipticPartOnset, ...]
+    grid_error: float
 
     @property
     def depth(self) -> float:
@@ -166,9 +190,26 @@ class EllipticYieldOnsetSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed."""
-        criterion = onset_note([(one.name, one.force) for one in self.onsets], "N")
+        medium, fading = self.problem.medium, []
+        if not isinstance(medium, HalfSpace):
+            thickness = medium.layers[0].thickness
+            grown = [(one.force / self.force) ** (1.0 / 3.0) for one in self.onsets]
+            widest = max(self.longitudinal_semi_axis, self.lateral_semi_axis)
+            fading = [
+                one.name
+                for one, growth in zip(self.onsets, grown, strict=True)
+                if math.copysign(1.0, one.z) > 0.0 and coarse_layers(thickness, growth * widest)
+            ]
+        criterion = onset_note([(one.name, one.force) for one in self.onsets], "N", fading=fading)
         others = (note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC)
         rubbed = sliding_note(self.problem.medium, self.problem.friction.coefficient)
         if self.problem.friction.coefficient == 0.0 and self.problem.angle != 0.0:
             rubbed = replace(rubbed, statement=f"{rubbed.statement} The angle of friction has no effect.")
+        if not isinstance(medium, HalfSpace):
+            criterion = replace(
+                criterion,
+                standing=max(criterion.standing, Standing.ASYMPTOTIC, key=list(Standing).index),
+                statement=f"{criterion.statement} Two grids leave an error of up to "
+                f"{100.0 * self.grid_error:.1g} per cent in these forces.",
+            )
         return (*others, rubbed, criterion)

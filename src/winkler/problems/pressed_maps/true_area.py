@@ -5,7 +5,7 @@ The area is that of the pixels less what their edge counts too much (Yastrebov a
 .. math:: A = A_\mathrm{pixels} - 0.9\,\frac{\pi-1+\ln 2}{24}\,S\,\Delta x ,
 
 with the length S of the edge along the sides of the pixels; the factor 0.9 is measured
-(`winkler.problems.rough.contact_area`).  The contact is solved again on every second point of the
+(`winkler.numerics.pixels.contact_area`).  The contact is solved again on every second point of the
 map: by as much as area and peak pressure change, so far may they be from those of a fine grid.
 """
 

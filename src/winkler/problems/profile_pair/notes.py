@@ -7,7 +7,9 @@ import math
 import numpy as np
 
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
@@ -17,6 +19,12 @@ __all__ = ["pair_notes", "placed_notes", "yield_of_patches"]
 
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
+PIXELS_ON_HALF_SPACES = Note(
+    Assumption.RESPONSE,
+    Standing.EXACT,
+    "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
+    POLONSKY,
+)
 FINE, COARSE = 0.01, 0.1
 """Change from half as many pixels up to which results count as fine, and as coarse."""
 TURNED_SHARE = 0.3
@@ -26,7 +34,7 @@ FLAT, BENT = 0.1, 1.2
 
 
 def pair_notes(
-    medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...], grid_error: float, cut: bool, windows: int
+    medium: MappedMedium, patches: tuple[ProfilePatch, ...], grid_error: float, cut: bool, windows: int
 ) -> tuple[Note, ...]:
     """Return what was assumed of two profiles, and what the grid leaves.
 
@@ -43,13 +51,9 @@ def pair_notes(
     windows
         Number of grids.
     """
+    homogeneous = isinstance(medium, HomogeneousMedium)
     notes = [
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
-            POLONSKY,
-        ),
+        *((PIXELS_ON_HALF_SPACES,) if homogeneous else (PIXELS_ON_LAYERS, *graded_notes(medium))),
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
@@ -63,8 +67,8 @@ def pair_notes(
     return (*notes, *yield_of_patches(medium, [spot.surface_load], len(patches) > 1 and windows == 1))
 
 
-def yield_of_patches(medium: HomogeneousMedium, loads: list[SurfaceLoad], together: bool) -> tuple[Note, ...]:
-    """Return whether the bodies stay elastic below the worst of some patches.
+def yield_of_patches(medium: MappedMedium, loads: list[SurfaceLoad], together: bool) -> tuple[Note, ...]:
+    """Return whether the bodies stay elastic below the worst of some patches; not known in layers.
 
     Parameters
     ----------
@@ -75,6 +79,8 @@ def yield_of_patches(medium: HomogeneousMedium, loads: list[SurfaceLoad], togeth
     together
         Whether patches lie near each other.
     """
+    if not isinstance(medium, HomogeneousMedium):
+        return unknown_yield(medium, "the stresses below the patches are not computed in layers")
     worst = max(loads, key=lambda load: greatest_share(medium, load)) if len(loads) > 1 else loads[0]
     alone = map_yield_notes(medium, worst)
     if alone and alone[0].standing is not Standing.OUTSIDE and together:
@@ -83,9 +89,7 @@ def yield_of_patches(medium: HomogeneousMedium, loads: list[SurfaceLoad], togeth
     return alone
 
 
-def placed_notes(
-    medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...], cut: bool, windows: int
-) -> tuple[Note, ...]:
+def placed_notes(medium: MappedMedium, patches: tuple[ProfilePatch, ...], cut: bool, windows: int) -> tuple[Note, ...]:
     """Return what was assumed of the shape of two profiles and of their patches; parameters as of `pair_notes`."""
     bent = max(patch.turned for patch in patches)
     notes = [
@@ -93,7 +97,7 @@ def placed_notes(
             Assumption.HALF_SPACE,
             standing_of(bent, FLAT, BENT),
             f"Within a patch the surface turns by {bent:.2g} rad; the gap is measured along the normals, the response "
-            "is that of a half-space along the arc.",
+            f"is that of {'a half-space' if isinstance(medium, HomogeneousMedium) else 'flat layers'} along the arc.",
             KALKER,
         ),
     ]
@@ -112,14 +116,15 @@ def placed_notes(
     return tuple(notes)
 
 
-def _apart(medium: HomogeneousMedium, patches: tuple[ProfilePatch, ...]) -> Note:
+def _apart(medium: MappedMedium, patches: tuple[ProfilePatch, ...]) -> Note:
     """Return how much patches on grids of their own sink each other, and how far that is from the truth."""
-    most, wide = 0.0, 0.0
+    most, wide, layers = 0.0, 0.0, layers_of(medium)
     for one in patches:
         for other in patches:
             far = math.hypot(one.y - other.y, one.z - other.z, one.x - other.x)
             if other is not one and far > 0.0:
                 sunk = other.force * max(float(np.cos(one.angle - other.angle)), 0.0)
+                sunk *= float(layers.whole(np.array([1.0 / far]))[0]) if layers else 1.0
                 most = max(most, sunk / (math.pi * medium.modulus * far) / one.depth)
                 wide = max(wide, max(one.longitudinal_length, one.lateral_length) / far)
     return Note(

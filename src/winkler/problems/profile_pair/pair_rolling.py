@@ -10,14 +10,15 @@ the upper body, so that under a given force the pressures follow from the balanc
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
 from winkler.checks.number_checks import Finite, NonNegative, between
-from winkler.errors import NotConverged, OutsideValidity
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.loading import Force
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.creepages import Drift
@@ -114,6 +115,16 @@ class ProfilePairRolling:
 
     def __post_init__(self) -> None:
         refuse_rest("ProfilePairRolling", self.friction, self.speed)
+        if not isinstance(self.pair.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"ProfilePairRolling: the medium of the pair is a {type(self.pair.medium).__name__}; profiles roll on "
+                "homogeneous bodies: give a HalfSpace, or press the pair with ProfilePair and roll with SurfaceRolling."
+            )
+
+    @property
+    def rolled_medium(self) -> HomogeneousMedium:
+        """Both bodies."""
+        return cast(HomogeneousMedium, self.pair.medium)
 
     def solve(self) -> ProfilePairRollingSolution:
         """Return the patches with their creep forces, and the sums of these.
@@ -154,7 +165,7 @@ class ProfilePairRolling:
             )
         drift = Drift(self.lateral_drift, self.yaw_rate, self.roll_rate)
         radius = pair.rolled_radius or pair.second_radius
-        patches = rolled_patches(placed, pair.medium, self.friction, radius, drift, self.tolerance, self.speed)
+        patches = rolled_patches(placed, self.rolled_medium, self.friction, radius, drift, self.tolerance, self.speed)
         return placed, *patches
 
     def _solution(
@@ -304,6 +315,6 @@ class ProfilePairRollingSolution:
         """How far the result can be trusted: pixels, conformity, friction, creepages, yield."""
         stated = self.problem
         notes = pair_rolling_notes(
-            stated.pair.medium, stated.friction, self.patches, self.windows, self.grid_error, self.misfit
+            stated.rolled_medium, stated.friction, self.patches, self.windows, self.grid_error, self.misfit
         )
         return (*notes, *idle_speed_notes(stated.friction, stated.speed))

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.creepages import creepage_at
 from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.profile_pair.pressing import Region
 from winkler.problems.rolling.creepage import Creepage
-from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.values import value, words
@@ -75,7 +75,7 @@ class ProfilePatch(BelowSurface):
         creepage=("", None, "slip of the upper body over the lower one while they roll"),
     )
 
-    medium: HomogeneousMedium
+    medium: MappedMedium
     force: float
     lateral_force: float
     vertical_force: float
@@ -103,12 +103,12 @@ class ProfilePatch(BelowSurface):
         return SurfaceLoad(self.pressure, pixel * self.pressure.shape, corner=corner)
 
     @property
-    def _medium(self) -> HomogeneousMedium:
+    def _medium(self) -> MappedMedium:
         return self.medium
 
 
 def patches_of(
-    lower: PlacedBody, upper: PlacedBody, region: Region, medium: HomogeneousMedium, rolled_radius: float
+    lower: PlacedBody, upper: PlacedBody, region: Region, medium: MappedMedium, rolled_radius: float
 ) -> list[ProfilePatch]:
     """Return the patches of one window: parts of it whose pixels touch each other."""
     from scipy.ndimage import label
@@ -128,7 +128,7 @@ def _patch(
     upper: PlacedBody,
     region: Region,
     pressure: Array,
-    medium: HomogeneousMedium,
+    medium: MappedMedium,
     rolled_radius: float,
 ) -> ProfilePatch:
     gaps, touching = region.gaps, pressure > 0.0

@@ -85,11 +85,11 @@ def pressed_pair(problem: Any) -> PlacedPair:
         As `ProfilePair.solve`.
     """
     lower, upper, placing = placed_bodies(problem)
-    modulus, load = problem.medium.modulus, problem.load
+    medium, load = problem.medium, problem.load
     if isinstance(load, Force):
-        pair = pressed_by_force(lower, upper, placing, float(load.force), modulus, problem.pixels, problem.tolerance)
+        pair = pressed_by_force(lower, upper, placing, float(load.force), medium, problem.pixels, problem.tolerance)
     else:
-        pair = pressed_by_drop(lower, upper, placing, float(load.depth), modulus, problem.pixels, problem.tolerance)
+        pair = pressed_by_drop(lower, upper, placing, float(load.depth), medium, problem.pixels, problem.tolerance)
     down = upper.raised(-float(np.nanmin(placing.gap)) - pair.drop)
     rolled = problem.rolled_radius or problem.second_radius
     patches = tuple(tuple(patches_of(lower, down, region, problem.medium, rolled)) for region in pair.regions)

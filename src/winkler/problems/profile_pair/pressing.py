@@ -8,6 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.media.mapped import MappedMedium, layers_of
+from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.surfaces.pressed_grid import ByDepth, press
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
@@ -94,7 +96,13 @@ def heights_of(gaps: GapMap) -> tuple[Array, float]:
 
 
 def pressed_by_drop(
-    lower: PlacedBody, upper: PlacedBody, placing: Placing, drop: float, modulus: float, pixels: int, tolerance: float
+    lower: PlacedBody,
+    upper: PlacedBody,
+    placing: Placing,
+    drop: float,
+    medium: MappedMedium,
+    pixels: int,
+    tolerance: float,
 ) -> PressedWindows:
     """Return the pair with the upper body let down by `drop` [m] since first touch.
 
@@ -105,8 +113,8 @@ def pressed_by_drop(
         Of both.
     drop : float
         [m].
-    modulus : float
-        E* [Pa].
+    medium : HomogeneousMedium, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
     pixels : int
         Along a side of each window.
     tolerance : float
@@ -125,11 +133,11 @@ def pressed_by_drop(
             f"ProfilePair: let down by {drop:.3g} m since first touch one body goes through the other; give a smaller "
             "load, or check its unit and those of the moduli."
         )
-    regions = [_pressed(gaps, np.zeros(1), modulus, tolerance) for gaps in maps]
+    regions = [_pressed(gaps, np.zeros(1), medium, tolerance) for gaps in maps]
     for _ in range(ROUNDS if len(maps) > 1 else 0):
         regions = [
             _pressed(
-                gaps, _sunk(gaps, [other for other in regions if other.gaps is not gaps], modulus), modulus, tolerance
+                gaps, _sunk(gaps, [other for other in regions if other.gaps is not gaps], medium), medium, tolerance
             )
             for gaps in maps
         ]
@@ -142,18 +150,27 @@ def pressed_by_drop(
     return PressedWindows(drop, found)
 
 
-def _pressed(gaps: GapMap, sunk: Array, modulus: float, tolerance: float) -> Region:
+def _pressed(gaps: GapMap, sunk: Array, medium: MappedMedium, tolerance: float) -> Region:
     """Return a window with its pressures; without any where the bodies are apart."""
     heights, overlap = heights_of(gaps._replace(gap=gaps.gap + sunk))
     if overlap <= 0.0:
         return Region(gaps, 0.0, np.zeros(gaps.gap.shape))
-    solved = press(float(np.max(heights)) - heights, gaps.pixel, ByDepth(overlap), periodic=False, tolerance=tolerance)
-    return Region(gaps, overlap, modulus * solved.pressure)
+    lowered, layers = float(np.max(heights)) - heights, layers_of(medium)
+    try:
+        solved = press(lowered, gaps.pixel, ByDepth(overlap), periodic=False, tolerance=tolerance, layers=layers)
+    except OutsideValidity as error:
+        raise OutsideValidity(f"ProfilePair: {error}") from None
+    return Region(gaps, overlap, medium.modulus * solved.pressure)
 
 
-def _sunk(gaps: GapMap, others: list[Region], modulus: float) -> Array:
+def _sunk(gaps: GapMap, others: list[Region], medium: MappedMedium) -> Array:
     """Return how far the forces of other windows open the gap of this one, as forces at points [m]."""
-    opened = np.zeros(gaps.gap.shape)
+    opened, layers = np.zeros(gaps.gap.shape), layers_of(medium)
+    if offers(medium, PowerOfDepth):
+        raise OutsideValidity(
+            "ProfilePair: the bodies touch in places far from each other; how a force sinks places far away is known "
+            "for layers and homogeneous bodies, not for power laws: give a DepthGradedHalfSpace, or another load."
+        )
     for other in others:
         whole = float(np.sum(other.pressure))
         if whole == 0.0:
@@ -161,12 +178,19 @@ def _sunk(gaps: GapMap, others: list[Region], modulus: float) -> Array:
         along, across = other.pressure.sum(axis=1) / whole, other.pressure.sum(axis=0) / whole
         x, y, z = float(along @ other.gaps.x), float(across @ other.gaps.y), float(across @ other.gaps.z)
         far = np.sqrt((gaps.x[:, None] - x) ** 2 + (gaps.y - y) ** 2 + (gaps.z - z) ** 2)
-        opened += np.maximum(other.force @ gaps.normal, 0.0) / (math.pi * modulus * far)
+        share = layers.whole(1.0 / far) if layers else 1.0  # of layers what waves as long as the distance feel
+        opened += np.maximum(other.force @ gaps.normal, 0.0) * share / (math.pi * medium.modulus * far)
     return opened
 
 
 def pressed_by_force(
-    lower: PlacedBody, upper: PlacedBody, placing: Placing, force: float, modulus: float, pixels: int, tolerance: float
+    lower: PlacedBody,
+    upper: PlacedBody,
+    placing: Placing,
+    force: float,
+    medium: MappedMedium,
+    pixels: int,
+    tolerance: float,
 ) -> PressedWindows:
     """Return the pair under a force upwards on the upper body; parameters as of `pressed_by_drop`.
 
@@ -179,9 +203,9 @@ def pressed_by_force(
     """
     lowest = int(np.nanargmin(placing.gap))
     radius = 1.0 / float(placing.bending[lowest])
-    drop = radius * (0.75 * force / (modulus * radius**2)) ** (2.0 / 3.0)  # that of a ball
-    coarse = _found(lower, upper, placing, force, modulus, drop, min(COARSE_PIXELS, pixels), 1e-4, COARSE_TOLERANCE)
-    return _found(lower, upper, placing, force, modulus, coarse.drop, pixels, tolerance, FORCE_TOLERANCE)
+    drop = radius * (0.75 * force / (medium.modulus * radius**2)) ** (2.0 / 3.0)  # that of a ball
+    coarse = _found(lower, upper, placing, force, medium, drop, min(COARSE_PIXELS, pixels), 1e-4, COARSE_TOLERANCE)
+    return _found(lower, upper, placing, force, medium, coarse.drop, pixels, tolerance, FORCE_TOLERANCE)
 
 
 def _found(
@@ -189,7 +213,7 @@ def _found(
     upper: PlacedBody,
     placing: Placing,
     force: float,
-    modulus: float,
+    medium: MappedMedium,
     drop: float,
     pixels: int,
     tolerance: float,
@@ -199,7 +223,7 @@ def _found(
     before: tuple[float, float] | None = None
     power = HERTZ_POWER
     for _ in range(MOST_TRIALS):
-        pair = pressed_by_drop(lower, upper, placing, drop, modulus, pixels, tolerance)
+        pair = pressed_by_drop(lower, upper, placing, drop, medium, pixels, tolerance)
         over = math.log(float(pair.force[1]) / force)
         if abs(over) <= exactness:
             return pair

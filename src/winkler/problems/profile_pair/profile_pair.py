@@ -20,7 +20,7 @@ import numpy as np
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Advice, Finite, NonNegative, PositiveOrInfinite, Whole, between
 from winkler.loading import Depth, Force
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.notes import pair_notes
 from winkler.problems.profile_pair.patch import ProfilePatch
@@ -49,7 +49,8 @@ class ProfilePair:
     ----------
     first, second : CrossProfile
         Of the lower and of the upper body, each in its own axes: y across, z up.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
+DepthGradedHalfSpace or GradedHalfSpace
         Both bodies; the first is the lower one.
     load : Force or Depth
         The vertical force [N], or how far the upper body goes down after first touch [m]; one positive number.
@@ -110,7 +111,7 @@ class ProfilePair:
 
     first: CrossProfile
     second: CrossProfile
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     load: Annotated[Force | Depth, ONE_LOAD]
     lateral: Finite = 0.0
     yaw: Annotated[float, between(-LARGEST_TURN, LARGEST_TURN)] = 0.0
@@ -144,7 +145,7 @@ class ProfilePair:
         placed = pressed_pair(self)
         pair, placing = placed.windows, placed.placing
         coarse = pressed_by_drop(
-            placed.lower, placed.upper, placing, pair.drop, self.medium.modulus, self.pixels // 2, self.tolerance
+            placed.lower, placed.upper, placing, pair.drop, self.medium, self.pixels // 2, self.tolerance
         )
         patches = [patch for each in placed.patches for patch in each]
         across, up = pair.force.tolist()

@@ -12,6 +12,7 @@ one window are solved together.
 from __future__ import annotations
 
 import math
+from typing import cast
 
 import numpy as np
 
@@ -111,7 +112,7 @@ class RolledPatch(BelowSurface):
 
     @property
     def _medium(self) -> HomogeneousMedium:
-        return self.patch.medium
+        return cast(HomogeneousMedium, self.patch.medium)  # `ProfilePairRolling` rolls on no other
 
 
 def rolled_patches(

@@ -6,12 +6,12 @@ from typing import cast
 
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace
+from winkler.media.mapped import MappedMedium
 from winkler.media.offers import LayerStack, PowerOfDepth, PushedWaves, offers
 from winkler.numerics.pixels.layered_shear import LayeredShear, ShearResponse
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
-from winkler.problems.rough.mapped_medium import MappedMedium
 
 __all__ = ["compliance_of"]
 

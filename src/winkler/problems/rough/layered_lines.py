@@ -14,9 +14,9 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
-from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 
 __all__ = ["conducting_medium", "line_stiffnesses", "moduli_of_waves", "slope_modulus"]

@@ -16,10 +16,10 @@ import numpy as np
 from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.rough.layered_lines import line_stiffnesses, moduli_of_waves, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.persson import area_fraction, separation_under
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines

@@ -18,6 +18,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
@@ -26,7 +27,6 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
 from winkler.problems.rough.layered_lines import line_stiffnesses, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.persson import area_fraction
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines

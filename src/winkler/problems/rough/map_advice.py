@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_notes import border_notes
 from winkler.problems.subsurface.map_yield import map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad

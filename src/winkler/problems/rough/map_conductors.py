@@ -6,7 +6,7 @@ from winkler.errors import OutsideValidity
 from winkler.materials.conducting_body import ConductingBody, Plated, Rod, layers_of
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.problems.rough.mapped_medium import MappedMedium
+from winkler.media.mapped import MappedMedium
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 

@@ -21,13 +21,13 @@ from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.foundation.plane import PlaneFoundation
 from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.media.medium import Medium
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.contact_springs import ContactPoints, force_uncertainty, springs_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.stuck_contacts import StuckContacts
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState

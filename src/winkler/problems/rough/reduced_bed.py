@@ -10,8 +10,8 @@ import numpy as np
 
 from winkler.footprint import UnknownOutline
 from winkler.foundation.directional import DirectionalBed
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.reduce import Reduction
 from winkler.profiles.rough.topography import Topography
 from winkler.values import value, words

@@ -13,12 +13,12 @@ import numpy as np
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_states import SurfaceState
 
 __all__ = ["StuckContacts"]

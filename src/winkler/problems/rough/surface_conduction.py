@@ -31,13 +31,13 @@ from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import layers_of
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
 from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
-from winkler.problems.rough.mapped_medium import layers_of
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.map_spectrum import spectrum_of

@@ -23,21 +23,22 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.arrays import given, library_of, to_numpy
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.rough.contact_area import contact_area
+from winkler.problems.pressed_shape.force_at_yield import force_at_yield
 from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
 from winkler.problems.rough.map_advice import last_load_notes
 from winkler.problems.rough.map_loads import check_loads
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
-from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous, layers_of, medium_notes
+from winkler.problems.rough.mapped_medium import homogeneous, medium_notes
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.problems.rough.surface_yield import force_at_yield
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.map_yield import greatest_share
 from winkler.problems.subsurface.surface_load import SurfaceLoad

@@ -19,16 +19,16 @@ import numpy as np
 from winkler.checks.number_checks import Advice, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.loading import Depth
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.attracted.attracted_surface import AttractedSurface
 from winkler.numerics.attracted.elastic_surface import ElasticSurface
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ATTRACTED
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.rough.contact_area import contact_area
 from winkler.problems.rough.map_memory import state_memory
-from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.problems.surface_adhesion.input_checks import check_adhesion, memory_of
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
 from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 from winkler.laws.adhesion import ShortRange
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.attracted.attraction import RoundedStep
-from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
+from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw
 from winkler.profiles.rough.topography import Topography

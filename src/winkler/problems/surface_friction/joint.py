@@ -19,11 +19,11 @@ from winkler.checks.number_checks import Advice, Number, Numbers
 from winkler.errors import OutsideValidity
 from winkler.laws.friction import Sliding
 from winkler.loading import Force, ShearForce
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.surface_friction.joint_loops import loops_of_elements, loops_of_stiffness

@@ -15,10 +15,10 @@ import numpy as np
 
 from winkler.laws.friction import Sliding
 from winkler.loading import Force, ShearForce
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
 

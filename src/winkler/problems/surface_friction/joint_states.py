@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.media.mapped import MappedMedium
 from winkler.media.offers import PushedWaves, offers
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms import fredholm
 from winkler.problems.rough.contact_springs import radii_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 

@@ -12,14 +12,14 @@ import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening
+from winkler.media.mapped import MappedMedium, layers_of
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_friction.by_turns import by_turns, press_from
 from winkler.problems.surface_friction.state import SurfaceShearState

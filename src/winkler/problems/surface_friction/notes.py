@@ -10,10 +10,11 @@ import numpy as np
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening, greatest_coefficient
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import solved_together_note
-from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
+from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note, Standing, standing_left
 

@@ -23,13 +23,13 @@ from winkler.errors import InvalidInput
 from winkler.foundation.directional import DirectionalBed
 from winkler.laws.friction import Sliding
 from winkler.loading import Depth, ShearForce
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.rough.reduce import Reduction, ReductionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography

@@ -19,13 +19,14 @@ from winkler.laws.varying_friction import Slipped
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Angle, Depth, ShearForce, Torque
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import MappedMedium, homogeneous
+from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame

@@ -10,11 +10,12 @@ import numpy as np
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.media.medium import Medium
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.coupling import solved_together_note
-from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.mapped_medium import MappedMedium, medium_notes
+from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.surface_friction.by_turns import COUPLED_TOLERANCE
 from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.profiles.rough.topography import Topography

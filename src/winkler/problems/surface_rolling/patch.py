@@ -11,13 +11,13 @@ from winkler.checks.number_checks import affordable
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import MappedMedium, layers_of
 from winkler.problems.surface_friction.by_turns import Found, by_turns, press_from
 from winkler.profiles.rough.topography import Topography
 

@@ -21,12 +21,12 @@ from winkler.checks.number_checks import Advice, Positive, affordable, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Sliding
 from winkler.limits import PATH_POINTS
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.borne import refuse_beyond

@@ -20,12 +20,12 @@ import numpy as np
 from winkler.checks.number_checks import Advice, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import MappedMedium
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.creep_force import RollingDrive, first_of, given_of

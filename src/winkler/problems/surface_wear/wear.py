@@ -19,12 +19,13 @@ from winkler.checks.number_checks import FiniteQuantity, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.wear import Archard
 from winkler.loading import Depth
+from winkler.media.mapped import layers_of
+from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.rough.contact_area import contact_area
-from winkler.problems.rough.mapped_medium import layers_of, medium_notes
+from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.surface_wear.march import MapMoment, begin, go
 from winkler.problems.surface_wear.notes import wear_notes

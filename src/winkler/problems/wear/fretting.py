@@ -35,6 +35,7 @@ from winkler.problems.wear.states import FrettingState
 from winkler.problems.wear.validity import fretting_notes, slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
 from winkler.problems.wear.worn_layers import (
+    cells_note,
     laws_on,
     layer_loses,
     layer_notes,
@@ -281,4 +282,5 @@ class FrettingSolution:
             return (*notes, *slip_grid_note(found, float(springs.loss_per_cycle), share))
         wears = layer_loses(medium, stated.wear, layer_wears=stated.layer_wears)
         expected = expected_loss(stated, self.states[0].nodes, found)
-        return (*notes, *slip_grid_note(found, expected, share), *layer_notes(medium, self.states, layer_wears=wears))
+        layers = layer_notes(medium, self.states, cells_note(self.states[0]), layer_wears=wears)
+        return (*notes, *slip_grid_note(found, expected, share), *layers)

@@ -8,7 +8,7 @@ from typing import overload
 import numpy as np
 
 from winkler.foundation.foundation import Foundation
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.wear.round_grid import RoundGrid
 from winkler.problems.wear.strip_grid import StripGrid
@@ -17,21 +17,21 @@ __all__ = ["wear_grid"]
 
 
 @functools.lru_cache(maxsize=8)
-def _cached_grid(bed: Foundation | LineFoundation, nodes: bytes) -> RoundGrid | StripGrid:
+def _cached_grid(bed: Foundation | LineBed, nodes: bytes) -> RoundGrid | StripGrid:
     places = np.frombuffer(nodes)
-    return StripGrid(bed, places) if isinstance(bed, LineFoundation) else RoundGrid(bed, places)
+    return StripGrid(bed, places) if isinstance(bed, LineBed) else RoundGrid(bed, places)
 
 
 @overload
 def wear_grid(bed: Foundation, nodes: Array) -> RoundGrid: ...
 @overload
-def wear_grid(bed: LineFoundation, nodes: Array) -> StripGrid: ...
-def wear_grid(bed: Foundation | LineFoundation, nodes: Array) -> RoundGrid | StripGrid:
+def wear_grid(bed: LineBed, nodes: Array) -> StripGrid: ...
+def wear_grid(bed: Foundation | LineBed, nodes: Array) -> RoundGrid | StripGrid:
     """Return a bed on a grid; the last few are cached.
 
     Parameters
     ----------
-    bed : Foundation or LineFoundation
+    bed : Foundation or LineBed
         Before wear.
     nodes : ndarray, (n,)
         Distances from the middle [m], rising from zero.

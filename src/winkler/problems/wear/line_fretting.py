@@ -5,8 +5,8 @@ In every cycle each place slips four times its amplitude s, the one that the nar
 
 .. math:: \frac{\mathrm df}{\mathrm dn} = 4\,\kappa\,p(x)\,s(x) , \qquad s(x) = \mu\,h(x;\gamma) .
 
-What sticks stays as wide as it was, whatever wears outside (`winkler.problems.wear.stuck_core`); it bears everything in
-the end (`winkler.problems.wear.line_limiting_profile`).
+On half-planes what sticks stays as wide as it was, whatever wears outside; on layers it moves
+(`winkler.problems.wear.stuck_core`).  It bears everything in the end (`winkler.problems.wear.line_limiting_profile`).
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from winkler.checks.number_checks import FiniteQuantity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.tangential import LineTangential
 from winkler.problems.wear.grids import wear_grid
@@ -32,11 +32,12 @@ from winkler.problems.wear.input_checks import Cells, WearTolerance
 from winkler.problems.wear.line_states import LineFrettingState
 from winkler.problems.wear.line_validity import line_fretting_notes
 from winkler.problems.wear.march import WearMoment
-from winkler.problems.wear.nodes import graded_nodes, nodes_about
+from winkler.problems.wear.nodes import graded_nodes, halved, nodes_about
 from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
 from winkler.problems.wear.stuck_core import stuck_core
 from winkler.problems.wear.validity import slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_layers import laws_on, layer_loses, refuse_thin, refuse_wear_of_layers
 from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -54,8 +55,8 @@ class LineFrettingWear(AtGoals):
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies before wear, on a `HalfSpace`.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies before wear: homogeneous, or layers through which shear reaches the base.
     wear : Archard, PairWear or OwnWear
         How the surfaces wear.
     law : Coulomb
@@ -71,11 +72,22 @@ class LineFrettingWear(AtGoals):
         Cells of the grid of places on one side.
     tolerance : float, optional
         Error of the worn depth in one jump over many cycles, over the greatest one in the end.
+    layer_wears : bool, optional
+        Of a medium with layers, and one law of wear: whether its uppermost layer wears. Left out, the other body does;
+        under a PairWear both do, the layer by its first law.
 
     Raises
     ------
     InvalidInput
-        If a law, a force or a number is not of these kinds, or the bodies are not isotropic.
+        If a law, a force or a number is not of these kinds, or a layer is said to wear on a medium without layers.
+    OutsideValidity
+        If a layer slides on what lies below it, or the bodies relax.
+
+    Notes
+    -----
+    On layers pressures, bounds and slip are those of their responses to pressure and to shear along x; what sticks
+    moves while its surroundings wear.  A layer that wears is taken to respond as before, up to 5 per cent of its
+    thickness.
 
     References
     ----------
@@ -108,9 +120,10 @@ class LineFrettingWear(AtGoals):
         amplitude=("", None, "amplitude of the shear force per length"),
         count=("n", "", "cells of the grid of places on one side"),
         tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the greatest one in the end"),
+        layer_wears=("", None, "whether the uppermost layer wears, and not the other body"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     wear: WearLaw
     law: Sliding
     normal: OnePositiveLineForce
@@ -118,13 +131,20 @@ class LineFrettingWear(AtGoals):
     cycles: FiniteQuantity
     count: Cells = 400
     tolerance: WearTolerance = 1e-3
+    layer_wears: bool = False
 
     references: ClassVar[tuple[str, ...]] = ("archard_1953", "ciavarella_hills_1999", "dimaki_2014")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def __post_init__(self) -> None:
-        refuse_unless_isotropic("LineFrettingWear", self.bed)
+        _ = self.bed.along_share
+        refuse_wear_of_layers("LineFrettingWear", self.bed.medium, self.wear, layer_wears=self.layer_wears)
         super().__post_init__()
+
+    @property
+    def laws(self) -> WearLaw:
+        """How the bodies wear: one law alone is that of the first, or on layers that stay as they are, the second."""
+        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
         return grid.rub(contact, self.law.coefficient, float(self.amplitude.shear_force_per_length))
@@ -139,7 +159,9 @@ class LineFrettingWear(AtGoals):
         return 4.0 * self._rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse nothing: whether the bodies slide away is known before."""
+        """Refuse to wear much of a layer; whether the bodies slide away is known before."""
+        if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
+            refuse_thin("LineFrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
 
     def _nodes(self) -> Array:
         """Return places up to where wear ends at last, closest beside what sticks."""
@@ -256,14 +278,18 @@ class LineFrettingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        stated = self.problem
-        found = stated.state(unworn(self.states[0].nodes)).dissipation_per_length
+        stated, nodes = self.problem, self.states[0].nodes
+        found = stated.state(unworn(nodes)).dissipation_per_length
         force, shear = float(stated.normal.force_per_length), float(stated.amplitude.shear_force_per_length)
-        strips = LineTangential(
-            stated.bed, stated.law, LinePath(force, shear * np.array([0.0, 1.0, -1.0, 1.0]))
-        ).solve()
-        expected = float(strips.dissipation_per_length[-1] - strips.dissipation_per_length[1])
+        if stated.bed.sheared_as_pressed:
+            path = LinePath(force, shear * np.array([0.0, 1.0, -1.0, 1.0]))
+            strips = LineTangential(stated.bed, stated.law, path).solve()
+            expected = float(strips.dissipation_per_length[-1] - strips.dissipation_per_length[1])
+        else:
+            coarse = stated.state(unworn(halved(nodes))).dissipation_per_length
+            expected = found + (found - coarse) / 3.0
+        wears = layer_loses(stated.bed.medium, stated.wear, layer_wears=stated.layer_wears)
         return (
-            *line_fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states),
+            *line_fretting_notes(stated.bed, stated.law.coefficient, stated.tolerance, self.states, layer_wears=wears),
             *slip_grid_note(found, expected, shear / (stated.law.coefficient * force)),
         )

@@ -1,8 +1,8 @@
 r"""The limiting profile of a fretting line contact: the shape at which wear ends.
 
-What sticks is as wide as the contact under the load :math:`\gamma = P - Q/\mu`, and wear outside does not change that:
-the core :math:`|x|<c` keeps its shape, and bears everything in the end.  Beside the pressure of that narrower contact
-it bears :math:`Q/\mu` as a flat punch does,
+On half-planes what sticks is as wide as the contact under the load :math:`\gamma = P - Q/\mu`, and wear outside does
+not change that: the core :math:`|x|<c` keeps its shape, and bears everything in the end.  Beside the pressure of that
+narrower contact it bears :math:`Q/\mu` as a flat punch does,
 
 .. math:: p_\infty(x) = p(x;\gamma) + \frac{Q/\mu}{\pi\sqrt{c^2-x^2}} , \qquad |x|<c ,
 
@@ -13,6 +13,9 @@ and the worn surface lies where that leaves the other one.  With the distance h 
 
 for a cylinder :math:`\Delta f = [a^2\,\mathrm{arcosh}(x/c) - x\sqrt{x^2-c^2}]/2R`.  It is the line contact of what
 Popov states for bodies of revolution; that the core of a plane contact stays was seen by Ciavarella and Hills.
+
+On layers the core moves while its surroundings wear (`winkler.problems.wear.stuck_core`); what it bears beyond its own
+load profile is the flat punch of the layers.
 """
 
 from __future__ import annotations
@@ -24,20 +27,21 @@ import numpy as np
 
 from winkler.checks.place_checks import finite_places
 from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
 from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.problems.assumptions.declared import WORN
+from winkler.problems.line.layered_strip import StressedOnLayers
 from winkler.problems.line.strip import Stressed, Strip
-from winkler.problems.line_friction.isotropic import refuse_unless_isotropic
 from winkler.problems.wear.line_validity import line_limiting_notes
-from winkler.problems.wear.stuck_core import StuckCore, stuck_core
+from winkler.problems.wear.stuck_core import stuck_core
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["LineLimitingProfile", "LineLimitingSolution"]
+__all__ = ["LayeredLineLimitingSolution", "LineLimitingProfile", "LineLimitingSolution"]
 
 NODES = 64
 SAMPLES = 513
@@ -49,8 +53,8 @@ class LineLimitingProfile:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies before wear, on a `HalfSpace`.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies before wear: homogeneous, or layers through which shear reaches the base.
     law : Coulomb
         Friction; its coefficient positive and finite.
     normal : LineForce
@@ -62,6 +66,14 @@ class LineLimitingProfile:
     ------
     InvalidInput
         If the bed, the law or the forces are not of these kinds.
+    OutsideValidity
+        If a layer slides on what lies below it, or the bodies relax.
+
+    Notes
+    -----
+    On layers the core is that of their responses to pressure and to shear. Where what sticks before wear would slip at
+    the edge of a core that bears alone, the core shrinks to where it does not; where it would not, the core grows while
+    its surroundings wear, by how much depends on the law, and the one before wear is taken.
 
     References
     ----------
@@ -90,7 +102,7 @@ class LineLimitingProfile:
         amplitude=("", None, "amplitude of the shear force per length"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: Sliding
     normal: OnePositiveLineForce
     amplitude: OnePositiveLineSwing
@@ -99,7 +111,7 @@ class LineLimitingProfile:
     assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def __post_init__(self) -> None:
-        refuse_unless_isotropic("LineLimitingProfile", self.bed)
+        _ = self.bed.along_share
 
     def solve(self) -> LineLimitingSolution:
         """Return the limiting profile.
@@ -117,7 +129,8 @@ class LineLimitingProfile:
         core = stuck_core("LineLimitingProfile", self.bed, self.law, self.normal, self.amplitude)
         if core.half_width >= self.bed.rim:
             raise OutsideValidity("LineLimitingProfile: everything up to the rim sticks, and nothing wears.")
-        return LineLimitingSolution(self, core.half_width, core.excess, core.outer_half_width())
+        kind = LayeredLineLimitingSolution if isinstance(self.bed, LayeredLineFoundation) else LineLimitingSolution
+        return kind(self, core.half_width, core.excess, core.outer_half_width())
 
 
 @value
@@ -151,12 +164,6 @@ class LineLimitingSolution(Stressed):
         return Strip(self.stick_half_width, self.excess_load)
 
     @property
-    def _core(self) -> StuckCore:
-        problem = self.problem
-        load = float(problem.normal.force_per_length) / problem.bed.medium.modulus - self.excess_load
-        return StuckCore(problem.bed, self.stick_half_width, load, self.excess_load)
-
-    @property
     def force_per_length(self) -> float:
         """P [N/m]."""
         return float(self.problem.normal.force_per_length)
@@ -188,7 +195,8 @@ class LineLimitingSolution(Stressed):
         away = np.abs(finite_places("LineLimitingSolution.worn", "x", x))
         beside = (away > self.stick_half_width) & (away < self.half_width)
         worn = np.zeros(away.shape)
-        worn[beside] = np.maximum(self._core.worn(away[beside]), 0.0)
+        apart = self.problem.bed.separation(away[beside], self.stick_half_width, self.excess_load)
+        worn[beside] = np.maximum(-apart, 0.0)
         return worn
 
     def height(self, x: ArrayLike) -> Array:
@@ -217,4 +225,10 @@ class LineLimitingSolution(Stressed):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
-        return line_limiting_notes(problem.bed, problem.law.coefficient, self.force_per_length)
+        core = stuck_core("LineLimitingProfile", problem.bed, problem.law, problem.normal, problem.amplitude)
+        return line_limiting_notes(core, problem.law.coefficient, self.force_per_length)
+
+
+@value
+class LayeredLineLimitingSolution(StressedOnLayers, LineLimitingSolution):
+    """The solution of a `LineLimitingProfile` on layers, whose stresses are those in the layers."""

@@ -15,8 +15,9 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Advice, FiniteQuantity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.laws.wear import Archard, OwnWear
+from winkler.laws.wear import Archard, OwnWear, WearLaw
 from winkler.numerics.types import Array
 from winkler.path import OnePositiveLineForce
 from winkler.problems.assumptions.declared import WORN
@@ -28,6 +29,7 @@ from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
 from winkler.problems.wear.stuck_core import refuse_unless_rising
 from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_layers import laws_on, refuse_thin, refuse_wear_of_layers
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -43,8 +45,8 @@ class LineSlidingWear(OfDistance):
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies before wear.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies before wear, homogeneous or layered.
     wear : Archard or OwnWear
         How the body that stays in contact wears: the one with the profile, on a track much longer than the contact.
     normal : LineForce
@@ -57,11 +59,21 @@ class LineSlidingWear(OfDistance):
     tolerance : float, optional
         Error of the worn depth in one jump, over the load per length over E*; once the pressure has settled, over that
         and the greatest worn depth together.
+    layer_wears : bool, optional
+        Of a medium with layers: whether its uppermost layer wears, as on a coated roller that slides on a flat. Left
+        out, the other body wears.
 
     Raises
     ------
     InvalidInput
-        If a law, a force or a number is not of these kinds.
+        If a law, a force or a number is not of these kinds, or `layer_wears` is True on a medium without layers.
+    OutsideValidity
+        If the bodies relax.
+
+    Notes
+    -----
+    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are
+    gone, and `validity` states how much stiffer or softer a layer would be that is thinner all over.
 
     References
     ----------
@@ -92,21 +104,35 @@ class LineSlidingWear(OfDistance):
         distance=("s", "m", "distance slid"),
         count=("n", "", "cells of the grid of places on one side"),
         tolerance=(r"\epsilon", "", "error of the worn depth in one jump, over the load per length over E*"),
+        layer_wears=("", None, "whether the uppermost layer wears, and not the other body"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     wear: Annotated[Archard | OwnWear, ONE_BODY]
     normal: OnePositiveLineForce
     distance: FiniteQuantity
     count: Cells = 400
     tolerance: WearTolerance = 1e-3
+    layer_wears: bool = False
 
     references: ClassVar[tuple[str, ...]] = ("archard_1953", "johnson_1985", "dimaki_2014")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
 
+    def __post_init__(self) -> None:
+        _ = self.bed.medium.modulus
+        refuse_wear_of_layers("LineSlidingWear", self.bed.medium, self.wear, layer_wears=self.layer_wears)
+        super().__post_init__()
+
+    @property
+    def laws(self) -> WearLaw:
+        """How the bodies wear: the second one on layers that stay as they are, else the first."""
+        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
+
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse a contact that has grown to where the profile before wear falls."""
+        """Refuse a contact that has grown to where the profile before wear falls, and to wear much of a layer."""
         refuse_unless_rising("LineSlidingWear", self.bed, contact.radius)
+        if self.layer_wears:
+            refuse_thin("LineSlidingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} m of sliding")
 
     def _nodes(self) -> Array:
         bed = self.bed
@@ -193,4 +219,5 @@ class LineSlidingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return line_sliding_notes(self.problem.bed, self.problem.tolerance, self.states)
+        stated = self.problem
+        return line_sliding_notes(stated.bed, stated.tolerance, self.states, layer_wears=stated.layer_wears)

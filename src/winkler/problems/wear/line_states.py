@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.types import Array
 from winkler.problems.wear.states import WornState
@@ -16,7 +22,7 @@ class LineWearState(WornState):
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies before wear.
     elapsed : float
         How far wear has come: cycles, or distance slid [m].
@@ -40,7 +46,7 @@ class LineWearState(WornState):
         removed=("V'", "m^2", "what both bodies have lost, per length of the line"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     elapsed: float
     jump: float
     places: Array
@@ -59,6 +65,16 @@ class LineWearState(WornState):
     def edge(self) -> float:
         """As `half_width`."""
         return self.half_width
+
+    @property
+    def _load(self) -> float:
+        return self.force_per_length
+
+    def _stiffness(self, medium: Any) -> float:
+        """Return the load per length over E* at the half-width on a medium, times its E* [N/m]."""
+        whole: Any = self.bed
+        bed = dataclasses.replace(whole, medium=medium)
+        return float(bed.medium.modulus * bed.load_profile(np.array([self.half_width]))[0])
 
     @property
     def mean_pressure(self) -> float:

@@ -2,32 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import cast
 
 import numpy as np
 
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
+from winkler.loading import LineForce
 from winkler.media.medium import Medium
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
-from winkler.problems.line.half_width import under_force
-from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.validity import line_notes
-from winkler.problems.line.yield_statement import line_yield_notes
+from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.line_friction.validity import SLIP_SUMS
 from winkler.problems.wear.line_states import LineWearState
+from winkler.problems.wear.stuck_core import StuckCore
 from winkler.problems.wear.validity import (
     DEBRIS,
+    SAME_CORE,
     SLIDES_EVERYWHERE,
     core_note,
     edge_notes,
+    moved_core_note,
     resolution_note,
     worn_yield,
 )
+from winkler.problems.wear.worn_layers import layer_notes, strip_cells_note
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
 
+Bed = LineFoundation | LayeredLineFoundation
 
 WORN_SLIP = Note(
     Assumption.SLIP,
@@ -36,79 +41,100 @@ WORN_SLIP = Note(
     "P - Q/mu leaves open beside it, for a worn profile too.",
     SLIP_SUMS.source,
 )
+LAYERS_SLIP = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "Pressures, tractions and slip follow from the flat punches of the layers under pressure and under shear along x, "
+    "for a worn profile too.",
+    "the same strips as loads and flat punches, compared with integral equations of one strip",
+)
 
 
-def _yield_notes(bed: LineFoundation, force: float, half_width: float, worn: tuple[Note, ...]) -> tuple[Note, ...]:
-    """Return that the contact yields before wear and without friction, or else what is known of it when worn."""
-    before = line_yield_notes(bed, half_width, rim_load(bed, force, half_width))
-    return tuple(note for note in before if note.standing is Standing.OUTSIDE) or worn
+def _slip_note(bed: LineBed) -> Note:
+    return WORN_SLIP if bed.sheared_as_pressed else LAYERS_SLIP
+
+
+def _before_wear(bed: Bed, force: float, worn: tuple[Note, ...]) -> Iterator[Note]:
+    """Yield the notes before wear; of yield that it begins before wear and without friction, or what is known then."""
+    outside = []
+    for note in LineIndentation(bed, LineForce(force)).solve().validity:
+        if note.assumption is not Assumption.ELASTIC:
+            yield note
+        elif note.standing is Standing.OUTSIDE:
+            outside.append(note)
+    yield from outside or worn
 
 
 def _march_notes(
-    bed: LineFoundation, tolerance: float, states: Sequence[LineWearState], scale: str
+    bed: Bed, tolerance: float, states: Sequence[LineWearState], scale: str, *, layer_wears: bool
 ) -> tuple[Note, ...]:
-    before = under_force(bed, np.array([states[0].force_per_length / bed.medium.modulus])).tolist()[0]
     return (
-        *line_notes(bed, before),
-        *_yield_notes(bed, states[0].force_per_length, before, worn_yield(bed.medium, states)),
+        *_before_wear(bed, states[0].force_per_length, worn_yield(bed.medium, states)),
         DEBRIS,
         resolution_note(states[-1], tolerance, scale),
+        *layer_notes(bed.medium, states, strip_cells_note(states[0]), layer_wears=layer_wears),
     )
 
 
 def line_fretting_notes(
-    bed: LineFoundation, coefficient: float, tolerance: float, states: Sequence[LineWearState]
+    bed: Bed, coefficient: float, tolerance: float, states: Sequence[LineWearState], *, layer_wears: bool
 ) -> tuple[Note, ...]:
     """Return how far a fretting line contact can be trusted.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Before wear.
     coefficient : float
         Of friction [-].
     tolerance : float
         Of each jump.
     states : sequence of LineWearState
+    layer_wears : bool
+        Whether the uppermost layer of a layered body wears.
     """
     scale = "greatest worn depth in the end"
     return (
-        *_march_notes(bed, tolerance, states, scale),
+        *_march_notes(bed, tolerance, states, scale, layer_wears=layer_wears),
         sticking_note(cast(Medium, bed.medium), coefficient),
-        WORN_SLIP,
+        _slip_note(bed),
     )
 
 
-def line_sliding_notes(bed: LineFoundation, tolerance: float, states: Sequence[LineWearState]) -> tuple[Note, ...]:
+def line_sliding_notes(
+    bed: Bed, tolerance: float, states: Sequence[LineWearState], *, layer_wears: bool
+) -> tuple[Note, ...]:
     """Return how far a sliding line contact can be trusted; parameters as `line_fretting_notes`."""
     scale = "load per length over E*, or, once the pressure has settled, of that and the greatest worn depth together"
     # the law of wear does not define the friction
     return (
-        *_march_notes(bed, tolerance, states, scale),
+        *_march_notes(bed, tolerance, states, scale, layer_wears=layer_wears),
         *edge_notes(states[-1]),
         sliding_note(cast(Medium, bed.medium), np.nan),
         SLIDES_EVERYWHERE,
     )
 
 
-def line_limiting_notes(bed: LineFoundation, coefficient: float, force: float) -> tuple[Note, ...]:
+def line_limiting_notes(core: StuckCore, coefficient: float, force: float) -> tuple[Note, ...]:
     """Return how far the limiting profile of a line contact can be trusted.
 
     Parameters
     ----------
-    bed : LineFoundation
-        Before wear.
+    core : StuckCore
+        What sticks.
     coefficient : float
         Of friction [-].
     force : float
         P [N/m].
     """
-    before = float(under_force(bed, np.array([force / bed.medium.modulus]))[0])
+    bed = cast(Bed, core.bed)
+    moved = () if bed.sheared_as_pressed else (moved_core_note(core.first, core.alone, "LineFrettingWear"),)
+    stays = core.alone <= core.first * (1.0 + SAME_CORE)
     return (
-        *line_notes(bed, before),
-        *_yield_notes(bed, force, before, worn_yield(bed.medium, ())),
+        *_before_wear(bed, force, worn_yield(bed.medium, ())),
         DEBRIS,
         sticking_note(cast(Medium, bed.medium), coefficient),
-        WORN_SLIP,
-        core_note("M. Ciavarella, D. A. Hills, Eur. J. Mech. A Solids 18 (1999) 491-497"),
+        _slip_note(bed),
+        *([core_note("M. Ciavarella, D. A. Hills, Eur. J. Mech. A Solids 18 (1999) 491-497")] if stays else []),
+        *moved,
     )

@@ -9,7 +9,7 @@ from winkler.loading import Depth, Normal
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 
-__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes", "nodes_about", "nodes_between"]
+__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes", "halved", "nodes_about", "nodes_between"]
 
 FINER = 3.0
 """How much closer nodes are where the edge of what sticks moves, than even ones."""
@@ -97,3 +97,8 @@ def nodes_between(low: float, high: float, reach: float, count: int) -> Array:
     inside = np.linspace(0.0, low, inner + 1)[:-1]
     moved = np.linspace(low, high, between_both + 1)[:-1]
     return np.concatenate([inside, moved, high + (reach - high) * np.linspace(0.0, 1.0, rest - inner + 1) ** 2])
+
+
+def halved(nodes: Array) -> Array:
+    """Return every other one of nodes [m], the first and the last among them."""
+    return np.unique(np.append(nodes[::2], nodes[-1]))

@@ -28,7 +28,7 @@ from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.ring_slip.pushed_rings import pushed_rings
 from winkler.problems.wear.grids import wear_grid
-from winkler.problems.wear.nodes import graded_nodes, nodes_between
+from winkler.problems.wear.nodes import graded_nodes, halved, nodes_between
 from winkler.problems.wear.round_grid import RoundGrid
 from winkler.problems.wear.worn_states import round_nodes, unworn
 
@@ -164,8 +164,7 @@ def expected_loss(problem: Any, nodes: Array, found: float) -> float:
     if rings is not None:
         size = np.array([float(numbers_of(problem.amplitude))])
         return float(rings.loss(rings.shift(size) if isinstance(problem.amplitude, ShearForce) else size)[0])
-    half = np.unique(np.append(nodes[::2], nodes[-1]))
-    return found + (found - float(problem.state(unworn(half)).loss_per_cycle)) / 3.0
+    return found + (found - float(problem.state(unworn(halved(nodes))).loss_per_cycle)) / 3.0
 
 
 def _up_to(margin: Any, radius: float) -> float:

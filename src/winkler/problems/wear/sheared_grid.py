@@ -1,16 +1,14 @@
-"""The springs of a worn round contact that are pushed along the surface, on a grid of radii."""
+"""The springs of a worn contact that are pushed along the surface, on a grid."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from winkler.media.offers import PressedWaves, offers
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
+from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, SurfaceTransform
 from winkler.numerics.types import Array
 
-__all__ = ["ShearedGrid", "sheared_grid"]
+__all__ = ["ShearedGrid", "sheared_grid", "sheared_strips"]
 
 
 class ShearedGrid:
@@ -18,20 +16,20 @@ class ShearedGrid:
 
     Parameters
     ----------
-    grid : RoundGrid
-        Of the pressed contact.
+    transforms : GridTransforms
+        Between the springs and what they bear along the surface.
+    surface : SurfaceTransform
+        What restores the displacement of the surface.
+    ratio : float
+        E*/G*, or of strips E*/m_L [-].
     """
 
-    def __init__(self, grid: Any) -> None:
-        self._surface = grid.surface
-        self.rings: GridTransforms = grid.rings
-        """Between the springs and what they bear along the surface."""
-        medium = grid.bed.medium
-        self.ratio = float(medium.modulus / medium.shear_modulus)
-        """E*/G* [-]."""
+    def __init__(self, transforms: GridTransforms, surface: SurfaceTransform | None, ratio: float) -> None:
+        self.rings, self.ratio = transforms, ratio
+        self._surface = surface
 
     def bounds(self, stretch: Array) -> Array:
-        """Return how far springs move along the surface [m] before they slide, over mu E*/G*.
+        """Return how far springs move along the surface [m] before they slide, over mu times the ratio.
 
         Negative where nothing is pressed.
 
@@ -44,20 +42,19 @@ class ShearedGrid:
 
     def slip(self, lag: Array, cut: Cuts) -> Array:
         """Return how far the surface lags behind [m], where springs do so by what is positive of a lag [m]."""
-        return np.asarray(self._surface(lag, cut))
+        assert self._surface is not None
+        return self._surface(lag, cut)
 
 
 class LayeredShearGrid(ShearedGrid):
-    """Springs of layers, which answer to shear otherwise than to pressure; parameters as of `ShearedGrid`."""
+    """Springs of layers, which answer to shear otherwise than to pressure; parameters as of `RubbedRings`."""
 
-    def __init__(self, grid: Any) -> None:
+    def __init__(self, normal: Any, shear: Any, ratio: float) -> None:
         # numerics of layers are loaded with layers
         from winkler.numerics.transforms.rubbed_rings import RubbedRings
 
-        medium = grid.bed.medium
-        self._rubbed = RubbedRings(grid.rings, medium.tangential_response)
-        self.rings = self._rubbed.shear
-        self.ratio = float(medium.modulus / medium.shear_modulus)
+        super().__init__(shear, None, ratio)
+        self._rubbed = RubbedRings(normal, shear)
 
     def bounds(self, stretch: Array) -> Array:
         """As `ShearedGrid.bounds`."""
@@ -70,4 +67,17 @@ class LayeredShearGrid(ShearedGrid):
 
 def sheared_grid(grid: Any) -> ShearedGrid:
     """Return the springs of a RoundGrid that are pushed along the surface."""
-    return (LayeredShearGrid if offers(grid.bed.medium, PressedWaves) else ShearedGrid)(grid)
+    medium, transforms = grid.bed.medium, grid.rings
+    ratio = float(medium.modulus / medium.shear_modulus)
+    if offers(medium, PressedWaves):
+        shear = type(transforms)(grid.nodes, grid.bed.medium.tangential_response)
+        return LayeredShearGrid(transforms, shear, ratio)
+    return ShearedGrid(transforms, grid.surface, ratio)
+
+
+def sheared_strips(grid: Any) -> ShearedGrid:
+    """Return the springs of a StripGrid that are pushed along the surface."""
+    bed, ratio = grid.bed, float(grid.bed.along_share)
+    if bed.sheared_as_pressed:
+        return ShearedGrid(grid.transforms, grid.surface, ratio)
+    return LayeredShearGrid(grid.transforms, bed.shear_transforms(grid.nodes), ratio)

@@ -25,7 +25,7 @@ from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import WearState
 from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_layers import laws_on, layer_notes, refuse_thin, refuse_without_layer
+from winkler.problems.wear.worn_layers import cells_note, laws_on, layer_notes, refuse_thin, refuse_without_layer
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, round_nodes, worn_history, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -215,5 +215,6 @@ class SlidingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
-        layers = layer_notes(problem.bed.medium, self.states, layer_wears=problem.layer_wears)
+        medium, coarse = problem.bed.medium, cells_note(self.states[0])
+        layers = layer_notes(medium, self.states, coarse, layer_wears=problem.layer_wears)
         return (*sliding_notes(problem.bed, problem.tolerance, self.states), *layers)

@@ -54,6 +54,15 @@ class WornState:
         raise NotImplementedError
 
     @property
+    def _load(self) -> float:
+        """Force [N], or that per length [N/m]."""
+        raise NotImplementedError
+
+    def _stiffness(self, medium: object) -> float:
+        """Return how stiff a medium is under a contact as wide as this one, in units of its own."""
+        raise NotImplementedError
+
+    @property
     def moment(self) -> WearMoment:
         """From where the march goes on."""
         return WearMoment(self.elapsed, self.jump, np.array(self.nodes), np.stack([self.first_worn, self.second_worn]))
@@ -132,6 +141,13 @@ class WearState(WornState):
     def edge(self) -> float:
         """As `radius`."""
         return self.radius
+
+    @property
+    def _load(self) -> float:
+        return self.force
+
+    def _stiffness(self, medium: Any) -> float:
+        return float(medium.punch_stiffness(np.array([self.radius]))[0])
 
     @property
     def mean_pressure(self) -> float:

@@ -1,6 +1,6 @@
 r"""The line contact of a worn profile: pressure and slip, from what has been worn off at the nodes of a grid.
 
-The load per length :math:`P = E^*\,w(a)` stands for the depth: with :math:`v = P/E^* - w` the pressure is
+The load per length :math:`P = E^*\,w(a)` stands for the depth: with :math:`v = P/E^* - w` half-planes press with
 
 .. math:: p(x) = -\frac{E^*}\pi\int_{|x|}^a\frac{v'(c)}{\sqrt{c^2-x^2}}\,\mathrm dc .
 
@@ -8,21 +8,25 @@ Under a shear force per length that swings by Q to each side, what sticks is the
 :math:`\gamma = P - Q/\mu` would have, and the surfaces slip by :math:`\mu` times the distance that this one leaves open
 beside it (Ciavarella, Jaeger), for the worn profile too:
 
-.. math:: s(x) = \frac{2x}\pi\int_0^x\frac{(Q/E^* - \mu v(c))_+}{c\,\sqrt{x^2-c^2}}\,\mathrm dc .
+.. math:: s(x) = \frac{E^*}{m_L}\,\frac{2x}\pi\int_0^x\frac{(Q/E^* - \mu v(c))_+}{c\,\sqrt{x^2-c^2}}\,\mathrm dc .
+
+On layers a growing contact adds their own flat punches to v, and a shear force those of their response to shear
+(`winkler.numerics.transforms.strip_punches`); bounds and slip are those of `winkler.numerics.transforms.rubbed_rings`.
 """
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.loading import LineForce
 from winkler.numerics.transforms.grid_transforms import Cuts
-from winkler.numerics.transforms.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
+from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_strips
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
 
 __all__ = ["RubbedStrip", "StripGrid"]
@@ -48,16 +52,16 @@ class StripGrid(WornGrid):
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineBed
         Before wear.
     nodes : ndarray, (n,)
         Distances [m], rising from zero; the last is the rim where the profile has one.
     """
 
-    bed: LineFoundation
+    bed: LineBed
 
-    def __init__(self, bed: LineFoundation, nodes: Array) -> None:
-        super().__init__(bed, StripTransforms(nodes), bed.load_profile(nodes), float(bed.medium.modulus))
+    def __init__(self, bed: LineBed, nodes: Array) -> None:
+        super().__init__(bed, bed.grid_transforms(nodes), bed.load_profile(nodes), float(bed.medium.modulus))
 
     def height(self, x: Array) -> Array:
         """Height of the profile before wear [m]."""
@@ -79,11 +83,16 @@ class StripGrid(WornGrid):
         """As `WornGrid.sunk`: what the load stands for, and what was worn off."""
         return contact.depth + float(np.max(worn.sum(axis=0)))
 
+    @functools.cached_property
+    def sheared(self) -> ShearedGrid:
+        """What the springs do that are pushed along the surface."""
+        return sheared_strips(self)
+
     def rub(self, contact: WornContact, coefficient: float, shear_force: float) -> RubbedStrip:
         """Return what a contact does that is sheared to and fro by a force per length [N/m], less than slides it."""
-        short = shear_force / self.modulus - coefficient * np.maximum(contact.stretch, 0.0)
+        short = shear_force / self.modulus - coefficient * np.maximum(self.sheared.bounds(contact.stretch), 0.0)
         cut = self.cuts(short)
-        slip = np.where(contact.pressure > 0.0, self.surface(short, cut), 0.0)
+        slip = self.sheared.ratio * np.where(contact.pressure > 0.0, self.sheared.slip(short, cut), 0.0)
         core_edge = 0.0 if short[0] > 0.0 else math.inf
         stick = min([contact.radius, core_edge, *np.sqrt(cut.place[~cut.falls]).tolist()])
         return RubbedStrip(stick, np.maximum(slip, 0.0))

@@ -21,11 +21,13 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = [
     "DEBRIS",
+    "SAME_CORE",
     "SLIDES_EVERYWHERE",
     "core_note",
     "core_notes",
     "edge_notes",
     "fretting_notes",
+    "moved_core_note",
     "resolution_note",
     "sliding_notes",
     "slip_grid_note",
@@ -123,13 +125,27 @@ def core_notes(bed: Bed, first: float, alone: float) -> Iterator[Note]:
         yield core_note(POPOV)
     if not offers(bed.medium, PressedWaves):
         return
+    yield moved_core_note(first, alone, "FrettingWear")
+
+
+def moved_core_note(first: float, alone: float, follow: str) -> Note:
+    """Return the note on a core on layers, which moves while its surroundings wear.
+
+    Parameters
+    ----------
+    first, alone : float
+        What sticks before wear, and where the core bears alone [m].
+    follow : str
+        The problem that follows the core.
+    """
+    grows = alone > first * (1.0 + SAME_CORE)
     fate = (
         f"grows while its surroundings wear, to less than {alone:.4g} m; how far depends on the law of wear, and the "
-        "one before wear was taken: follow it with FrettingWear."
+        f"one before wear was taken: follow it with {follow}."
         if grows
         else f"shrinks while its surroundings wear, to {min(first, alone):.4g} m, where it sticks as it bears alone."
     )
-    yield Note(
+    return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE if grows else Standing.EXACT,
         f"With the normal and shear kernels of the layers the core has {first:.4g} m before wear, and {fate}",

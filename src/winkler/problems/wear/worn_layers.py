@@ -3,28 +3,33 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.wear import PairWear, Unworn, WearLaw
-from winkler.loading import Depth, Force
+from winkler.loading import Depth, Force, LineForce
 from winkler.media.offers import LayerStack, PressedWaves, offers
+from winkler.problems.line.half_width import under_force
+from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.grids import wear_grid
-from winkler.problems.wear.states import WearState
+from winkler.problems.wear.line_states import LineWearState
+from winkler.problems.wear.states import WearState, WornState
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = [
     "MOST_WORN_SHARE",
+    "cells_note",
     "laws_on",
     "layer_loses",
     "layer_notes",
     "refuse_thin",
     "refuse_wear_of_layers",
     "refuse_without_layer",
+    "strip_cells_note",
 ]
 
 MOST_WORN_SHARE = 0.05
@@ -112,14 +117,18 @@ def refuse_thin(owner: str, medium: object, worn_depth: float, elapsed: str) -> 
         )
 
 
-def layer_notes(medium: Any, states: Sequence[WearState], *, layer_wears: bool) -> Iterator[Note]:
+def layer_notes(
+    medium: Any, states: Sequence[WornState], coarse: Iterable[Note], *, layer_wears: bool
+) -> Iterator[Note]:
     """Yield what is assumed of a layered medium that wears, or is worn against.
 
     Parameters
     ----------
     medium : Medium
         Any; nothing is said of one without layers.
-    states : sequence of WearState
+    states : sequence of WornState
+    coarse : iterable of Note
+        By how much the grid misses the contact before wear; not read of a medium without layers.
     layer_wears : bool
         Whether the uppermost layer wears, and not the other body.
     """
@@ -127,34 +136,57 @@ def layer_notes(medium: Any, states: Sequence[WearState], *, layer_wears: bool) 
         return
     last = states[-1]
     yield _thinned(medium, last) if layer_wears else OTHER_WEARS
-    yield from _cells_note(states[0])
+    yield from coarse
     pulled = max(_pulled(state) for state in states)
     if pulled > SMALL_PULL:
         yield Note(
             Assumption.WEAR,
             Standing.OUTSIDE,
-            f"The layers bend away from the body: rings would have to pull with {pulled:.2g} of the load, and were "
-            "taken to bear nothing. Too much is worn off by that part.",
-            "a contact that is not one disc is not solved",
+            f"The layers bend away from the body: it would have to pull with {pulled:.2g} of the load, and was taken "
+            "to bear nothing there. Too much is worn off by that part.",
+            "a contact that parts inside is not solved",
         )
 
 
-def _cells_note(first: WearState) -> Iterator[Note]:
+def cells_note(first: WearState) -> Iterator[Note]:
     """Yield by how much a grid misses the force of the profile before wear, where that is not small."""
     if not first.force > 0.0:
         return
     exact = Indentation(first.bed, Force(first.force)).solve()
     unworn = wear_grid(first.bed, first.nodes).press(np.zeros(first.nodes.size), Depth(float(exact.depth)))
     error = unworn.force / first.force - 1.0
-    if abs(error) > SMALL_MISS:
-        more = "more" if error > 0.0 else "less"
+    more = "more" if error > 0.0 else "less"
+    yield from _coarse(
+        abs(error),
+        f"Before wear the grid of {first.nodes.size - 1} cells bears {100.0 * abs(error):.2g} per cent {more} than the "
+        "layers do at the same depth",
+    )
+
+
+def strip_cells_note(first: LineWearState) -> Iterator[Note]:
+    """Yield by how much a grid misses the pressure of the profile before wear, where that is not small."""
+    bed, grid, force = first.bed, wear_grid(first.bed, first.nodes), first.force_per_length
+    contact = grid.press(np.zeros(first.nodes.size), LineForce(force))
+    half_width = float(under_force(bed, np.array([contact.depth]))[0])
+    edges = np.append(grid.transforms.borders, first.nodes[-1])
+    exact = bed.mean_pressures(edges, half_width, rim_load(bed, force, half_width))
+    error = float(np.max(np.abs(contact.pressure - exact)) / np.max(exact))
+    yield from _coarse(
+        error,
+        f"Before wear the mean pressures about the nodes of the grid of {first.nodes.size - 1} cells differ by up to "
+        f"{100.0 * error:.2g} per cent of the greatest from those of the layers",
+    )
+
+
+def _coarse(error: float, fact: str) -> Iterator[Note]:
+    """Yield a relative error of a grid where it is not small, after what it is."""
+    if error > SMALL_MISS:
         yield Note(
             Assumption.RESOLUTION,
-            standing_of(abs(error), SMALL_MISS, LARGE_MISS),
-            f"Before wear the grid of {first.nodes.size - 1} cells bears {100.0 * abs(error):.2g} per cent {more} than "
-            "the layers do at the same depth: a layer that is much stiffer than its base takes cells that are small "
-            "against its thickness. Give more cells (count); the error falls fast.",
-            "force of flat punches superposed, without a grid",
+            standing_of(error, SMALL_MISS, LARGE_MISS),
+            f"{fact}: a layer that is much stiffer than its base takes cells that are small against its thickness. "
+            "Give more cells (count); the error falls fast.",
+            "flat punches superposed, without a grid",
         )
 
 
@@ -166,13 +198,12 @@ OTHER_WEARS = Note(
 )
 
 
-def _thinned(medium: Any, last: WearState) -> Note:
+def _thinned(medium: Any, last: WornState) -> Note:
     """Return the note on a layer that has got thinner, with the stiffness of one that has done so all over."""
     share = last.worn_depth / _thickness(medium)
     top = dataclasses.replace(medium.layers[0], thickness=(1.0 - share) * _thickness(medium))
     thinner = dataclasses.replace(medium, layers=(top, *medium.layers[1:]))
-    radius = np.array([last.radius])
-    change = float(thinner.punch_stiffness(radius)[0] / medium.punch_stiffness(radius)[0] - 1.0)
+    change = last._stiffness(thinner) / last._stiffness(medium) - 1.0
     return Note(
         Assumption.WEAR,
         standing_of(abs(change), SMALL_CHANGE, LARGE_CHANGE),
@@ -183,7 +214,7 @@ def _thinned(medium: Any, last: WearState) -> Note:
     )
 
 
-def _pulled(state: WearState) -> float:
-    """Return which part of the load rings pull that were taken to bear nothing."""
+def _pulled(state: WornState) -> float:
+    """Return which part of the load would be pulled that was taken to be nothing."""
     borne = float(wear_grid(state.bed, state.nodes).transforms.areas @ state.pressure)
-    return borne / state.force - 1.0 if state.force > 0.0 else 0.0
+    return borne / state._load - 1.0 if state._load > 0.0 else 0.0

@@ -262,7 +262,7 @@ NORMAL = Chapter(
             picture=Caption(
                 "ellipse_yield",
                 "Onset of yield",
-                "The von Mises stress below both axes when yielding begins.",
+                "The von Mises stress below both axes when yielding begins; on layers the pressure and the place.",
             ),
             pictured=PicturedContact.NONE,
             live=True,

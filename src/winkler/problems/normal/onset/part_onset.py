@@ -53,12 +53,12 @@ class PartOnset:
 
 @value
 class EllipticPartOnset:
-    """The onset of yield of one of two bodies below an ellipse, as if the other stayed elastic.
+    """The onset of yield of one body, layer or base below an ellipse, as if the others stayed elastic.
 
     Parameters
     ----------
     part : int
-        Which of the bodies that have a strength it is, 1 the first.
+        Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
     name : str
         What it is called.
     force : float

@@ -104,6 +104,15 @@ RANGED = Equation(
 RANGE_END = Equation(
     "which ends where they stand apart as far as the attraction reaches", r"h(c) = \frac{\gamma}{\sigma_0}"
 )
+GRADED_LOAD = Equation(
+    "The load per length that the profile bears on bodies graded by the power k",
+    r"P(a) = \frac{E^*}{c_0^k}\frac{\Gamma(\frac{1+k}{2})}{\sqrt{\pi}\,\Gamma(1+\frac{k}{2})}"
+    r"\int_0^a \frac{x\,f'(x)\,\mathrm{d}x}{(a^2-x^2)^{(1-k)/2}}",
+)
+GRADED_PRESSURE = Equation(
+    "and the pressure of the flat punches of all half-widths c",
+    r"p(x) = \int_{|x|}^a \frac{P'(c)\,\mathrm{d}c}{c^k\,\mathrm{B}(\frac{1}{2},\frac{1+k}{2})\,(c^2-x^2)^{(1-k)/2}}",
+)
 STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
@@ -116,6 +125,8 @@ def line_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a line contact on the bodies of a problem."""
     if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
         return (MODULUS, LOAD_PROFILE, LAYERED_RESPONSE, LAYERED_MODES, LAYERED_LOAD)
+    if is_a(problem.bed, "winkler.foundation.power_law_line:PowerLawLineFoundation"):
+        return (GRADED_LOAD, GRADED_PRESSURE)
     return (MODULUS, LOAD_PROFILE, LOAD, PRESSURE)
 
 
@@ -189,6 +200,13 @@ LINE = Chapter(
                 problem="line_indentation",
                 profile={"kind": "paraboloid"},
                 medium={"kind": "coated_half_space"},
+            ),
+            "power_law_line_foundation": kind(
+                "winkler.foundation.power_law_line:PowerLawLineFoundation",
+                "giannakopoulos_suresh_1997",
+                problem="line_indentation",
+                profile={"kind": "paraboloid"},
+                medium={"kind": "graded_half_space"},
             ),
         },
     },

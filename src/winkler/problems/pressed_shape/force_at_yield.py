@@ -1,4 +1,4 @@
-"""The force under which a body below a height map begins to yield."""
+"""The force under which a body below pixels begins to yield."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_CHANGE = math.log(20.0)
 """Of the logarithm of the force in one trial."""
 
 
-def force_at_yield(share: Callable[[float], float], force: float, start: float) -> float:
+def force_at_yield(share: Callable[[float], float], force: float, start: float, owner: str = "SurfaceContact") -> float:
     """Return the force [N] at which the greatest stress is the strength.
 
     Parameters
@@ -27,12 +27,16 @@ def force_at_yield(share: Callable[[float], float], force: float, start: float) 
         Takes a force [N], returns the greatest stress over the strength.
     force, start : float
         A force and its share.
+    owner : str
+        The problem, for the message.
 
     Raises
     ------
     NotConverged
         If none is found.
     """
+    if abs(start - 1.0) <= SHARE_TOLERANCE:
+        return force
     power, before = HERTZ_POWER, (force, start)
     for _ in range(MOST_TRIALS):
         change = -math.log(before[1]) / power
@@ -44,6 +48,6 @@ def force_at_yield(share: Callable[[float], float], force: float, start: float) 
         power = min(max(power, LEAST_POWER), MOST_POWER)
         before = following, found
     raise NotConverged(
-        f"SurfaceContact: the force at which yielding begins is not found within {MOST_TRIALS} trials; it lies near "
+        f"{owner}: the force at which yielding begins is not found within {MOST_TRIALS} trials; it lies near "
         f"{before[0]:.6g} N: solve contacts around it, and compare their greatest stresses."
     )

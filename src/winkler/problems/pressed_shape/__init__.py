@@ -1,0 +1,1 @@
+"""Shapes pressed by pixels on media on which no closed form is known."""

@@ -1,0 +1,98 @@
+"""Headers of rheometers and dynamic mechanical analysers, in their own words."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.errors import InvalidInput
+from winkler.io.curves import read_curve
+
+ROWS = ((0.1, 10.0, 1.0), (1.0, 12.0, 1.5), (10.0, 15.0, 2.0), (100.0, 19.0, 3.0))
+SHEAR, TENSION = 1.0, 3.0
+TURN = 2.0 * np.pi
+HEADERS = {
+    "trios": ("Frequency,Storage Modulus,Loss Modulus\nHz,MPa,MPa", ",", TURN, 1e6, SHEAR),
+    "rheocompass": ("Angular Frequency\tStorage Modulus\tLoss Modulus\n[rad/s]\t[Pa]\t[Pa]", "\t", 1.0, 1.0, SHEAR),
+    "oscillation": ("Freq\tG'\tG\"\nrad/s\tPa\tPa", "\t", 1.0, 1.0, SHEAR),
+    "pyvisco": ("f, E_stor, E_loss\nHz, MPa, MPa", ",", TURN, 1e6, TENSION),
+    "letter": ("w (rad/s),G' (Pa),G'' (Pa)", ",", 1.0, 1.0, SHEAR),
+    "short": ("Ang. freq.\tStorage modulus\tLoss modulus\nrad/s\tMPa\tMPa", "\t", 1.0, 1e6, SHEAR),
+    "empty_row": ("Frequency,Storage Modulus,Loss Modulus\n,,\n[Hz],[kPa],[kPa]", ",", TURN, 1e3, SHEAR),
+    "comma": ("Freq. (Hz);Storage modulus (MPa);Loss modulus (MPa)", ";", TURN, 1e6, SHEAR),
+}
+
+
+@pytest.mark.parametrize("name", HEADERS)
+def test_storage_and_loss(tmp_path, name):
+    """Of eleven headers two were read; the row of units was shown as the header."""
+    header, separator, angular, unit, divisor = HEADERS[name]
+    rows = [separator.join(f"{x:g}" if name != "comma" else f"{x:.2f}".replace(".", ",") for x in row) for row in ROWS]
+    path = tmp_path / "dma.txt"
+    path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
+    found = wk.read_dynamic(path)
+    frequency, storage, loss = np.array(ROWS).T
+    assert found.angular_frequency == pytest.approx(angular * frequency, rel=1e-12)
+    assert found.storage_shear == pytest.approx(unit / divisor * storage, rel=1e-12)
+    assert found.loss_shear == pytest.approx(unit / divisor * loss, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("header", "second", "loss"),
+    [
+        ("Frequency (Hz),E' (MPa),tan delta", 0.1, lambda size: (size, 0.1 * size)),
+        ("Frequency (Hz),E* (MPa),Phase angle (deg)", 30.0, lambda size: (size * 0.75**0.5, size * 0.5)),
+    ],
+)
+def test_the_loss_by_its_factor_or_by_an_angle(tmp_path, header, second, loss):
+    path = tmp_path / "dma.csv"
+    path.write_text("\n".join([header, *(f"{f:g},{s:g},{second:g}" for f, s, _ in ROWS)]) + "\n", encoding="utf-8")
+    found = wk.read_dynamic(path)
+    storage, lost = loss(1e6 / 3.0 * np.array(ROWS).T[1])
+    assert found.storage_shear == pytest.approx(storage, rel=1e-12)
+    assert found.loss_shear == pytest.approx(lost, rel=1e-12)
+
+
+def test_t_is_a_temperature_where_there_is_no_time(tmp_path):
+    path = tmp_path / "sweeps.txt"
+    rows = "\n".join(f"{t}\t{f}\t{s}\t1" for t, f, s in ((20, 1, 10), (20, 10, 11), (40, 1, 8), (40, 10, 9)))
+    path.write_text(f"T\tf\tE'\tE''\n°C\tHz\tMPa\tMPa\n{rows}\n", encoding="utf-8")
+    found = wk.read_dynamic_sweeps(path)
+    assert found.temperature == pytest.approx([293.15, 293.15, 313.15, 313.15])
+    assert found.storage_shear == pytest.approx(1e6 / 3.0 * np.array([10.0, 11.0, 8.0, 9.0]))
+
+
+def test_relaxation_and_creep_by_their_whole_names(tmp_path):
+    path = tmp_path / "l.csv"
+    path.write_text("Step time (s),Relaxation Modulus (MPa)\n0.1,10\n1,9\n10,8\n100,7\n", encoding="utf-8")
+    assert wk.read_relaxation(path).shear == pytest.approx([1e7, 9e6, 8e6, 7e6])
+    path.write_text("Time (s),Creep compliance (1/Pa)\n0.1,1e-6\n1,2e-6\n10,3e-6\n100,4e-6\n", encoding="utf-8")
+    assert wk.read_creep(path).compliance == pytest.approx([1e-6, 2e-6, 3e-6, 4e-6])
+
+
+def test_a_refusal_shows_the_row_of_names(tmp_path):
+    """'the header has no frequency, there are 'Hz', 'MPa'' showed the row of units."""
+    path = tmp_path / "dma.csv"
+    path.write_text("Sample,Stiffnes,Damp\n[Hz],[MPa],[MPa]\n1,2,3\n", encoding="utf-8")
+    with pytest.raises(InvalidInput, match="there are 'Sample', 'Stiffnes', 'Damp'"):
+        wk.read_dynamic(path)
+
+
+@pytest.mark.parametrize(("name", "sign"), [("Gap", -1.0), ("Position", 1.0)])
+def test_a_ball_on_the_plate_of_a_rheometer(tmp_path, name, sign):
+    """Names, an empty row, and units below; a gap falls as the ball approaches: position = -gap."""
+    travel = np.r_[np.linspace(-5.0, 0.5, 200), np.linspace(0.5, -5.0, 200)[1:]]
+    force = 2.0 * np.maximum(travel, 0.0) ** 1.5
+    rows = [f",{n + 1},{f:.6g},{sign * x:.6g},{0.05 * n:g}" for n, (x, f) in enumerate(zip(travel, force, strict=True))]
+    above = ["Project:,made,,,", ",,,,", "Interval and data points:,1,399,,"]
+    names = f"Interval data:,Point No.,Normal Force,{name},Time"
+    path = tmp_path / "ball.csv"
+    path.write_text("\n".join([*above, names, ",,,,", ",,[N],[mm],[s]", *rows]) + "\n", encoding="utf-8")
+    with pytest.raises(InvalidInput, match="give spring_constant in N/m"):
+        read_curve(path)
+    curve = read_curve(path, spring_constant=np.inf)
+    assert curve.position == pytest.approx(1e-3 * travel, abs=1e-8)
+    assert curve.force == pytest.approx(force, abs=1e-5)
+    assert curve.direction[50] == 1.0
+    assert curve.direction[-50] == -1.0
