@@ -27,6 +27,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.periodic import from_line
+from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, turns, twists
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
@@ -35,9 +36,8 @@ from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, Plane
 from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
-from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
 from winkler.numerics.transforms import strip_punches
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded
@@ -62,7 +62,7 @@ from winkler.numerics.transforms.strip_modes import (
     pressure_of_modes,
     signs,
 )
-from winkler.numerics.types import Array, Curve
+from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
@@ -77,10 +77,6 @@ LEAST_NODES = 12
 """Flat punches that stand for the attraction beside a strip, at the fewest."""
 STEP = 1e-4
 """Of differences, over the length that is changed."""
-KERNEL_TOLERANCE = 1e-12
-"""Error of what the layers add to the displacement of an element, over its greatest value."""
-SUMMED = 2e-15
-"""Rounding of a sum of waves, over the sum of their sizes."""
 MOST_KEPT = 4096
 """Half-widths whose modes are kept of one bed."""
 MOST_EXAMINED = 16
@@ -380,8 +376,8 @@ class LayeredLineFoundation(LineBed):
         far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
         unit = float(edges[-1])
         found = waves(self.medium.along_response, int(octaves(self.medium.along_response, np.array([unit]))[0]))
-        turns = fit_panels(lambda t: _turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
-        lifted = np.sign(far) * turns(np.abs(far) / unit)
+        twice = fit_panels(lambda t: turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+        lifted = np.sign(far) * twice(np.abs(far) / unit)
         added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
         return LineBed.shear_compliance(self, edges) + added
 
@@ -407,10 +403,10 @@ class LayeredLineFoundation(LineBed):
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
         unit = response.length * 2.0**octave
         if part is Wave.COUPLING:
-            lifted = unit * _bends(response, octave)(np.abs(far) / unit)
+            lifted = unit * bends(response, octave)(np.abs(far) / unit)
         else:
             share = self.along_share if part is Wave.ALONG else 1.0
-            lifted = -share * unit * np.sign(far) * _twists(response, octave)(np.abs(far) / unit)
+            lifted = -share * unit * np.sign(far) * twists(response, octave)(np.abs(far) / unit)
         return LineBed.slopes(self, part, nodes, x) + 2.0 / np.pi * by_hats(lifted, nodes)
 
     def drawn(self, x: Array, half_width: float) -> Array:
@@ -752,40 +748,6 @@ def _edge_slopes(bed: LayeredLineFoundation, half_width: Array) -> Array:
     none = np.zeros(half_width.size)  # the waves of no grading, which alone ask for slopes
     widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k), none)
     return np.asarray(2.0 / half_width * (punch @ order**2) - share**2 * widened.closing[:, 0])
-
-
-def _turns(found: Waves, x: Array) -> Array:
-    """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
-    step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
-    rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
-    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights) + np.sum(found.shares))
-
-
-@cached_by_value(64)
-def _twists(response: WaveResponse, octave: int) -> Panels:
-    """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
-    found, unit = waves(response, octave), response.length * 2.0**octave
-    return _panels(lambda t: _turns(found, unit * t) / unit, found)
-
-
-@cached_by_value(64)
-def _bends(response: WaveResponse, octave: int) -> Panels:
-    """Return the same of M (1 - cos kx) / k^2."""
-    found, unit = waves(response, octave), response.length * 2.0**octave
-
-    def bent(t: Array) -> Array:
-        flat, step = unit * t.ravel(), max(1, PAIRS_PER_CHUNK // found.k.size)
-        half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
-        return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
-
-    return _panels(bent, found)
-
-
-def _panels(function: Curve, found: Waves) -> Panels:
-    """Return a sum of these waves from 0 to 2 as panels, no more precise than its rounding."""
-    greatest = float(np.max(np.abs(function(np.array([1.0, 2.0])))))
-    rounding = SUMMED * float(np.sum(np.abs(found.weights)))
-    return fit_panels(function, np.array([0.0, 2.0]), max(KERNEL_TOLERANCE * max(1.0, greatest), rounding))
 
 
 @functools.lru_cache(maxsize=16)
