@@ -31,7 +31,7 @@ from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolu
 from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.impact.impact import Impact, ImpactSolution
-from winkler.problems.line.adhesion import LineAdhesion, LineAdhesionSolution
+from winkler.problems.line.adhesion import LayeredLineAdhesionSolution, LineAdhesion, LineAdhesionSolution
 from winkler.problems.line.indentation import (
     LayeredLineSolution,
     LineIndentation,
@@ -141,9 +141,9 @@ __all__ = [
     "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "HarmonicIndentation", "HeatFields",
     "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "JointStiffness", "JointStiffnessSolution",
-    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineLimitingSolution",
-    "LayeredLineSolution", "LimitingProfile", "LimitingSolution", "LineAdhesion", "LineAdhesionSolution",
-    "LineConstriction", "LineConstrictionSolution",
+    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineAdhesionSolution",
+    "LayeredLineLimitingSolution", "LayeredLineSolution", "LimitingProfile", "LimitingSolution", "LineAdhesion",
+    "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
     "LineFields", "LineForcePath", "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating",
     "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePartOnset",
     "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",

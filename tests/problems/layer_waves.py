@@ -143,3 +143,16 @@ def _line_load(pressure, x, a, order):
     slope = 0.25 * np.pi * np.sqrt(a * a - x * x) * np.sin(0.5 * np.pi * (nodes + 1.0))
     r = np.hypot(x, y)
     return 2.0 / np.pi * float(np.sum(weights * slope * pressure(r) * (x / r) ** order))
+
+
+def excesses(layers, on, xi):
+    """Return M of pressures and of shear along the wave, of layers (shear, poisson, thickness) on (shear, poisson)."""
+    fields = np.broadcast_to(base(on), (xi.size, 4, 2))
+    for shear, poisson, thickness in reversed(layers):
+        scale = np.array([1.0, 1.0, shear, shear])[:, None]
+        fields = scale * (crossed(poisson, xi * thickness) @ (fields / scale))
+        fields = fields / np.max(np.abs(fields), axis=(1, 2), keepdims=True)
+    compliance = -(fields[:, :2] @ np.linalg.inv(fields[:, 2:]))
+    shear, poisson, _ = layers[0]
+    short = (1.0 - poisson) / shear
+    return compliance[:, 1, 1] / short - 1.0, compliance[:, 0, 0] / short - 1.0

@@ -11,23 +11,10 @@ where :math:`q=\mu p-q^*` (Cattaneo).  Both are collocated after Erdogan and Gup
 
 from __future__ import annotations
 
-import layer_waves
 import numpy as np
+from layer_waves import excesses
 
 NODES = 12
-
-
-def excesses(layers, on, xi):
-    """Return M of pressures and of shear along the wave, of layers (shear, poisson, thickness) on (shear, poisson)."""
-    fields = np.broadcast_to(layer_waves.base(on), (xi.size, 4, 2))
-    for shear, poisson, thickness in reversed(layers):
-        scale = np.array([1.0, 1.0, shear, shear])[:, None]
-        fields = scale * (layer_waves.crossed(poisson, xi * thickness) @ (fields / scale))
-        fields = fields / np.max(np.abs(fields), axis=(1, 2), keepdims=True)
-    compliance = -(fields[:, :2] @ np.linalg.inv(fields[:, 2:]))
-    shear, poisson, _ = layers[0]
-    short = (1.0 - poisson) / shear
-    return compliance[:, 1, 1] / short - 1.0, compliance[:, 0, 0] / short - 1.0
 
 
 class SlippingCylinder:

@@ -17,29 +17,43 @@ response to shear along the wave for that to pressures.
 from __future__ import annotations
 
 import functools
+import math
 from typing import Annotated, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
+from winkler.checks.number_checks import Advice, NonNegative, Positive
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed
-from winkler.foundation.strip_waves import smooth_modes, transforms
+from winkler.foundation.periodic import from_line
+from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, turns, twists
+from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import GradedBody
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, PlaneWaves, plane_waves
 from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
-from winkler.numerics.caching import cached_by_value
-from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
 from winkler.numerics.transforms import strip_punches
-from winkler.numerics.transforms.cosine_transform import WaveResponse, faded
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded
 from winkler.numerics.transforms.layered_strips import LayeredStrips
-from winkler.numerics.transforms.strip_equation import StripResponse, Waves, octaves, strip_responses, waves
+from winkler.numerics.transforms.strip_equation import (
+    TAIL,
+    VANISHED,
+    StripResponse,
+    Strips,
+    Waves,
+    octaves,
+    settled_strips,
+    strip_responses,
+    summed,
+    waves,
+)
 from winkler.numerics.transforms.strip_modes import (
     along_surface,
     bessel_rows,
@@ -48,25 +62,48 @@ from winkler.numerics.transforms.strip_modes import (
     pressure_of_modes,
     signs,
 )
-from winkler.numerics.types import Array, Curve
+from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
-__all__ = ["Carried", "LayeredLineFoundation"]
+__all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 PAIRS_PER_CHUNK = 1_000_000
-KERNEL_TOLERANCE = 1e-12
-"""Error of what the layers add to the displacement of an element, over its greatest value."""
-SUMMED = 2e-15
-"""Rounding of a sum of waves, over the sum of their sizes."""
+MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
+"""Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
+LEAST_NODES = 12
+"""Flat punches that stand for the attraction beside a strip, at the fewest."""
+STEP = 1e-4
+"""Of differences, over the length that is changed."""
 MOST_KEPT = 4096
 """Half-widths whose modes are kept of one bed."""
 MOST_EXAMINED = 16
 """Half-widths of many whose contacts are examined for tension and overlap."""
 PLACES_BESIDE = np.geomspace(1e-3, 1.0, 25)[:-1]
 """Where the distance beside a strip is examined, between its edge and the farthest place."""
+
+
+class EndedZones(NamedTuple):
+    """Strips beside which a constant stress attracts.
+
+    Parameters
+    ----------
+    gap
+        Distance of the surfaces where the attraction ends [m].
+    load
+        Load per length over E* [m].
+    edge
+        Its derivative by the half-width while the end stays [-].
+    closing
+        By how much a flat punch as wide brings the surfaces closer at the end, over its load over E* [-].
+    """
+
+    gap: Array
+    load: Array
+    edge: Array
+    closing: Array
 
 
 class Carried(NamedTuple):
@@ -149,12 +186,50 @@ class LayeredLineFoundation(LineBed):
         OutsideValidity
             If it is a grading, in which stresses are not known.
         """
-        if isinstance(self.layered_body, GradedBody):
-            raise OutsideValidity(
-                "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading "
-                "give a CoatedHalfSpace of layers that follow it."
-            )
+        self._refuse_grading(
+            "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading"
+        )
         return cast(PlaneLayers, self.medium)
+
+    def _refuse_grading(self, why: str) -> None:
+        if isinstance(self.layered_body, GradedBody):
+            raise OutsideValidity(f"{why} give a CoatedHalfSpace of layers that follow it.")
+
+    def _refuse_sticking_grading(self) -> None:
+        self._refuse_grading(
+            "Lines stick on layers and on homogeneous bodies; the edges of flat punches on a grading, whose waves fall "
+            "slowly, are not built in:"
+        )
+
+    def own_modes(self, half_width: Array) -> Array | None:
+        """Return the modes of the half-planes' pressures ``(a, n)``, as of `smooth_modes`."""
+        return smooth_modes(self.half_plane, half_width)
+
+    def own_transforms(self, half_width: Array, k: Array) -> Array:
+        """Return the transforms of the half-planes' pressures over E* [m] at wave numbers k [1/m] ``(a, k)``."""
+        return transforms(self.half_plane, half_width, k)
+
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
+        return np.zeros(0), np.zeros(0)
+
+    def repeated(self, profile: Profile, pitch: float) -> PeriodicLayers:
+        """Return the bed of strips at a pitch [m], as of `LineFoundation.repeated`."""
+        return PeriodicLayers(profile, self.medium, pitch)
+
+    def solved(self, half_width: Array) -> StripResponse:
+        """Return what the layers add under strips [m]."""
+        slopes = self.half_plane.load_profile_slope(half_width)
+        return strip_responses(self.medium.response, half_width, self.own_transforms, slopes)
+
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
+        """Return the pressure of a strip as waves, for places up to a distance [m] from the middle."""
+        carried = self.carried(half_width, rim_load)
+
+        def transform(k: Array) -> Array:
+            return np.asarray(self.medium.modulus * self.transform(k, carried))
+
+        return plane_waves(self.layered, half_width, farthest, transform)
 
     def refuse_dragged(self, friction: float) -> None:
         """Refuse friction [-] where a layer slides on what lies below it."""
@@ -207,6 +282,63 @@ class LayeredLineFoundation(LineBed):
             result[touching] = (result[touching] - inner) / np.sum(found.punch, axis=1)
         return result
 
+    def edge_share(self, half_width: Array) -> Array:
+        """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
+        self._refuse_sticking_grading()
+        half_width = np.asarray(half_width, dtype=float)
+        result, touching = np.ones(half_width.shape), half_width > 0.0
+        if touching.any():
+            result[touching] = np.sum(_responses(self, half_width[touching]).punch, axis=1)
+        return result
+
+    def edge_share_slope(self, half_width: Array) -> Array:
+        """Return its derivative by the half-width [1/m].
+
+        A punch that widens adds a pressure whose singularity is that of the derivative of 1/sqrt(a^2 - x^2): of the
+        half-plane's, -k J_1(ka), the layers take away what closes at the edge.
+        """
+        self._refuse_sticking_grading()
+        half_width = np.asarray(half_width, dtype=float)
+        result, touching = np.zeros(half_width.shape), half_width > 0.0
+        if touching.any():
+            result[touching] = _edge_slopes(self, half_width[touching])
+        return result
+
+    def zoned(self, strength: float, half_width: float, outer: float) -> ZonedLayers:
+        """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
+        return ZonedLayers(self.profile, self.medium, strength, half_width, outer)
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Return the distance where an attraction ends, as of `LineBed.zone_gap`; the slope is that of half-planes."""
+        return _zones(self, half_width, span, strength).gap, self.half_plane.zone_gap(half_width, span, strength)[1]
+
+    def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return the load per length over E* of strip and attraction, as of `LineBed.zone_load`."""
+        return _zones(self, half_width, span, strength).load
+
+    def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return its derivative by the half-width, as of `LineBed.zone_load_slope`; to about 1e-8.
+
+        As a strip widens beside an attraction that ends at c it adds a flat punch, which brings the surfaces at c
+        closer.  Where c lies close to the edge that cancels against the longer attraction: differences are taken
+        at one l.
+        """
+        result = np.empty(half_width.shape)
+        for own, near in ((half_width > span, True), (half_width <= span, False)):
+            a, reach = half_width[own], span[own]
+            if a.size == 0:
+                continue
+            farther, nearer = (_zones(self, a, reach * (1.0 + step), strength) for step in (STEP, -STEP))
+            ratio = (farther.load - nearer.load) / (farther.gap - nearer.gap)
+            if near:
+                wider, narrower = (_zones(self, a * (1.0 + step), reach, strength) for step in (STEP, -STEP))
+                rise = (wider.load - narrower.load) - ratio * (wider.gap - narrower.gap)
+                result[own] = rise / (2.0 * STEP * a)
+            else:
+                edge, closing = 0.5 * (farther.edge + nearer.edge), 0.5 * (farther.closing + nearer.closing)
+                result[own] = edge * (1.0 + ratio * closing)
+        return result
+
     def carried(self, half_width: float, rim_load: float) -> Carried:
         """Return the pressure of a strip, as modes.
 
@@ -244,8 +376,8 @@ class LayeredLineFoundation(LineBed):
         far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
         unit = float(edges[-1])
         found = waves(self.medium.along_response, int(octaves(self.medium.along_response, np.array([unit]))[0]))
-        turns = fit_panels(lambda t: _turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
-        lifted = np.sign(far) * turns(np.abs(far) / unit)
+        twice = fit_panels(lambda t: turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
+        lifted = np.sign(far) * twice(np.abs(far) / unit)
         added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
         return LineBed.shear_compliance(self, edges) + added
 
@@ -271,10 +403,10 @@ class LayeredLineFoundation(LineBed):
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
         unit = response.length * 2.0**octave
         if part is Wave.COUPLING:
-            lifted = unit * _bends(response, octave)(np.abs(far) / unit)
+            lifted = unit * bends(response, octave)(np.abs(far) / unit)
         else:
             share = self.along_share if part is Wave.ALONG else 1.0
-            lifted = -share * unit * np.sign(far) * _twists(response, octave)(np.abs(far) / unit)
+            lifted = -share * unit * np.sign(far) * twists(response, octave)(np.abs(far) / unit)
         return LineBed.slopes(self, part, nodes, x) + 2.0 / np.pi * by_hats(lifted, nodes)
 
     def drawn(self, x: Array, half_width: float) -> Array:
@@ -303,11 +435,10 @@ class LayeredLineFoundation(LineBed):
         return pressed, pushed
 
     def _refuse_worn_grading(self) -> None:
-        if isinstance(self.layered_body, GradedBody):
-            raise OutsideValidity(
-                "Lines wear on layers and on homogeneous bodies; flat punches of all widths on a grading, whose waves "
-                "fall slowly, are not built in: give a CoatedHalfSpace of layers that follow it."
-            )
+        self._refuse_grading(
+            "Lines wear on layers and on homogeneous bodies; flat punches of all widths on a grading, whose waves fall "
+            "slowly, are not built in:"
+        )
 
     def grid_transforms(self, nodes: Array) -> LayeredStrips:
         """Return the transforms of worn contacts between nodes [m]."""
@@ -377,7 +508,7 @@ class LayeredLineFoundation(LineBed):
         rows = bessel_rows(k * carried.half_width, carried.modes.size)
         found = (carried.modes * signs(carried.modes.size)) @ rows
         if carried.own is None:
-            found = found + transforms(self.half_plane, np.array([carried.half_width]), k)[0]
+            found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
         return np.asarray(found)
 
     def sunk(self, x: Array, carried: Carried) -> Array:
@@ -392,38 +523,231 @@ class LayeredLineFoundation(LineBed):
         return np.asarray(at_edge - np.concatenate(parts))
 
 
-def _turns(found: Waves, x: Array) -> Array:
-    """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
-    step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
-    rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
-    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights) + np.sum(found.shares))
+@value
+class PeriodicLayers(LayeredLineFoundation):
+    r"""Strips at one pitch on layers, over the u of `winkler.foundation.periodic`.
+
+    The half-plane of the uppermost layer carries the pressure over u of a single strip.  The layers feel the waves
+    :math:`k_m = 2\pi m/\lambda` alone: sums over them stand for the integrals of a single strip, and for
+    :math:`(-1)^nJ_{2n}(ka)` the transform of a mode over u,
+
+    .. math:: B_n(m) = \frac2\pi\int_0^{\pi/2}\cos(2n\phi)\,\cos\big(2m\arcsin(\tfrac{\pi a}\lambda\cos\phi)\big)
+              \,\mathrm d\phi ,
+
+    zero for n > m: sin^2 of the places is a polynomial of u.  Of a flat punch it is half of
+    :math:`P_m(y)+P_{m-1}(y)`, Legendre's polynomials at :math:`y = 1-2(\pi a/\lambda)^2`.
+
+    Parameters
+    ----------
+    pitch : float
+        lambda [m].
+    """
+
+    pitch: Positive
+
+    def __post_init__(self) -> None:
+        LayeredLineFoundation.__post_init__(self)
+        self._refuse_grading(
+            "Many strips press on layers and on homogeneous bodies; sums over the waves of their pitch, which fall "
+            "slowly on a grading, are not built in:"
+        )
+
+    @property
+    def discrete(self) -> Waves:
+        """The waves, and 2 pi M / (lambda k)."""
+        response = self.medium.response
+        count = math.ceil(0.5 * DECAY_SPAN * self.pitch / (math.pi * response.length))
+        if count > MOST_HARMONICS:
+            raise OutsideValidity(
+                f"A pitch of {self.pitch:.6g} m is too long for an uppermost layer whose response fades over "
+                f"{response.length:.6g} m: {count} waves would be felt, {MOST_HARMONICS} at most; give a thicker layer."
+            )
+        k = 2.0 * math.pi / self.pitch * np.arange(1, count + 1)
+        return Waves(k, 2.0 * math.pi / self.pitch * response.excess(k) / k, np.zeros(0), np.zeros(0))
+
+    def rows(self, half_width: Array, count: int, orders: int) -> Array:
+        """Return B_n(m) of so many modes for m = 1 ... `orders` under strips of half-widths over u ``(a, n, m)``."""
+        points = count + orders + 1
+        angle = 0.5 * math.pi * (np.arange(points) + 0.5) / points
+        modes = np.cos(2.0 * np.outer(np.arange(count), angle)) / points
+        turned = np.arcsin(np.minimum(math.pi / self.pitch * np.outer(half_width, np.cos(angle)), 1.0))
+        found = np.empty((half_width.size, count, orders))
+        for row, one in enumerate(turned):
+            found[row] = modes @ np.cos(2.0 * np.outer(one, np.arange(1, orders + 1)))
+        return np.asarray(np.triu(found, -1))  # the first wave, m = 1, has the modes 0 and 1
+
+    def own_transforms(self, half_width: Array, k: Array) -> Array:
+        """Return the transforms of the half-planes' pressures over E* [m] at the waves ``(a, m)``."""
+        modes = self.own_modes(half_width)
+        if modes is not None:
+            used = 1 + int(np.max(np.nonzero(np.any(modes != 0.0, axis=0))[0], initial=0))
+            return np.asarray(np.einsum("an,anm->am", modes[:, :used], self.rows(half_width, used, k.size)))
+        found = np.empty((half_width.size, k.size))
+        for place, a in enumerate(half_width.tolist()):
+            widths, loads = punches(self.half_plane, a, float(k[-1]))
+            level = 1.0 - 2.0 * (math.pi / self.pitch * widths) ** 2
+            before, now = np.ones(widths.size), level
+            for m in range(k.size):
+                found[place, m] = 0.5 * float(loads @ (before + now))
+                before, now = now, ((2.0 * m + 3.0) * level * now - (m + 1.0) * before) / (m + 2.0)
+        return found
+
+    def solved(self, half_width: Array) -> StripResponse:
+        """Return what the layers add under strips [m]."""
+        found = self.discrete
+        whole = found.k.size + 1 + TAIL  # no wave has more modes
+        step = max(1, PAIRS_PER_CHUNK // whole)
+
+        def settled(a: Array) -> StripResponse:
+            octave = max(0.0, float(np.log2(np.max(a) / self.medium.response.length)))
+            rounding, pressed = VANISHED * 2.0 ** (0.5 * octave), self.own_transforms(a, found.k)
+            first = min(FIRST_MODES + 8 * math.ceil(octave), whole)
+
+            def equation(count: int) -> tuple[Array, Array]:
+                return summed(self.rows(a, count, found.k.size), found.weights, pressed)
+
+            strips = Strips(from_line(a, self.pitch), np.abs(pressed[:, 0]), equation)
+            return settled_strips(strips, first, rounding, whole)
+
+        parts = [settled(half_width[i : i + step]) for i in range(0, half_width.size, step)]
+        most = max(part.closing.shape[1] for part in parts)
+        return StripResponse(
+            *(
+                np.concatenate([np.pad(part[i], ((0, 0), (0, most - part[i].shape[1]))) for part in parts])
+                for i in (0, 1)
+            )
+        )
+
+    def transform(self, k: Array, carried: Carried) -> Array:
+        """Return the transform of a pressure over E* [m] at the waves `discrete`."""
+        rows = self.rows(np.array([carried.half_width]), carried.modes.size, k.size)[0]
+        found = carried.modes @ rows
+        if carried.own is None:
+            found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
+        return np.asarray(found)
+
+    def sunk(self, x: Array, carried: Carried) -> Array:
+        """Return by how much less the layers below let the surface sink at places u >= a [m] than at the edge."""
+        found = self.discrete
+        weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
+        at_edge, places = (from_line(np.asarray(u), self.pitch) for u in (carried.half_width, x))
+        return np.asarray(np.cos(found.k * at_edge) @ weights - np.cos(np.outer(places, found.k)) @ weights)
+
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
+        """Return the pressure of all strips as waves; an even load of `rim_load` E* per strip beside them.
+
+        The even part of the load is the wave that is long against all depths.
+        """
+        found, carried = self.discrete, self.carried(half_width, 0.0)
+        level = 2.0 / self.pitch * self.medium.modulus
+        load = float(self.load_profile(np.array([half_width]))[0]) + rim_load
+        k = np.append(LONGEST / max(self.medium.response.span, self.pitch), found.k)
+        return PlaneWaves(k, level * np.append(0.5 * load, self.transform(found.k, carried)))
 
 
-@cached_by_value(64)
-def _twists(response: WaveResponse, octave: int) -> Panels:
-    """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
-    found, unit = waves(response, octave), response.length * 2.0**octave
-    return _panels(lambda t: _turns(found, unit * t) / unit, found)
+@value
+class ZonedLayers(LayeredLineFoundation):
+    """A line contact on layers, and the attraction beside one strip of it.
+
+    Parameters
+    ----------
+    strength : float
+        The stress sigma_0 [Pa].
+    contact, outer : float
+        a and c [m].
+    """
+
+    __words__ = ZONE_WORDS
+
+    strength: Positive
+    contact: NonNegative
+    outer: Positive
+
+    def __post_init__(self) -> None:
+        LayeredLineFoundation.__post_init__(self)
+        self._refuse_sticking_grading()
+
+    @property
+    def half_plane(self) -> ZonedBed:
+        """The same on a half-plane of the uppermost layer."""
+        plain = LayeredLineFoundation(self.profile, self.medium).half_plane
+        return plain.zoned(self.strength, self.contact, self.outer)
+
+    def own_modes(self, half_width: Array) -> None:
+        """None: the stress beside the strip is no mode of its pressure."""
+
+    def own_transforms(self, half_width: Array, k: Array) -> Array:
+        """Return the transform of the half-plane's pressure and of the attraction."""
+        widths, loads = self.half_plane.beside(self.contact)
+        pulled = _of_punches(widths[None, :], loads[None, :], k)
+        return LayeredLineFoundation.own_transforms(self, half_width, k) + pulled
+
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]."""
+        return self.half_plane.beside(half_width)
 
 
-@cached_by_value(64)
-def _bends(response: WaveResponse, octave: int) -> Panels:
-    """Return the same of M (1 - cos kx) / k^2."""
-    found, unit = waves(response, octave), response.length * 2.0**octave
+def _of_punches(widths: Array, loads: Array, k: Array) -> Array:
+    """Return the transforms of flat punches that bear loads ``(a, n)`` [m] at wave numbers ``(a, k)``."""
+    from scipy.special import j0
 
-    def bent(t: Array) -> Array:
-        flat, step = unit * t.ravel(), max(1, PAIRS_PER_CHUNK // found.k.size)
-        half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
-        return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
-
-    return _panels(bent, found)
+    step = max(1, PAIRS_PER_CHUNK // (widths.shape[1] * k.size))
+    parts = (slice(start, start + step) for start in range(0, widths.shape[0], step))
+    return np.concatenate([np.einsum("akn,an->ak", j0(widths[i, None, :] * k[:, None]), loads[i]) for i in parts])
 
 
-def _panels(function: Curve, found: Waves) -> Panels:
-    """Return a sum of these waves from 0 to 2 as panels, no more precise than its rounding."""
-    greatest = float(np.max(np.abs(function(np.array([1.0, 2.0])))))
-    rounding = SUMMED * float(np.sum(np.abs(found.weights)))
-    return fit_panels(function, np.array([0.0, 2.0]), max(KERNEL_TOLERANCE * max(1.0, greatest), rounding))
+def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength: float) -> EndedZones:
+    """Return strips beside which a stress [Pa] attracts over the spans l [m]."""
+    bed._refuse_sticking_grading()
+    response, plain, outer = bed.medium.response, bed.half_plane, np.hypot(half_width, span)
+    ends = dict(zip(half_width.tolist(), span.tolist(), strict=True))
+    node, weight = gauss_legendre(
+        LEAST_NODES + math.ceil(0.5 * DECAY_SPAN / response.length * float(np.max(span, initial=0.0)))
+    )
+
+    def pressed(a: Array, k: Array) -> Array:
+        reach = np.array([ends[one] for one in a.tolist()])[:, None]
+        widths = np.sqrt(a[:, None] ** 2 + reach**2 * (1.0 - node**2))
+        pulled = _of_punches(widths, -2.0 * strength / bed.medium.modulus * reach * weight, k)
+        touching = a > 0.0
+        pulled[touching] += bed.own_transforms(a[touching], k)
+        return pulled
+
+    gap, load = plain.zone_gap(half_width, span, strength)[0], plain.zone_load(half_width, span, strength)
+    edge = plain.load_profile_slope(half_width) + 2.0 * strength / bed.medium.modulus * half_width / span
+    closing, added = np.zeros(half_width.size), np.zeros((2, half_width.size, 1))
+    (strips,) = np.nonzero(half_width > 0.0)
+    if strips.size:
+        found = strip_responses(response, half_width[strips], pressed, np.zeros(strips.size))
+        order = np.arange(found.closing.shape[1])
+        added = np.zeros((2, half_width.size, order.size))
+        added[:, strips] = found
+        load = load + added[0, :, 0]
+        inner = 2.0 / half_width[strips] * (found.closing @ order**2)
+        edge[strips] = (edge[strips] - inner) / np.sum(found.punch, axis=1)
+        for i in strips:
+            gap[i] -= lowered(added[0, i], float(half_width[i]), outer[i : i + 1])[0]
+            closing[i] += lowered(added[1, i], float(half_width[i]), outer[i : i + 1])[0]
+    groups = octaves(response, 0.5 * (half_width + outer))
+    for octave in np.unique(groups):
+        (own,) = np.nonzero(groups == octave)
+        wave, a = waves(response, int(octave)), half_width[own]
+        rows = bessel_rows(a[:, None] * wave.k, added.shape[2])
+        modes = np.einsum("man,nak->mak", added[:, own] * signs(added.shape[2]), rows)
+        apart = 2.0 / np.pi * wave.weights * (np.cos(a[:, None] * wave.k) - np.cos(outer[own, None] * wave.k))
+        gap[own] -= np.sum(apart * (modes[0] + pressed(a, wave.k)), axis=1)
+        closing[own] += np.sum(apart * modes[1], axis=1)
+    return EndedZones(gap, load, edge, closing)
+
+
+def _edge_slopes(bed: LayeredLineFoundation, half_width: Array) -> Array:
+    from scipy.special import j1
+
+    punch = _responses(bed, half_width).punch
+    share, order = np.sum(punch, axis=1), np.arange(punch.shape[1])
+    none = np.zeros(half_width.size)  # the waves of no grading, which alone ask for slopes
+    widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k), none)
+    return np.asarray(2.0 / half_width * (punch @ order**2) - share**2 * widened.closing[:, 0])
 
 
 @functools.lru_cache(maxsize=16)
@@ -446,9 +770,7 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
                 f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."
             )
-        plain = bed.half_plane
-        slopes = plain.load_profile_slope(missing)
-        solved = strip_responses(bed.medium.response, missing, lambda a, k: transforms(plain, a, k), slopes)
+        solved = bed.solved(missing)
         kept.update(zip(missing.tolist(), zip(solved.closing, solved.punch, strict=True), strict=True))
     rows = [kept[a] for a in places]
     result = StripResponse(*np.zeros((2, len(rows), max(closing.size for closing, _ in rows))))
@@ -461,6 +783,6 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
 def _carried(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> Carried:
     one = np.array([half_width])
     found = _responses(bed, one)
-    own = smooth_modes(bed.half_plane, one)
+    own = bed.own_modes(one)
     added = found.closing[0] + rim_load * found.punch[0]
     return Carried(half_width, None if own is None else own[0], added, rim_load * float(np.sum(found.punch[0])))

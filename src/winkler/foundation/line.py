@@ -14,6 +14,15 @@ rest of the load as a flat punch.  Beside the contact the distance of the surfac
 
 from one place where w' is not smooth to the next; with :math:`c^2 = b^2 + y^2` above each, and y over its greatest
 value a sine, both square roots at the ends of the second integral are gone.  A parabolic cylinder has closed forms.
+
+Beside a strip to which a constant stress :math:`-\sigma_0` pulls from a to c, the flat punches go on beyond it.  With
+:math:`l = \sqrt{c^2-a^2}` its potential below the surface, and the distance of the surfaces at c, are
+
+.. math:: F(\zeta) = -\frac{2\sigma_0}\pi\ln\frac{l+\sqrt{\zeta^2-a^2}}{\sqrt{\zeta^2-c^2}} , \qquad
+          h(c) = \frac2\pi\int_a^c w'(s)\,\mathrm{arcosh}\frac cs\,\mathrm ds
+          + \frac{4\sigma_0}{\pi E^*}\Big[l\,\mathrm{arcosh}\frac ca - c\ln\frac ca\Big] .
+
+For a cylinder the integral is :math:`\frac1{2R}\big[cl - a^2\,\mathrm{arcosh}\frac ca\big]` (Baney and Hui).
 """
 
 from __future__ import annotations
@@ -25,12 +34,13 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
+from winkler.checks.number_checks import Advice, NonNegative, Positive
 from winkler.errors import InvalidInput
 from winkler.foundation.line_bed import LineBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.integrals.adaptive_quadrature import settled
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.transforms.abel_intervals import noise
@@ -41,12 +51,23 @@ from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values import value, words
 
-__all__ = ["LineFoundation"]
+__all__ = ["ZONE_WORDS", "LineFoundation", "ZonedBed"]
 
 DENSITY_TOLERANCE = 1e-13
 """Error of w' over its greatest value, where the stresses below are computed from it."""
+ZONE_NODES = 64
+NODES, PIECE = 16, 1.5
+"""Nodes on each piece of the integral over arcosh(c/s)."""
+FARTHEST = 40.0
+"""Greatest arcosh(c/s): nearer to the middle nothing is left of the integral."""
+
+ZONE_WORDS = words(
+    strength=(r"\sigma_0", "Pa", "stress with which the surfaces attract each other"),
+    contact=("a", "m", "half-width of the contact"),
+    outer=("c", "m", "where the attraction ends"),
+)
 
 
 @value
@@ -119,6 +140,49 @@ class LineFoundation(LineBed):
     def load_profile_slope(self, half_width: Array) -> Array:
         """w'(a) [-]."""
         return line_load_slope(self.profile, half_width)
+
+    @property
+    def half_plane(self) -> LineFoundation:
+        """The bed itself."""
+        return self
+
+    def repeated(self, profile: Profile, pitch: float) -> LineFoundation:
+        """Return the bed of strips at a pitch [m] whose profile over u is given (`winkler.foundation.periodic`)."""
+        return LineFoundation(profile, self.medium)
+
+    def zoned(self, strength: float, half_width: float, outer: float) -> ZonedBed:
+        """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
+        return ZonedBed(self.profile, self.medium, strength, half_width, outer)
+
+    def zone_start(self, half_width: Array, reach: float, strength: float) -> Array:
+        """Return at least how far an attraction with a range `reach` [m] goes on beside strips, the span l [m]."""
+        factor = 4.0 * strength / (math.pi * self.medium.modulus)
+        span = np.full(half_width.shape, reach / factor)
+        while np.any(short := factor * _pulled(half_width, span)[0] < reach):
+            span = np.where(short, 2.0 * span, span)
+        return span
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Return the distance of the surfaces where an attraction ends, as of `LineBed.zone_gap`."""
+        apart, opening = _apart(self, half_width, span)
+        whole, by_end = _pulled(half_width, span)
+        factor = 4.0 * strength / (math.pi * self.medium.modulus)
+        return apart + factor * whole, (opening + factor * by_end) * span / np.hypot(half_width, span)
+
+    def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return the load per length over E* of strip and attraction, as of `LineBed.zone_load`."""
+        return np.asarray(self.load_profile(half_width) - 2.0 * strength / self.medium.modulus * span)
+
+    def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return its derivative by the half-width, as of `LineBed.zone_load_slope`."""
+        a, growth = half_width, self.load_profile_slope(half_width)
+        factor = 4.0 * strength / (math.pi * self.medium.modulus)
+        opening, by_end = _apart(self, a, span)[1], _pulled(a, span)[1]
+        closing = 2.0 / math.pi * growth * np.where(a > 0.0, _arcosh(a, span), 0.0)
+        # l l' = c c' - a, put together so that nothing cancels where the attraction ends close to the strip
+        whole = np.hypot(a, span) * closing - a * opening + factor * a * _log_ratio(a, span)
+        span_slope = whole / ((opening + factor * by_end) * span)
+        return np.asarray(growth - 2.0 * strength / self.medium.modulus * span_slope)
 
     def beside(self, half_width: float) -> tuple[Array, Array]:
         """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
@@ -276,3 +340,121 @@ def _between(bed: LineFoundation, low: float, high: float, x: Array) -> Array:
         return grown
 
     return settled(integrand, x.size, "the distance beside a strip", noise(x, low))
+
+
+def _apart(bed: LineFoundation, a: Array, span: Array) -> tuple[Array, Array]:
+    """Return the distance [m] of the surfaces at c beside a contact without attraction, and its slope [-]."""
+    c = np.hypot(a, span)
+    wide = np.minimum(_arcosh(a, span), FARTHEST)
+    if bed.hertzian:
+        twice = 2.0 * bed.hertz_radius
+        return (c * span - a * a * wide) / twice, 2.0 * span / twice
+    pieces = max(1, math.ceil(float(np.max(wide)) / PIECE))
+    nodes, weights = gauss_legendre(NODES)
+    share = (np.arange(pieces)[:, None] + nodes).ravel() / pieces
+    v = wide[:, None] * share
+    s = c[:, None] / np.cosh(v)
+    density = bed.load_profile_slope(s) * s * np.tile(weights, pieces) / pieces * wide[:, None]
+    apart = 2.0 / math.pi * np.sum(density * v * np.tanh(v), axis=1)
+    return apart, 2.0 / math.pi * np.sum(density, axis=1) / c
+
+
+def _arcosh(a: Array, span: Array) -> Array:
+    """Return arcosh(c/a), infinite at a = 0."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.arcsinh(np.divide(span, a, out=np.full(a.shape, np.inf), where=a > 0.0)))
+
+
+def _pulled(a: Array, span: Array) -> tuple[Array, Array]:
+    """Return l arcosh(c/a) - c ln(c/a) [m] and its derivative by c [-]; l > 0."""
+    c = np.hypot(a, span)
+    ratio = _log_ratio(a, span)
+    rest = np.log1p(span / c)  # ln((l + c)/c)
+    whole = span * rest - a * a / (span + c) * ratio
+    by_c = c / span * rest + a * a / (span * (span + c)) * ratio
+    return whole, by_c
+
+
+def _log_ratio(a: Array, span: Array) -> Array:
+    """Return ln(c/a), zero at a = 0."""
+    return np.asarray(0.5 * np.log1p(np.divide(span, a, out=np.zeros(a.shape), where=a > 0.0) ** 2))
+
+
+@value
+class ZonedBed(LineFoundation):
+    """A line contact and the attraction beside one strip of it.
+
+    Parameters
+    ----------
+    strength : float
+        The stress sigma_0 [Pa].
+    contact, outer : float
+        a and c [m].
+    """
+
+    __words__ = ZONE_WORDS
+
+    strength: Positive
+    contact: NonNegative
+    outer: Positive
+
+    @property
+    def hertz_radius(self) -> float:
+        """Infinite: the attraction alters the pressure."""
+        return math.inf
+
+    @property
+    def span(self) -> float:
+        """l = sqrt(c^2 - a^2) [m]."""
+        return math.sqrt((self.outer - self.contact) * (self.outer + self.contact))
+
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of the flat punches beside the strip, and their loads over E* [m]."""
+        y, weights = gauss_legendre(ZONE_NODES)
+        widths = np.sqrt(self.outer**2 - (self.span * y) ** 2)
+        return widths, -2.0 * self.strength / self.medium.modulus * self.span * weights
+
+    def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return the pressure [Pa], negative where the surfaces attract each other."""
+        away = np.abs(x)
+        inside = np.sqrt(np.maximum((half_width - away) * (half_width + away), 0.0))
+        pull = np.where(away < self.outer, 2.0 * self.strength / math.pi * np.arctan2(self.span, inside), 0.0)
+        return np.asarray(LineFoundation.pressure(self, x, half_width, rim_load) - pull)
+
+    def surface_potential(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return F [Pa] on the surface."""
+        with np.errstate(divide="ignore"):
+            zone, _ = self._zone(np.asarray(x) + 0j)
+        along = LineFoundation.surface_potential(self, x, half_width, rim_load).real + zone.real
+        return np.asarray(along - 1j * self.pressure(x, half_width, rim_load))
+
+    def potential(self, x: Array, z: Array, half_width: float, rim_load: float) -> tuple[Array, Array]:
+        """Return F [Pa] and F' [Pa/m] below the surface."""
+        whole, slope = LineFoundation.potential(self, x, z, half_width, rim_load)
+        zone, grown = self._zone(x + 1j * z)
+        return whole + zone, slope + grown
+
+    def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
+        """Return the distance of the surfaces [m] at places x >= 0, lifted by the attraction."""
+        lifted = self.pulled_apart(np.ravel(np.maximum(x, half_width))).reshape(x.shape)
+        return LineFoundation.separation(self, x, half_width, rim_load) + np.where(x > half_width, lifted, 0.0)
+
+    def _zone(self, zeta: Array) -> tuple[Array, Array]:
+        a, c = self.contact, self.outer
+        inner = np.sqrt(zeta - a) * np.sqrt(zeta + a)
+        outer = np.sqrt(zeta - c) * np.sqrt(zeta + c)
+        factor = -2.0 * self.strength / math.pi
+        with np.errstate(divide="ignore", invalid="ignore"):
+            whole = factor * np.log((self.span + inner) / outer)
+            slope = factor * zeta * (1.0 / (inner * (self.span + inner)) - 1.0 / outer**2)
+        return whole, slope
+
+    def pulled_apart(self, x: Array) -> Array:
+        """Return by how much the attraction lifts the surfaces at places x >= a [m]: they end at less than without."""
+        t, weights = gauss_legendre(ZONE_NODES)
+        first = np.sqrt(np.maximum((self.outer - x) * (self.outer + x), 0.0)) / self.span
+        y = first[:, None] + (1.0 - first[:, None]) * t**2
+        widths = np.sqrt(np.maximum(self.outer**2 - (self.span * y) ** 2, self.contact**2))
+        ratio = np.maximum(x[:, None] / np.maximum(widths, 1e-300), 1.0)
+        lifted = np.sum(np.arccosh(ratio) * 2.0 * t * weights, axis=1) * (1.0 - first)
+        return np.asarray(4.0 * self.strength / (math.pi * self.medium.modulus) * self.span * lifted)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -54,8 +54,16 @@ class LineBed:
     punches_push: ClassVar[bool] = True
     """Whether flat punches nowhere pull, and leave the surface beside them below: no contact whose load grows parts."""
 
+    edges_bear: ClassVar[bool] = True
+    """Whether the edges bear what a load has beside that of the profile."""
+
     sheared_as_pressed: ClassVar[bool] = False
     """Whether tractions move the surfaces along as pressures sink them, but for the factor `along_share`."""
+
+    @property
+    def half_plane(self) -> Any:
+        """The same profile on half-planes of what carries the surface: a bed of which all is known in closed form."""
+        raise NotImplementedError
 
     @property
     def hertz_radius(self) -> float:
@@ -212,6 +220,45 @@ class LineBed:
         """
         return self.along_share * element_compliance(edges / edges[-1])
 
+    def edge_share(self, half_width: Array) -> Array:
+        """Return the tension at the edges of a flat punch that is pulled, over that on half-planes [-]."""
+        return np.ones(np.shape(half_width))
+
+    def edge_share_slope(self, half_width: Array) -> Array:
+        """Return its derivative by the half-width [1/m]."""
+        return np.zeros(np.shape(half_width))
+
+    def repeated(self, profile: Profile, pitch: float) -> LineBed:
+        """Return the bed of strips at a pitch [m] whose profile over u is given (`winkler.foundation.periodic`)."""
+        raise NotImplementedError
+
+    def zoned(self, strength: float, half_width: float, outer: float) -> LineBed:
+        """Return the bed with an attraction of a constant stress [Pa] beside a strip, up to `outer` [m].
+
+        Its `load_profile` is still that of the profile alone, on half-planes.
+        """
+        raise NotImplementedError
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Return the distance of the surfaces [m] where a constant attraction beside strips ends, and its slope.
+
+        Parameters
+        ----------
+        half_width, span : ndarray, (m,)
+            a and l = sqrt(c^2 - a^2) [m], the attraction ends at c; the slope is that by l [-].
+        strength : float
+            sigma_0 [Pa].
+        """
+        raise NotImplementedError
+
+    def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return the load per length over E* of strips with an attraction beside them [m], as of `zone_gap`."""
+        raise NotImplementedError
+
+    def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
+        """Return its derivative by the half-width [-], while the distance where the attraction ends stays."""
+        raise NotImplementedError
+
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] at nodes 0, 1, ... `count` spacings away from a hat of tractions with the top E*.
 
@@ -272,6 +319,15 @@ class LineBed:
             The distance from which displacements are counted [m].
         """
         return -2.0 / math.pi * self.along_share * math.log(0.5 * half_width / unit)
+
+    @property
+    def layered(self) -> Any:
+        """The medium, if it has layers."""
+        raise NotImplementedError
+
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> Any:
+        """Return the pressure of a strip as waves that layers feel, for places up to a distance [m]."""
+        raise NotImplementedError
 
     def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
         """Return the loads over E* at the edges of flat punches that bear one: of those that press, and that push.

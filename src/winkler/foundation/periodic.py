@@ -20,13 +20,12 @@ H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import Positive
-from winkler.foundation.line import LineFoundation
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.power import Paraboloid
@@ -207,14 +206,16 @@ class PeriodicBed:
 
     Parameters
     ----------
-    line : LineFoundation
+    line : LineFoundation or PeriodicLayers
         Over u.
     pitch : float
         [m].
     """
 
-    line: LineFoundation
+    line: LineBed
     pitch: Positive
+    edges_bear: ClassVar[bool] = False
+    """What closes the contact and more presses evenly."""
     hertzian: ClassVar[bool] = False
     """Crests press on one another's gaps: their pressure is Hertz's under no load."""
 
@@ -224,7 +225,7 @@ class PeriodicBed:
         return self.line.profile
 
     @property
-    def medium(self) -> HomogeneousMedium:
+    def medium(self) -> Any:
         """Both bodies."""
         return self.line.medium
 
@@ -232,6 +233,23 @@ class PeriodicBed:
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """Places [m] and strengths over u."""
         return tuple((float(from_line(np.array(b), self.pitch)), strength) for b, strength in self.line.kinks)
+
+    @property
+    def layered(self) -> Any:
+        """The medium, if it has layers."""
+        return self.line.layered
+
+    def slope(self, x: Array) -> Array:
+        """df/du [-]."""
+        return self.line.slope(to_line(x, self.pitch))
+
+    def refuse_dragged(self, friction: float) -> None:
+        """Refuse friction [-] where a layer slides on what lies below it."""
+        self.line.refuse_dragged(friction)
+
+    def waves_below(self, half_width: float, extra: float, farthest: float) -> Any:
+        """Return the pressure as waves that layers feel."""
+        return self.line.waves_below(float(to_line(np.array(half_width), self.pitch)), extra, farthest)
 
     def pressure(self, x: Array, half_width: float, extra: float) -> Array:
         """Return the pressure [Pa]; `extra` is the load per strip over E* beyond that which closes the contact [m]."""

@@ -22,7 +22,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["averages", "smooth_modes", "transforms"]
+__all__ = ["averages", "punches", "smooth_modes", "transforms"]
 
 SAMPLES = 64, 256
 """Places at which a profile is read; more where it is wavy."""
@@ -81,7 +81,7 @@ def transforms(bed: LineFoundation, half_width: Array, k: Array) -> Array:
 
     result = np.empty((half_width.size, k.size))
     for place, a in enumerate(half_width):
-        widths, loads = _punches(bed, float(a), float(k[-1]))
+        widths, loads = punches(bed, float(a), float(k[-1]))
         if widths.size * k.size > MOST_PAIRS:
             raise OutsideValidity(
                 f"A strip of the half-width {a:.6g} m is too wide for the uppermost layer under a profile with a tip, "
@@ -111,7 +111,7 @@ def _mean(height: Curve, edges: list[float], half_width: float) -> float:
     return float(np.sum(height(half_width * np.sin(angle)) * width * weight) * 2.0 / math.pi)
 
 
-def _punches(bed: LineFoundation, half_width: float, largest: float) -> tuple[Array, Array]:
+def punches(bed: LineFoundation, half_width: float, largest: float) -> tuple[Array, Array]:
     """Return half-widths [m] of flat punches, and their loads over E* [m], for waves up to `largest` [1/m]."""
     node, weight = gauss_legendre(NODES)
     edges = _edges(bed, half_width)

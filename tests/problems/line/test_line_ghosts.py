@@ -161,11 +161,13 @@ class Ghost:
 
 COATED = wk.CoatedHalfSpace([wk.Layer(SOLID, 0.2)], wk.Elastic(0.2, 0.4, strength=0.1), wk.Elastic(5.0, 0.2))
 ON_LAYERS = (
+    "PeriodicIndentation",
     "LineIndentation",
     "LineTangential",
     "LineFrictionHeating",
     "LineConstriction",
     "LineYieldOnset",
+    "LineAdhesion",
     "LineLimitingProfile",
     "LineFrettingWear",
     "LineSlidingWear",
@@ -173,7 +175,14 @@ ON_LAYERS = (
 )
 
 
-SLOW_ON_LAYERS = ("LineTangential", "LineTangential, bulk", "LineYieldOnset", "LineRolling, coupled")
+SLOW_ON_LAYERS = (
+    "PeriodicIndentation",
+    "LineTangential",
+    "LineTangential, bulk",
+    "LineYieldOnset",
+    "LineAdhesion, Dugdale",
+    "LineRolling, coupled",
+)
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,8 @@ import functools
 
 import numpy as np
 import pytest
+from layer_waves import excesses
 from rolling_of_layers import RollingCylinder, coupling, free_creepage
-from slip_of_layers import excesses
 
 import winkler as wk
 from winkler.foundation.layered_line import LayeredLineFoundation

@@ -37,15 +37,20 @@ from winkler.numerics.types import Array
 __all__ = [
     "LOCAL_PHASE",
     "MOST_MODES",
+    "TAIL",
+    "VANISHED",
     "PunchModes",
     "StripResponse",
+    "Strips",
     "Transforms",
     "Waves",
     "excess_at",
     "first_modes",
     "octaves",
     "punch_modes",
+    "settled_strips",
     "strip_responses",
+    "summed",
     "waves",
 ]
 
@@ -121,8 +126,28 @@ class PunchModes(NamedTuple):
     adjoint: Array
 
 
+Equation = Callable[[int], tuple[Array, Array]]
+"""A of the equation of several strips ``(a, m, n)``, and its right-hand side ``(a, n)``, of so many modes."""
 Transforms = Callable[[Array, Array], Array]
 """G [m] of the half-plane's pressures under half-widths ``(a,)`` at wave numbers ``(k,)``: ``(a, k)``."""
+
+
+class Strips(NamedTuple):
+    """Strips whose equation is known.
+
+    Parameters
+    ----------
+    half_width
+        a [m] ``(a,)``.
+    borne
+        About what half-planes bear, a load over E* [m] ``(a,)``.
+    equation
+        Takes a number of modes.
+    """
+
+    half_width: Array
+    borne: Array
+    equation: Equation
 
 
 class _HalfPlanes(NamedTuple):
@@ -215,6 +240,49 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     return result
 
 
+def settled_strips(
+    strips: Strips,
+    count: int,
+    rounding: float,
+    most: int = MOST_MODES,
+    falling: tuple[float, float] = (0.0, 0.0),
+) -> StripResponse:
+    """Return corrections and flat punches of strips, with as many modes as they need.
+
+    Parameters
+    ----------
+    strips : Strips
+    count : int
+        Modes to begin with.
+    rounding : float
+        What the last modes may be, over the largest.
+    most : int
+        More modes are not tried, nor more than 384.
+    falling : tuple of float
+        The same times the number of modes, of corrections and of flat punches, where modes fall like powers.
+
+    Raises
+    ------
+    NotConverged
+        If so many modes do not suffice.
+    """
+    most = min(most, MOST_MODES)
+    while True:
+        closing, punch = _solved(*strips.equation(count))
+        scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * strips.borne)
+        # modes fall geometrically, or like n^-5 and n^-3: then what is missing is about count / 2 last ones
+        allowed, ends = (max(rounding, part / count) for part in falling)
+        if _vanished(closing, allowed * scale) and _vanished(punch, ends * np.max(np.abs(punch), axis=1)):
+            return StripResponse(closing, punch)
+        if count >= most:
+            raise NotConverged(
+                f"The pressure on a strip of the half-width {float(np.max(strips.half_width)):.6g} m is not resolved "
+                f"by {count} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give "
+                "a thicker layer."
+            )
+        count = min(2 * count, most)
+
+
 def first_modes(octave: int) -> int:
     """Return with how many modes an octave of half-widths is tried."""
     return FEWEST_MODES + 8 * max(octave, -1)
@@ -222,14 +290,15 @@ def first_modes(octave: int) -> int:
 
 def punch_modes(found: Waves, half_width: Array, count: int, octave: int) -> PunchModes:
     """Return flat punches of half-widths [m] ``(a,)`` of an octave, with so many modes."""
-    rows, coupled = _coupled(found, half_width, count)
+    rows = _rows_at(found.k, half_width, count)
+    coupled = (rows * found.weights) @ np.swapaxes(rows, 1, 2)
     fourfold = 4.0 * np.arange(1, count)
     matrix = np.eye(count - 1) + fourfold[:, None] * coupled[:, 1:, 1:]
     own = np.linalg.solve(matrix, -fourfold[:, None] * coupled[:, 1:, :1])[..., 0]
     punch = np.concatenate([np.ones((half_width.size, 1)), own], axis=1)
-    summed = np.linalg.solve(np.swapaxes(matrix, 1, 2), np.ones((half_width.size, count - 1, 1)))[..., 0]
+    adding = np.linalg.solve(np.swapaxes(matrix, 1, 2), np.ones((half_width.size, count - 1, 1)))[..., 0]
     allowed = VANISHED * 2.0 ** (0.5 * octave) * np.max(np.abs(punch), axis=1)
-    adjoint = np.einsum("an,ank->ak", fourfold * summed, rows[:, 1:])
+    adjoint = np.einsum("an,ank->ak", fourfold * adding, rows[:, 1:])
     return PunchModes(_vanished(punch, allowed), np.sum(punch, axis=1), adjoint)
 
 
@@ -237,29 +306,19 @@ def _size(response: WaveResponse, octave: int) -> int:
     return 1 if _has_tail(response) else waves(response, octave).k.size
 
 
-def _settled(response: WaveResponse, pushed: _HalfPlanes, octave: int) -> tuple[Array, Array]:
-    half_width, count = pushed.half_width, first_modes(octave)
-    coupled_by = _averaged if _has_tail(response) else _summed
-    # modes fall geometrically, or like n^-5 and n^-3: then what is missing is about count / 2 last ones
-    rounding, ends = VANISHED * 2.0 ** (0.5 * octave), 0.0
-    while True:
-        closing, punch = _solved(*coupled_by(response, pushed, count, octave))
-        borne = np.abs(pushed.transforms(half_width, np.zeros(1))[:, 0])
-        scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * borne)
-        allowed = rounding
-        if _has_tail(response):
-            allowed, ends = max(rounding, TAIL_IN_LOAD * response.precision / count), TAIL_AT_EDGE / count
-        if _vanished(closing, allowed * scale) and _vanished(
-            punch, max(rounding, ends) * np.max(np.abs(punch), axis=1)
-        ):
-            return closing, punch
-        if count >= MOST_MODES:
-            raise NotConverged(
-                f"The pressure on a strip of the half-width {float(np.max(half_width)):.6g} m is not resolved by "
-                f"{MOST_MODES} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give "
-                "a thicker layer."
-            )
-        count = min(2 * count, MOST_MODES)
+def _settled(response: WaveResponse, pushed: _HalfPlanes, octave: int) -> StripResponse:
+    borne = np.abs(pushed.transforms(pushed.half_width, np.zeros(1))[:, 0])
+    first, rounding = first_modes(octave), VANISHED * 2.0 ** (0.5 * octave)
+    if _has_tail(response):
+        strips = Strips(pushed.half_width, borne, lambda count: _averaged(response, pushed, count))
+        return settled_strips(strips, first, rounding, falling=(TAIL_IN_LOAD * response.precision, TAIL_AT_EDGE))
+    found = waves(response, octave)
+    pressed = pushed.transforms(pushed.half_width, found.k)
+
+    def equation(count: int) -> tuple[Array, Array]:
+        return summed(_rows_at(found.k, pushed.half_width, count), found.weights, pressed)
+
+    return settled_strips(Strips(pushed.half_width, borne, equation), first, rounding)
 
 
 def _vanished(modes: Array, allowed: Array) -> bool:
@@ -298,7 +357,7 @@ def _rows_of(count: int) -> _Rows:
     )
 
 
-def _averaged(response: WaveResponse, pushed: _HalfPlanes, count: int, _: int) -> tuple[Array, Array]:
+def _averaged(response: WaveResponse, pushed: _HalfPlanes, count: int) -> tuple[Array, Array]:
     """Return A and the right-hand side of the equation where M falls like 1 / xi: by modes at the same arguments ka."""
     table = _rows_of(count)
     coupled, pressed = np.empty((pushed.half_width.size, count, count)), np.empty((pushed.half_width.size, count))
@@ -313,18 +372,27 @@ def _averaged(response: WaveResponse, pushed: _HalfPlanes, count: int, _: int) -
     return coupled, pressed
 
 
-def _summed(response: WaveResponse, pushed: _HalfPlanes, count: int, octave: int) -> tuple[Array, Array]:
-    """Return the same where M dies out like an exponential."""
-    found, half_width = waves(response, octave), pushed.half_width
-    rows, coupled = _coupled(found, half_width, count)
-    return coupled, np.einsum("ank,ak->an", rows * found.weights, pushed.transforms(half_width, found.k))
+def summed(rows: Array, weights: Array, transforms: Array) -> tuple[Array, Array]:
+    """Return the same as a sum over waves, where M dies out like an exponential.
+
+    Parameters
+    ----------
+    rows : ndarray, (a, n, k)
+        Transforms of modes, with their signs s_n.
+    weights : ndarray, (k,)
+        Of the sum, times M / k.
+    transforms : ndarray, (a, k)
+        G [m] of the half-planes' pressures.
+    """
+    weighted = rows * weights
+    return weighted @ np.swapaxes(rows, 1, 2), np.einsum("ank,ak->an", weighted, transforms)
 
 
-def _coupled(found: Waves, half_width: Array, count: int) -> tuple[Array, Array]:
-    """Return s_n J_2n(ka) ``(a, n, k)`` and their products ``(a, m, n)``."""
-    rows = np.moveaxis(bessel_rows(half_width[:, None] * found.k, count), 0, 1)
+def _rows_at(k: Array, half_width: Array, count: int) -> Array:
+    """Return s_n J_2n(ka) ``(a, n, k)``."""
+    rows = np.moveaxis(bessel_rows(half_width[:, None] * k, count), 0, 1)
     rows *= signs(count)[:, None]
-    return rows, (rows * found.weights) @ np.swapaxes(rows, 1, 2)
+    return rows
 
 
 def _solved(coupled: Array, pressed: Array) -> tuple[Array, Array]:

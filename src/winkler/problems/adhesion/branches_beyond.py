@@ -3,10 +3,12 @@ r"""Stable branches of an adhesive contact up to a prescribed level, however far
 from __future__ import annotations
 
 import math
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
@@ -73,6 +75,15 @@ _WAVING = (
 )
 
 
+@runtime_checkable
+class Outlined(Protocol):
+    """Springs whose profile is known at less cost on another medium."""
+
+    def outline(self) -> Bed:
+        """Return the springs on that medium."""
+        ...
+
+
 def _quiet(states: EdgeStates, low: float) -> float:
     """Return a radius beyond which no dense sample is unstable [m]: waves may lie far outside the first stable contact.
 
@@ -107,8 +118,10 @@ def _unstable(states: EdgeStates, radius: Array) -> Array:
     with np.errstate(all="ignore"):
         if offers(bed.medium, PressedWaves) and isinstance(bed, Foundation):
             return np.asarray(bed.profile.gap_slope(radius) < 0.0)
+        if isinstance(bed, Outlined):
+            bed = bed.outline()
         if isinstance(states, ShortStates):
-            return np.asarray(margin(states, 0.0, radius) < 0.0)
+            return np.asarray(margin(ShortStates(bed, states.work), 0.0, radius) < 0.0)
         return np.asarray(bed.gap_slope(radius) < 0.0)
 
 

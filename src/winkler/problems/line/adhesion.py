@@ -7,17 +7,21 @@ and under a dead load the strip comes apart at
 
 .. math:: a_c = \Big(\frac{2R^2\gamma}{\pi E^*}\Big)^{1/3} , \qquad
           P_c = -\tfrac34\,\big(4\pi E^*\gamma^2R\big)^{1/3} .
+
+On layers E* is that of the uppermost one, w the load profile of the bed, and the edges of a pulled flat punch are s
+times as steep as on half-planes: :math:`P(a) = E^*w(a) - \sqrt{2\pi aE^*\gamma}/s(a)`.
 """
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.zoned_line import ZonedBed
+from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
 from winkler.loading import HalfWidth, LineForce
 from winkler.numerics.types import Array, Quantity, shaped
@@ -29,22 +33,23 @@ from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.line.adhesion_notes import adhesion_notes
 from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
+from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.one_load import one_of, single
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["LineAdhesion", "LineAdhesionSolution"]
+__all__ = ["LayeredLineAdhesionSolution", "LineAdhesion", "LineAdhesionSolution"]
 
 
 @value
 class LineAdhesion:
-    """A cylinder, a wedge or another two-dimensional body that sticks to a half-plane, in plane strain.
+    """A cylinder, a wedge or another two-dimensional body that sticks to a half-plane or to layers, in plane strain.
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies, homogeneous or layered.
     law : ShortRange or Dugdale
         How the surfaces attract each other; with hysteresis, the work of opening counts.
     load : LineForce or HalfWidth
@@ -77,7 +82,7 @@ class LineAdhesion:
         load=("", None, "what is prescribed: a force per length or a half-width"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     law: LineLaw
     load: LineForce | HalfWidth
 
@@ -106,10 +111,11 @@ class LineAdhesion:
             half_width = widest(states, FIXED_GRIPS, flat, "force per length", "N/m", "half-width")
         shape = np.shape(given)
         held = stable.reshape(shape) if shape else bool(stable[0])
-        return LineAdhesionSolution(self, shaped(force, shape), shaped(half_width, shape), held)
+        kind = LayeredLineAdhesionSolution if isinstance(self.bed, LayeredLineFoundation) else LineAdhesionSolution
+        return kind(self, shaped(force, shape), shaped(half_width, shape), held)
 
 
-def _at_half_width(bed: LineFoundation, law: LineLaw, half_width: Array) -> tuple[Array, Array]:
+def _at_half_width(bed: LineBed, law: LineLaw, half_width: Array) -> tuple[Array, Array]:
     """Return P [N/m] and a [m] of the equilibria at given half-widths."""
     end = min(bed.reach, bed.rim)
     beyond = half_width > end
@@ -165,7 +171,7 @@ class LineAdhesionSolution(OfStrip):
 
     @property
     def edge_load(self) -> Quantity:
-        """P - E* w(a) [N/m]: what the edges bear beside the profile, negative where they pull."""
+        """What the edges bear beside the profile [N/m], negative where they pull: P - E* w(a), w that of the bed."""
         return shaped(self.problem.bed.medium.modulus * self._edge_lengths(), np.shape(self.half_width))
 
     @property
@@ -176,8 +182,8 @@ class LineAdhesionSolution(OfStrip):
         """
         if isinstance(self.problem.law, Dugdale):
             return shaped(np.zeros(np.shape(self.half_width)))
-        a = np.ravel(self.half_width)
-        pull = np.maximum(-self.problem.bed.medium.modulus * self._edge_lengths(), 0.0)
+        a, bed = np.ravel(self.half_width), self.problem.bed
+        pull = np.maximum(-bed.medium.modulus * bed.edge_share(a) * self._edge_lengths(), 0.0)
         return shaped(pull / np.sqrt(np.pi * np.where(a > 0.0, a, np.inf)), np.shape(self.half_width))
 
     @property
@@ -223,7 +229,7 @@ class LineAdhesionSolution(OfStrip):
         """
         force, a, stable = one_of(index, self.force_per_length, self.half_width, self.stable)
         load = HalfWidth(a) if isinstance(self.problem.load, HalfWidth) else LineForce(force)
-        return LineAdhesionSolution(LineAdhesion(self.problem.bed, self.problem.law, load), force, a, bool(stable))
+        return type(self)(LineAdhesion(self.problem.bed, self.problem.law, load), force, a, bool(stable))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -239,9 +245,9 @@ class LineAdhesionSolution(OfStrip):
         """Return what the edges bear over E* [m], without rounding where they are free."""
         bed, a = self.problem.bed, np.ravel(self.half_width).astype(float)
         if isinstance(self.problem.law, Dugdale):
-            zone = CohesiveLineStates(bed, self.problem.law).zone(a)
-            return np.asarray(-2.0 * self.problem.law.strength * zone.span / bed.medium.modulus)
-        free = -np.sqrt(2.0 * np.pi * a * self.problem.law.work / bed.medium.modulus)
+            span = CohesiveLineStates(bed, self.problem.law).zone(a).span
+            return np.asarray(bed.zone_load(a, span, self.problem.law.strength) - bed.load_profile(a))
+        free = -np.sqrt(2.0 * np.pi * a * self.problem.law.work / bed.medium.modulus) / bed.edge_share(a)
         if not np.isfinite(bed.rim):
             return free
         held = np.ravel(self.force_per_length) / bed.medium.modulus - bed.load_profile(a)
@@ -253,10 +259,17 @@ class LineAdhesionSolution(OfStrip):
         return Strip(float(self.half_width), 0.0 if ranged else float(self._edge_lengths()[0]))
 
     @property
-    def _bed(self) -> LineFoundation:
+    def _bed(self) -> Any:
         bed, law = self.problem.bed, self.problem.law
         if not isinstance(law, Dugdale):
             return bed
         a, outer = float(self.half_width), float(np.asarray(self.outer_half_width))
-        # a sum of one profile, so that no closed form of the profile alone is taken for that of the bed
-        return ZonedBed(bed.profile, bed.medium, law.strength, a, outer)
+        return bed.zoned(law.strength, a, outer)
+
+
+@value
+class LayeredLineAdhesionSolution(OnLayers, LineAdhesionSolution):
+    """The solution of a `LineAdhesion` on layers; every quantity has the shape of the load.
+
+    On a rigid base it has a `depth`; `layer_stresses` compares the layers under an attraction with a range.
+    """

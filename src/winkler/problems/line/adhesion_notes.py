@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.widest_contact import stable_counts
 from winkler.problems.assumptions.adhesion_range import range_note
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
+from winkler.problems.line.layered_notes import strip_notes, yield_notes
 from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
@@ -27,8 +30,8 @@ BANEY = "J. M. Baney, C.-Y. Hui, J. Adhes. Sci. Technol. 11 (1997) 393-406, doi:
 
 
 def adhesion_notes(
-    stressed: LineFoundation,
-    bed: LineFoundation,
+    stressed: Any,
+    bed: LineBed,
     law: LineLaw,
     strip: Strip,
     separation: Callable[[Array], Array],
@@ -38,7 +41,7 @@ def adhesion_notes(
 
     Parameters
     ----------
-    stressed, bed : LineFoundation
+    stressed, bed : LineBed
         With the attraction beside the strip, and without.
     law : ShortRange or Dugdale
     strip : Strip
@@ -49,10 +52,13 @@ def adhesion_notes(
         Prescribed forces per length [N/m]; empty if a half-width was prescribed.
     """
     a = strip.half_width
-    notes = [*line_notes(bed, a, sticking=True)]
+    if isinstance(stressed, LayeredLineFoundation):
+        notes = [*strip_notes(stressed, a, strip.edge_load, sticking=True)]
+    else:
+        notes = [*line_notes(bed, a, sticking=True)]
     if a == 0.0:
         return tuple(notes)
-    stretch = float(np.sqrt(2.0 * np.pi * a * law.work / bed.medium.modulus))
+    stretch = float(np.sqrt(2.0 * np.pi * a * law.work / bed.medium.modulus) * bed.edge_share(np.array([a]))[0])
     if isinstance(law, Dugdale):
         text = (
             f"For a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of the stretch of the "
@@ -61,7 +67,7 @@ def adhesion_notes(
         notes.append(Note(Assumption.ADHESION, Standing.EXACT, text, BANEY))
     else:
         notes.append(range_note(law, stretch, "By attraction without range"))
-    if a < bed.rim and not bed.profile.rising:
+    if a < bed.rim and not bed.single:
         notes.append(_overlap_note(bed, a, separation))
     count = int(np.max(stable_counts(line_states(bed, law), FIXED_GRIPS, forces))) if forces.size else 0
     if count > 1:
@@ -71,10 +77,12 @@ def adhesion_notes(
         )
         source = "all limits of stability along the states of equilibrium"
         notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, source))
+    if isinstance(stressed, LayeredLineFoundation):
+        return (*notes, *yield_notes(stressed, a, strip.edge_load))
     return (*notes, *line_yield_notes(stressed, a, strip.edge_load))
 
 
-def _overlap_note(bed: LineFoundation, half_width: float, separation: Callable[[Array], Array]) -> Note:
+def _overlap_note(bed: LineBed, half_width: float, separation: Callable[[Array], Array]) -> Note:
     end = min(BESIDE * half_width, bed.reach, bed.rim)
     x = half_width + (end - half_width) * (np.arange(SAMPLES) + 0.5) / SAMPLES
     apart = separation(x)

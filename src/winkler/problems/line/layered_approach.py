@@ -88,11 +88,13 @@ def layered_approach(
     from scipy.special import j0
 
     flat, pressed = j0(k * half_width), bed.transform(k, carried)
-    load = float(bed.load_profile(np.array([half_width]))[0]) + rim_load
+    widths, loads = bed.beside(half_width)
+    load = float(bed.load_profile(np.array([half_width]))[0]) + rim_load + float(np.sum(loads))
     surface = excess_at(response, k) * pressed * flat + np.exp(-2.0 * k * shortest) * load * flat**2
     references = 0.5 * medium.modulus * pressed * (_moved_first(medium, k, below) + _moved_second(medium, k, above))
     waves = float(weights @ ((surface - references) / k))
     mean = float(averages(bed.half_plane, np.array([half_width]))[0])
+    mean -= 2.0 / math.pi * float(loads @ np.log(widths / half_width))  # what they sink by is that of wider punches
     return mean + 2.0 / math.pi * (load * (_logarithm(2.0 * shortest / half_width)) + waves) + load * added
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["greatest_of_part", "layered_notes", "strip_notes"]
+__all__ = ["WAVES", "greatest_of_part", "layered_notes", "strip_notes", "yield_notes"]
 
 WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"
 PLACES, DEPTHS = 33, 25
@@ -44,11 +45,13 @@ def layered_notes(
     friction : float
         Traction over pressure [-] of a contact that slides everywhere.
     """
-    return (*strip_notes(bed, half_width, rim_load), *_yield_notes(bed, half_width, rim_load, friction))
+    return (*strip_notes(bed, half_width, rim_load), *yield_notes(bed, half_width, rim_load, friction))
 
 
-def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> tuple[Note, ...]:
-    """Return these notes but for that on yield."""
+def strip_notes(
+    bed: LayeredLineFoundation, half_width: float, rim_load: float, *, sticking: bool = False
+) -> tuple[Note, ...]:
+    """Return these notes but for that on yield, and of edges that may pull without that on a single strip."""
     standing, body = bed.layered_body.in_plane
     response = Note(
         Assumption.RESPONSE,
@@ -56,14 +59,15 @@ def strip_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float) 
         f"{body}, solved in Chebyshev modes; the ends of a body of finite length are not included.",
         WAVES,
     )
-    notes = shape_notes(bed, half_width, response)
+    notes = shape_notes(bed, half_width, response, examined=not sticking)
     if half_width > 0.0 and has_depth(bed.medium):
         strain = layered_approach(bed, half_width, rim_load, None, None) / bed.medium.thickness
         notes = (*notes, film_note(strain, strain))
     return notes
 
 
-def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float, friction: float) -> tuple[Note, ...]:
+def yield_notes(bed: Any, half_width: float, rim_load: float, friction: float = 0.0) -> tuple[Note, ...]:
+    """Return whether the layer that comes nearest to its strength stays elastic, as of `layered_notes`."""
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
         return ()
@@ -82,7 +86,7 @@ def _yield_notes(bed: LayeredLineFoundation, half_width: float, rim_load: float,
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
 
 
-def greatest_of_part(bed: LayeredLineFoundation, strip: Strip, part: StrongPart, friction: float) -> Placed:
+def greatest_of_part(bed: Any, strip: Strip, part: StrongPart, friction: float) -> Placed:
     """Return the greatest von Mises stress of a part at sampled places, and its place."""
     a, sharp = strip.half_width, is_sharp(bed, *strip)
     x = 2.0 * math.hypot(a, part.top) * np.linspace(0.0, 1.0, PLACES)  # as far as the load has spread

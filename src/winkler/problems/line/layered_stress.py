@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Elastic, Rigid
-from winkler.media.layered.plane_interior import PlaneWaves, added_stresses, plane_waves
+from winkler.media.layered.plane_interior import PlaneWaves, added_stresses
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
 from winkler.numerics.types import Array
@@ -22,7 +23,6 @@ __all__ = [
     "greatest_within",
     "layer_stresses",
     "layered_fields",
-    "waves_below",
     "waves_for_search",
 ]
 
@@ -65,19 +65,9 @@ class LayerStress:
     interface_x: float
 
 
-def waves_below(bed: LayeredLineFoundation, strip: Strip, farthest: float) -> PlaneWaves:
-    """Return the pressure of a strip as waves, for places up to a distance [m] from the middle."""
-    carried = bed.carried(*strip)
-
-    def transform(k: Array) -> Array:
-        return bed.medium.modulus * bed.transform(k, carried)
-
-    return plane_waves(bed.layered, strip.half_width, farthest, transform)
-
-
 def waves_for_search(bed: LayeredLineFoundation, strip: Strip, deepest: float) -> PlaneWaves:
     """Return the pressure of a strip as waves, for `greatest_within` layers that begin at most so deep [m]."""
-    return waves_below(bed, strip, WIDTHS_SEARCHED * _spread(strip, deepest))
+    return bed.waves_below(*strip, WIDTHS_SEARCHED * _spread(strip, deepest))
 
 
 def _spread(strip: Strip, depth: float) -> float:
@@ -86,7 +76,7 @@ def _spread(strip: Strip, depth: float) -> float:
 
 
 def layered_fields(
-    bed: LayeredLineFoundation,
+    bed: Any,
     strip: Strip,
     x: Array,
     z: Array,
@@ -122,7 +112,7 @@ def layered_fields(
         parts[:, upper] = own.xx_stress, own.yy_stress, own.zz_stress, own.xz_stress
     if below and across.size:
         if waves is None:
-            waves = waves_below(bed, strip, float(np.max(np.abs(across))))
+            waves = bed.waves_below(*strip, float(np.max(np.abs(across))))
         parts += added_stresses(medium, waves, across, deep)
         if friction != 0.0:
             parts += friction * added_stresses(medium, waves, across, deep, dragged=True)
@@ -218,7 +208,7 @@ def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float, friction:
     """Return the greatest shear stress at one depth, and its place."""
     x = np.linspace(0.0, WIDTHS_SEARCHED * (strip.half_width + depth), INTERFACE_PLACES)
     x = x if friction == 0.0 else np.concatenate([-x[:0:-1], x])
-    waves = waves_below(bed, strip, float(x[-1]))
+    waves = bed.waves_below(*strip, float(x[-1]))
     best = (0.0, 0.0)
     for _ in range(REFINEMENTS + 1):
         level = np.abs(layered_fields(bed, strip, x, np.full(x.shape, depth), True, waves, friction).xz_stress)

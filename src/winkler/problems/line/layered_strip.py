@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.numerics.types import ArrayLike, Quantity, shaped
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
@@ -50,7 +51,7 @@ class StressedOnLayers(Stressed):
         depth = np.asarray(z, dtype=float)
         below = in_first_body(depth, type(self).__name__)
         across = np.asarray(x, dtype=float)
-        return layered_fields(self.problem.bed, contact, across, depth, below, friction=coefficient)
+        return layered_fields(self._bed, contact, across, depth, below, friction=coefficient)
 
     def _touching(self, requested: str) -> Strip:
         strip = self._strip(requested)
@@ -64,19 +65,21 @@ class OnLayers(StressedOnLayers, OfStrip):
 
     force_per_length: Quantity
     half_width: Quantity
+    at: Any
 
     @property
     def depth(self) -> Quantity:
         """How far a rigid body sinks into layers on a rigid base [m]; elsewhere a line contact has no depth."""
-        bed = self.problem.bed
-        if not has_depth(bed.medium):
+        if not has_depth(self.problem.bed.medium):
             raise OutsideValidity(
                 "A line contact has a depth only where a rigid base carries the layers under a rigid body; request "
                 "approach(first, second), which is counted from stated places."
             )
-        pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
-        depths = [_depth(bed, float(p), float(a)) for p, a in pairs]
-        return shaped(np.array(depths), np.shape(self.half_width))
+        shape = np.shape(self.half_width)
+        each = [self.at(index) for index in np.ndindex(shape)] if shape else [self]
+        strips = [(one._bed, one._strip("depth")) for one in each]
+        depths = [layered_approach(bed, strip.half_width, strip.edge_load, None, None) for bed, strip in strips]
+        return shaped(np.array(depths).reshape(shape))
 
     def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
         """Return how far two points on the axis have come together under one load [m], one in each body.
@@ -96,7 +99,7 @@ class OnLayers(StressedOnLayers, OfStrip):
             If the strip is wider than a fifth of a finite body.
         """
         a, edge_load = self._strip("approach")
-        return layered_approach(self.problem.bed, a, edge_load, first, second)
+        return layered_approach(self._bed, a, edge_load, first, second)
 
     def layer_stresses(self, friction: float = 0.0) -> tuple[LayerStress, ...]:
         """Return the greatest stresses of each layer under one load, and of the body under them if it is elastic.
@@ -114,11 +117,11 @@ class OnLayers(StressedOnLayers, OfStrip):
             If there is no contact, or the stress is infinite below a sharp tip, kink or rim.
         """
         contact = self._touching("layer_stresses")
-        if is_sharp(self.problem.bed, *contact):
+        if is_sharp(self._bed, *contact):
             raise OutsideValidity(
                 "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
             )
-        return layer_stresses(self.problem.bed, contact, one_coefficient(type(self).__name__, friction))
+        return layer_stresses(self._bed, contact, one_coefficient(type(self).__name__, friction))
 
     def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
         """Return the greatest von Mises stress [Pa] of the layered body under one load, and its place x, z [m].
@@ -144,12 +147,8 @@ class OnLayers(StressedOnLayers, OfStrip):
         """Return how far the result can be trusted, as of `LineSolution.dragged_notes`."""
         widest = int(np.argmax(self.force_per_length))
         force, a = (float(np.ravel(part)[widest]) for part in (self.force_per_length, self.half_width))
-        return layered_notes(self.problem.bed, a, rim_load(self.problem.bed, force, a), friction)
+        return layered_notes(self._bed, a, rim_load(self._bed, force, a), friction)
 
     def part_stress(self, part: StrongPart, friction: float) -> Placed:
         """Return the greatest von Mises stress [Pa] of a part, as of `LineSolution.part_stress`; sampled."""
-        return greatest_of_part(self.problem.bed, self._strip("part_stress"), part, friction)
-
-
-def _depth(bed: LayeredLineFoundation, force: float, half_width: float) -> float:
-    return layered_approach(bed, half_width, rim_load(bed, force, half_width), None, None)
+        return greatest_of_part(self._bed, self._strip("part_stress"), part, friction)

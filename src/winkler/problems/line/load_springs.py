@@ -1,4 +1,4 @@
-"""Springs whose depth is the force per length of a line contact: g = E* w, c_N = 1/E*."""
+"""Springs whose depth is the force per length of a line contact: g = E* w, c_N = 1/E* on half-planes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.footprint import Footprint, footprint_of
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.media.medium import Medium
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
@@ -24,11 +24,13 @@ WALL = 1e-2
 
 @value
 class LoadSprings:
-    """Springs whose depth is the force per length of a line contact: g = E* w [N/m], c_N = 1/E*.
+    """Springs whose depth is the force per length of a line contact: g = E* w [N/m], c_N = s^2/E*.
+
+    s is the tension at the edges of a flat punch over that on half-planes: one there.
 
     Parameters
     ----------
-    line : LineFoundation
+    line : LineFoundation or LayeredLineFoundation
     """
 
     __words__ = words(
@@ -37,7 +39,11 @@ class LoadSprings:
         rising=("", None, "whether the load profile is known to rise"),
     )
 
-    line: LineFoundation
+    line: LineBed
+
+    def outline(self) -> LoadSprings:
+        """Return those of the same profile on half-planes, which cost less."""
+        return LoadSprings(self.line.half_plane)
 
     @property
     def medium(self) -> Medium:
@@ -107,29 +113,29 @@ class LoadSprings:
         )
 
     def stiffness(self, radius: Array) -> Array:
-        """2 a / E*."""
+        """2 a / E*, on half-planes: it scales searches and decides nothing."""
         return np.asarray(2.0 * np.asarray(radius) / self.line.medium.modulus)
 
     def normal_stiffness(self, x: Array) -> Array:
-        """1 / E* [1/Pa]."""
-        return np.full(np.shape(x), 1.0 / self.line.medium.modulus)
+        """s^2 / E* [1/Pa]."""
+        return np.asarray(self.line.edge_share(x) ** 2 / self.line.medium.modulus)
 
     def normal_stiffness_slope(self, x: Array) -> Array:
-        """0."""
-        return np.zeros(np.shape(x))
+        """2 s s' / E* [1/(Pa m)]."""
+        return np.asarray(2.0 * self.line.edge_share(x) * self.line.edge_share_slope(x) / self.line.medium.modulus)
 
     def tangential_stiffness(self, x: Array) -> Array:
         """1 / G* [1/Pa]."""
-        return np.full(np.shape(x), 1.0 / self.line.medium.shear_modulus)
+        return np.full(np.shape(x), 1.0 / self.line.half_plane.medium.shear_modulus)
 
 
 @functools.lru_cache(maxsize=64)
-def _known_to(line: LineFoundation) -> float:
+def _known_to(line: LineBed) -> float:
     if not np.isfinite(line.reach):
         return line.reach
     try:
         with np.errstate(all="ignore"):
-            known = bool(np.isfinite(line.load_profile(np.array([line.reach])))[0])
+            known = bool(np.isfinite(line.half_plane.load_profile(np.array([line.reach])))[0])
     except NotConverged:  # vertical there
         known = False
     return line.reach if known else line.reach * (1.0 - WALL)

@@ -38,7 +38,7 @@ def is_sharp(bed: LineBed, half_width: float, rim_load: float) -> bool:
         Load per length over E* that a rim bears [m], or negative where adhesion pulls.
     """
     kinked = any(strength > 0.0 and place < half_width for place, strength in bed.kinks)
-    return rim_load != 0.0 or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
+    return (rim_load != 0.0 and bed.edges_bear) or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
 
 
 def peak_pressure(bed: LineBed, force: float, half_width: float) -> float:

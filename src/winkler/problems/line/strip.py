@@ -13,7 +13,6 @@ import numpy as np
 
 from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
@@ -127,7 +126,7 @@ class OfStrip(Stressed):
         away = np.abs(finite_places(f"{type(self).__name__}.separation", "x", x))
         if a >= bed.rim:
             raise OutsideValidity("The contact is pinned at the rim, beyond which the body has no surface.")
-        return bed.separation(away, a, edge_load)
+        return np.asarray(bed.separation(away, a, edge_load))
 
     def approach(self, first: float | Reference | None = None, second: float | Reference | None = None) -> float:
         """Return how far two points on the axis have come together under one load [m], one in each body.
@@ -147,8 +146,3 @@ class OfStrip(Stressed):
         """
         a, edge_load = self._strip("approach")
         return approach(self._bed, a, edge_load, first, second)
-
-    @property
-    def _bed(self) -> LineFoundation:
-        bed: LineFoundation = self.problem.bed
-        return bed

@@ -7,7 +7,8 @@ For a wave :math:`h\,(1-\cos 2\pi x/\lambda)` under the nominal pressure :math:`
                  \sqrt{\sin^2\frac{\pi a}\lambda-\sin^2\frac{\pi x}\lambda} ,
 
 and beyond :math:`p^*` all is in contact, :math:`p = \bar p + p^*\cos(2\pi x/\lambda)`.  Other profiles that repeat are
-solved by the same change of variable (`winkler.foundation.periodic`).
+solved by the same change of variable (`winkler.foundation.periodic`).  On layers the waves of the pitch alone are felt:
+what the layers add is a sum over them.
 """
 
 from __future__ import annotations
@@ -17,20 +18,24 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Positive
-from winkler.checks.place_checks import finite_places
+from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.foundation.periodic import PeriodicBed, as_high, from_line, to_line, unrolled
 from winkler.loading import HalfWidth, LineForce, NominalPressure
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
-from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.line.layered_stress import layered_fields
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.pressing_load import given_by, pressing
+from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line.strip import Stressed, Strip
 from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
 from winkler.problems.one_load import one_of, single
+from winkler.problems.which_body import in_first_body
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -39,11 +44,11 @@ __all__ = ["PeriodicIndentation", "PeriodicSolution"]
 
 @value
 class PeriodicIndentation:
-    """A wavy body, or one of many equal ridges, pressed on a half-plane, in plane strain.
+    """A wavy body, or one of many equal ridges, pressed on a half-plane or on layers, in plane strain.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         The profile from a crest, x = 0, to the valley at half of the pitch, and the bodies.
     pitch : float
         Distance of the crests [m], positive.
@@ -80,7 +85,7 @@ class PeriodicIndentation:
         load=("", None, "what is prescribed: a nominal pressure, a force per length or a half-width"),
     )
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     pitch: Positive
     load: NominalPressure | LineForce | HalfWidth
 
@@ -102,9 +107,9 @@ class PeriodicIndentation:
             )
 
     @property
-    def _line(self) -> LineFoundation:
+    def _line(self) -> LineBed:
         """The bed of a single strip over u."""
-        return LineFoundation(unrolled(self.bed.profile, self.pitch), self.bed.medium)
+        return self.bed.repeated(unrolled(self.bed.profile, self.pitch), self.pitch)
 
     def solve(self) -> PeriodicSolution:
         """Return nominal pressure and half-width.
@@ -118,7 +123,6 @@ class PeriodicIndentation:
         line, modulus = self._line, self.bed.medium.modulus
         flat = pressing("PeriodicIndentation", self.load)
         closing = closing_load(PeriodicBed(line, self.pitch))
-        most = np.inf if np.isfinite(line.rim) else borne_at_most(line)
         if isinstance(self.load, HalfWidth):
             if np.any(flat > 0.5 * self.pitch):
                 raise OutsideValidity(
@@ -130,6 +134,7 @@ class PeriodicIndentation:
             force = np.where(mapped >= line.rim, modulus * closing, force)
         else:
             force = flat * (self.pitch if isinstance(self.load, NominalPressure) else 1.0)
+            most = np.inf if np.isfinite(line.rim) else borne_at_most(line)
             if np.any(force > modulus * most):
                 raise OutsideValidity(
                     f"A nominal pressure of {float(np.max(force)) / self.pitch:.6g} Pa would press the valleys all but "
@@ -199,7 +204,7 @@ class PeriodicSolution(Stressed):
     @property
     def closure_pressure(self) -> float:
         """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
-        return self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch
+        return float(self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch)
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero outside of the strips.
@@ -236,9 +241,31 @@ class PeriodicSolution(Stressed):
         x = finite_places("PeriodicSolution.separation", "x", x)
         if 2.0 * a >= pitch:
             return np.zeros(x.shape)
-        force, u = float(self.force_per_length), float(to_line(np.array(a), pitch))
-        one = LineSolution(LineIndentation(line, LineForce(force)), force, u)
-        return one.separation(to_line(np.abs(x - pitch * np.round(x / pitch)), pitch))
+        u = to_line(np.abs(x - pitch * np.round(x / pitch)), pitch)
+        return line.separation(u, float(to_line(np.array(a), pitch)), 0.0)
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load, as of `LineSolution.stresses`; in layers, too.
+
+        Parameters
+        ----------
+        x, z : array_like
+            Places along the surface [m], and depths [m] in one body; an interface belongs to the upper layer.
+        friction : float
+            Traction along x over the pressure [-] of a contact that slides everywhere.
+
+        Raises
+        ------
+        InvalidInput, OutsideValidity
+            As of `LineSolution.stresses`.
+        """
+        if not isinstance(self.problem.bed, LayeredLineFoundation):
+            return Stressed.stresses(self, x, z, friction)
+        strip, mu = self._strip("stresses"), one_coefficient("PeriodicSolution", friction)
+        if strip.half_width == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        across, depth = common_places("PeriodicSolution.stresses", x=x, z=z)
+        return layered_fields(self._bed, strip, across, depth, in_first_body(depth, "PeriodicSolution"), friction=mu)
 
     def at(self, index: int | tuple[int, ...]) -> PeriodicSolution:
         """Return the solution of one load of an array.

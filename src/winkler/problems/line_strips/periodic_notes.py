@@ -7,10 +7,12 @@ from typing import cast
 
 import numpy as np
 
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.periodic import PeriodicBed, in_closed_form
 from winkler.numerics.equations.highest import highest_of_curve
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
+from winkler.problems.line.layered_notes import WAVES, yield_notes
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.stress import LineContact, stresses
 from winkler.problems.line.strip import Strip
@@ -45,7 +47,7 @@ def closing_load(bed: PeriodicBed) -> float:
             break
         tension = -float(levels[best])
         low, high = places[max(best - 1, 0)], places[min(best + 1, places.size - 1)]
-    return float(line.load_profile(np.array([line.rim]))[0]) + bed.pitch * tension / bed.medium.modulus
+    return float(line.load_profile(np.array([line.rim]))[0] + bed.pitch * tension / bed.medium.modulus)
 
 
 def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
@@ -58,24 +60,30 @@ def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
     return highest_of_curve(lambda x: bed.pressure(x, a, extra), a)
 
 
-def periodic_notes(bed: PeriodicBed, one: LineFoundation, strip: Strip) -> tuple[Note, ...]:
+def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation, strip: Strip) -> tuple[Note, ...]:
     """Return the notes of the widest of several contacts.
 
     Parameters
     ----------
     bed : PeriodicBed
-    one : LineFoundation
+    one : LineFoundation or LayeredLineFoundation
         The bed of one crest, as it was given.
     strip : Strip
         The widest contact.
     """
     a, extra = strip
+    layered = isinstance(one, LayeredLineFoundation)
+    bodies = (
+        "Linear elastic layers, bonded or, as given, sliding without friction and gap,"
+        if layered
+        else "Homogeneous, linear elastic half-planes"
+    )
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain under normal load in equal strips without "
-        "end; far below, a patch of them many pitches wide is pressed evenly.",
-        WESTERGAARD,
+        f"{bodies} in plane strain under normal load in equal strips without end; far below, a patch of them many "
+        "pitches wide is pressed evenly.",
+        WAVES if layered else WESTERGAARD,
     )
     if a == 0.0:
         apart = "The bodies do not touch under this load."
@@ -85,11 +93,11 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation, strip: Strip) -> tuple
     if extra > 0.0:
         text = "All is in contact; more load presses evenly."
         notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, WESTERGAARD))
-    if not bed.profile.rising:
+    if not bed.line.single:
         text = "That each crest has one strip was checked: no tension inside, no overlap outside."
         source = "a-posteriori check of pressure and separation, at sampled places"
         notes.append(Note(Assumption.SINGLE_CONTACT, Standing.EXACT, text, source))
-    return (*notes, *_yield_notes(bed, strip))
+    return (*notes, *(yield_notes(bed, *strip) if layered else _yield_notes(bed, strip)))
 
 
 def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:

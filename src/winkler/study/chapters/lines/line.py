@@ -70,6 +70,12 @@ SINE = Equation(
     "Strips at the pitch λ are one strip over u, under the profile f(x(u))",
     r"u = \frac{\lambda}{\pi}\sin\frac{\pi x}{\lambda}, \quad \bar p = \frac{P}{\lambda}",
 )
+PERIODIC_WAVES = Equation(
+    "The layers feel the waves k = 2πm/λ alone; what they add to the pressure over u, the transforms of which are G, "
+    "are modes of the loads β, with the transforms B of T₂ₙ(u/a)/√(a²-u²) over π",
+    r"\beta_j + 4j\sum_n\beta_n\sum_m\frac{2\pi M}{\lambda k_m}B_jB_n = "
+    r"-4j\sum_m\frac{2\pi M}{\lambda k_m}B_j(m)\,G(m)",
+)
 PERIODIC_PRESSURE = Equation(
     "with u(a) in the place of a; its pressure p₁(u) is that of each strip but for a cosine, up to full contact",
     r"p(x) = p_1(u)\,\cos\frac{\pi x}{\lambda}",
@@ -80,6 +86,16 @@ STICKING = Equation(
 )
 STRETCHED = Equation(
     "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
+)
+LAYERED_STICKING = Equation(
+    "The edges pull like those of a flat punch on the layers, s times as steep as on half-planes of the uppermost one, "
+    "until the stress intensity releases the work of adhesion γ",
+    r"P = E^*\,(w(a)+\beta_0) - \frac{\sqrt{2\pi a E^*\gamma}}{s(a)}, \quad K_I = \sqrt{2E^*\gamma}",
+)
+LAYERED_RANGED = Equation(
+    "Beside the contact, up to c, the surfaces attract each other with the stress of the law; G is then the transform "
+    "of both",
+    r"P = E^*\,(w(a)+\beta_0) - 2\sigma_0\sqrt{c^2-a^2}",
 )
 RANGED = Equation(
     "Beside the contact, up to c, the surfaces attract each other with the stress of the law",
@@ -121,8 +137,19 @@ def line_yield_formulas(problem: Any) -> tuple[Equation, ...]:
     return (MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET)
 
 
+def periodic_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of strips at a pitch on the bodies of a problem."""
+    if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
+        return (MODULUS, SINE, LOAD_PROFILE, LAYERED_RESPONSE, PERIODIC_WAVES, LAYERED_LOAD, PERIODIC_PRESSURE)
+    return (MODULUS, SINE, LOAD_PROFILE, LOAD, PERIODIC_PRESSURE)
+
+
 def line_adhesion_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a strip that sticks under the law of a problem."""
+    if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
+        ranged = is_a(problem.law, "winkler.laws.adhesion:Dugdale")
+        law = (LAYERED_RANGED, RANGE_END) if ranged else (LAYERED_STICKING,)
+        return (MODULUS, LOAD_PROFILE, LAYERED_RESPONSE, LAYERED_MODES, *law, STABLE)
     law = (RANGED, RANGE_END) if is_a(problem.law, "winkler.laws.adhesion:Dugdale") else (STICKING, STRETCHED)
     return (MODULUS, LOAD_PROFILE, *law, PRESSURE, STABLE)
 
@@ -243,7 +270,7 @@ LINE = Chapter(
             picture=Caption("waves", "The contact", "Pressure and shape; of many loads contact and pressures."),
             curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, SINE, LOAD_PROFILE, LOAD, PERIODIC_PRESSURE),
+            formulas=periodic_formulas,
         ),
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",

@@ -1,0 +1,53 @@
+"""How layers let surfaces move by even tractions up to a place: kernels twice integrated, of which elements differ."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.caching import cached_by_value
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.transforms.cosine_transform import WaveResponse
+from winkler.numerics.transforms.strip_equation import Waves, waves
+from winkler.numerics.types import Array, Curve
+
+__all__ = ["KERNEL_TOLERANCE", "bends", "turns", "twists"]
+
+PAIRS_PER_CHUNK = 1_000_000
+KERNEL_TOLERANCE = 1e-12
+"""Error of what the layers add to the displacement of an element, over its greatest value."""
+SUMMED = 2e-15
+"""Rounding of a sum of waves, over the sum of their sizes."""
+
+
+def turns(found: Waves, x: Array) -> Array:
+    """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
+    step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
+    rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
+    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights) + np.sum(found.shares))
+
+
+@cached_by_value(64)
+def twists(response: WaveResponse, octave: int) -> Panels:
+    """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
+    found, unit = waves(response, octave), response.length * 2.0**octave
+    return _panels(lambda t: turns(found, unit * t) / unit, found)
+
+
+@cached_by_value(64)
+def bends(response: WaveResponse, octave: int) -> Panels:
+    """Return the same of M (1 - cos kx) / k^2."""
+    found, unit = waves(response, octave), response.length * 2.0**octave
+
+    def bent(t: Array) -> Array:
+        flat, step = unit * t.ravel(), max(1, PAIRS_PER_CHUNK // found.k.size)
+        half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
+        return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
+
+    return _panels(bent, found)
+
+
+def _panels(function: Curve, found: Waves) -> Panels:
+    """Return a sum of these waves from 0 to 2 as panels, no more precise than its rounding."""
+    greatest = float(np.max(np.abs(function(np.array([1.0, 2.0])))))
+    rounding = SUMMED * float(np.sum(np.abs(found.weights)))
+    return fit_panels(function, np.array([0.0, 2.0]), max(KERNEL_TOLERANCE * max(1.0, greatest), rounding))
