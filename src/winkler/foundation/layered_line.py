@@ -4,7 +4,7 @@ The layers are isotropic or transversely isotropic, bonded or sliding, or a body
 responses count.
 
 The uppermost layer's half-plane carries :math:`E^*w(a)` as it does without layers; what the others add is the
-correction :math:`\beta` of `winkler.numerics.transforms.strip_equation`, with which
+correction :math:`\beta` of `winkler.numerics.transforms.strips.strip_equation`, with which
 
 .. math:: P(a) = E^*\,(w(a) + \beta_0) , \qquad
           \frac{\mathrm dP}{\mathrm da} = E^*\,\frac{w'(a) - \frac2a\sum n^2\beta_n}{\sum\pi_n} ;
@@ -39,10 +39,10 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
-from winkler.numerics.transforms import strip_punches
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded
-from winkler.numerics.transforms.layered_strips import LayeredStrips
-from winkler.numerics.transforms.strip_equation import (
+from winkler.numerics.transforms.strips import strip_punches
+from winkler.numerics.transforms.strips.layered_strips import LayeredStrips
+from winkler.numerics.transforms.strips.strip_equation import (
     TAIL,
     VANISHED,
     StripResponse,
@@ -54,7 +54,7 @@ from winkler.numerics.transforms.strip_equation import (
     summed,
     waves,
 )
-from winkler.numerics.transforms.strip_modes import (
+from winkler.numerics.transforms.strips.strip_modes import (
     along_surface,
     bessel_rows,
     lowered,

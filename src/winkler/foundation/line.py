@@ -44,7 +44,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.transforms.abel_intervals import noise
-from winkler.numerics.transforms.strip_transforms import StripTransforms
+from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.flat import CappedCylinder

@@ -7,7 +7,7 @@ import numpy as np
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import WaveResponse
-from winkler.numerics.transforms.strip_equation import Waves, waves
+from winkler.numerics.transforms.strips.strip_equation import Waves, waves
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["KERNEL_TOLERANCE", "bends", "turns", "twists"]

@@ -1,7 +1,7 @@
 r"""The pressure of a half-plane as waves: what the layers below a line contact feel.
 
 Where the profile is smooth, :math:`f = \sum c_{2n}T_{2n}(x/a)`, the pressure is a sum of the modes of
-`winkler.numerics.transforms.strip_modes`, which bear
+`winkler.numerics.transforms.strips.strip_modes`, which bear
 
 .. math:: -\pi n\,c_{2n}E^* \quad (n\ge1) , \qquad \pi E^*\sum n\,c_{2n} \quad (n=0) .
 
@@ -19,7 +19,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.strip_modes import bessel_rows, signs
+from winkler.numerics.transforms.strips.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["averages", "punches", "smooth_modes", "transforms"]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
-from winkler.numerics.transforms.strip_transforms import StripTransforms
+from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 
 NODES = np.concatenate([np.linspace(0.0, 0.5, 31)[:-1], 0.5 + np.linspace(0.0, 1.0, 41) ** 2])
 STRIPS = StripTransforms(NODES)

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.numerics.transforms.strip_modes import bessel_rows
+from winkler.numerics.transforms.strips.strip_modes import bessel_rows
 from winkler.problems.line.stress import LineFields
 
 CYLINDER = wk.Paraboloid(1.0)

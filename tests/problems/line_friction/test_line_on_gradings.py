@@ -10,7 +10,7 @@ from scipy.special import jv
 from slip_of_gradings import SlippingOnGrading
 
 import winkler as wk
-from winkler.numerics.transforms.strip_modes import far_sides
+from winkler.numerics.transforms.strips.strip_modes import far_sides
 
 MU, NU = 0.4, 0.3
 YOUNG = 1.0 - NU**2

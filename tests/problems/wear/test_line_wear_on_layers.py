@@ -12,7 +12,7 @@ from wear_on_layers import LoneCore, WornOnLayers
 
 import winkler as wk
 from winkler.io.wear_states import read_wear, write_wear
-from winkler.numerics.transforms import strip_punches
+from winkler.numerics.transforms.strips import strip_punches
 from winkler.problems.wear.grids import wear_grid
 
 MU, NU = 0.4, 0.3

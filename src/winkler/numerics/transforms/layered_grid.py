@@ -6,7 +6,8 @@ homogeneous half-space do that are displaced by
 
 .. math:: q(x) = \varphi(x;x)\,v_+(x) - \int_x^\infty\rho(x;t)\,\varphi(t;t)\,v_+(t)\,\mathrm dt
 
-(`winkler.numerics.transforms.fredholm`; of strips `winkler.numerics.transforms.strip_punches`, with x/t beside h).
+(`winkler.numerics.transforms.fredholm`; of strips
+`winkler.numerics.transforms.strips.strip_punches`, with x/t beside h).
 Both integrals are sums over Gauss points of functions that are straight in :math:`y=x^2` between nodes, times the exact
 kernel; everything else is what the transforms of a homogeneous half-space do with h and q.
 """

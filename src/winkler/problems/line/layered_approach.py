@@ -32,7 +32,7 @@ from winkler.media.layered.coated_interior import wave_states
 from winkler.media.layered.depth_response import GradedBody
 from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
-from winkler.numerics.transforms.strip_equation import LOCAL_PHASE, excess_at
+from winkler.numerics.transforms.strips.strip_equation import LOCAL_PHASE, excess_at
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 

@@ -11,7 +11,8 @@ beside it (Ciavarella, Jaeger), for the worn profile too:
 .. math:: s(x) = \frac{E^*}{m_L}\,\frac{2x}\pi\int_0^x\frac{(Q/E^* - \mu v(c))_+}{c\,\sqrt{x^2-c^2}}\,\mathrm dc .
 
 On layers a growing contact adds their own flat punches to v, and a shear force those of their response to shear
-(`winkler.numerics.transforms.strip_punches`); bounds and slip are those of `winkler.numerics.transforms.rubbed_rings`.
+(`winkler.numerics.transforms.strips.strip_punches`); bounds and slip are those of
+`winkler.numerics.transforms.rubbed_rings`.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@ r"""The pressure on a strip of a layered body: a correction of the half-plane's 
 
 Let a half-plane of the uppermost layer carry the pressure with the transform :math:`E^*G(k)` under some profile.  The
 layers below move its surface by :math:`\frac2{\pi}\int_0^\infty\frac Mk\,\hat p\cos kx\,\mathrm dk/E^*` besides.  With
-the correction :math:`\sum\beta_n p_n` of `winkler.numerics.transforms.strip_modes`, and :math:`s_n = (-1)^n`, the
-surface follows the profile if
+the correction :math:`\sum\beta_n p_n` of `winkler.numerics.transforms.strips.strip_modes`, and :math:`s_n = (-1)^n`,
+the surface follows the profile if
 
 .. math:: \beta_m + 4m\sum_n s_ms_nA_{mn}\beta_n = -4m\,s_m\int_0^\infty\frac Mk J_{2m}(ka)\,G\,\mathrm dk ,
           \qquad A_{mn} = \int_0^\infty\frac Mk J_{2m}J_{2n}\,\mathrm dk , \qquad m \ge 1 .
@@ -31,7 +31,7 @@ from winkler.numerics.transforms.cosine_transform import (
     on_axis,
     wave_numbers,
 )
-from winkler.numerics.transforms.strip_modes import bessel_rows, far_sides, signs
+from winkler.numerics.transforms.strips.strip_modes import bessel_rows, far_sides, signs
 from winkler.numerics.types import Array
 
 __all__ = [

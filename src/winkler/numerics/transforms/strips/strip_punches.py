@@ -9,8 +9,8 @@ a body with the load profile w on a half-plane has the one W on layers,
           \varphi(a;a)\,W(a) = w(a) - a\int_0^a\psi(t;a)\,w(t)\,\frac{\mathrm dt}t ,
 
 v the load beyond W.  Both kernels are one, by reciprocity, as those of round punches are
-(`winkler.numerics.transforms.fredholm`).  With the modes of `winkler.numerics.transforms.strip_equation`, whose matrix
-is :math:`I+B`,
+(`winkler.numerics.transforms.fredholm`).  With the modes of `winkler.numerics.transforms.strips.strip_equation`, whose
+matrix is :math:`I+B`,
 
 .. math:: \psi(t;a) = -\frac ta\sum_m y_m\int_0^\infty M\,J_{2m}(ka)\,J_1(kt)\,\mathrm dk , \qquad
           (I+B)^{\mathsf T}\,\frac{s_m y_m}{4m} = 1 .
@@ -28,7 +28,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
-from winkler.numerics.transforms.strip_equation import MOST_MODES, first_modes, punch_modes, waves
+from winkler.numerics.transforms.strips.strip_equation import MOST_MODES, first_modes, punch_modes, waves
 from winkler.numerics.types import Array
 
 __all__ = ["edge", "kernel"]

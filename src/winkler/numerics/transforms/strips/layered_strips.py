@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.transforms import strip_punches
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.layered_grid import LayeredGrid
-from winkler.numerics.transforms.strip_transforms import StripTransforms
+from winkler.numerics.transforms.strips import strip_punches
+from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredStrips"]
