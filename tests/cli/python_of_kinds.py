@@ -496,6 +496,10 @@ LINES = {
         ),
         wk.LineForce(100e3),
     ),
+    "power_law_line_foundation": wk.LineIndentation(
+        wk.PowerLawLineFoundation(wk.Paraboloid(10e-3), wk.GradedHalfSpace(wk.PowerLawGraded(220e9, 1e-3, 0.15, 0.25))),
+        wk.LineForce(100e3),
+    ),
     **dict.fromkeys(("roller_contact", "logarithmic_ends", "tilt"), crowned_roller()),
     "sharp_ends": crowned_roller(ends=wk.SharpEnds()),
     "crowned_ends": crowned_roller(ends=wk.CrownedEnds(0.5)),

@@ -11,8 +11,8 @@ sticks if
 .. math:: Q\,\varphi_L(c;c) \le \mu\,(P-E^*w(c))\,\varphi_N(c;c) ,
 
 the singular traction beside the singular pressure of flat punches (`winkler.numerics.transforms.strips.strip_punches`).
-A core that does not hold this shrinks to where it does; one that holds it grows somewhat while its surroundings wear, by
-how much depends on the order in which they do.
+A core that does not hold this shrinks to where it does; one that holds it grows somewhat while its surroundings wear,
+by how much depends on the order in which they do.
 """
 
 from __future__ import annotations
