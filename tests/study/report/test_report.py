@@ -18,6 +18,8 @@ from study_samples import SAMPLES, pressed
 import winkler as wk
 from winkler.study.batch.run import run
 from winkler.study.chapters.method_captions import CAPTIONS
+from winkler.study.language.build import build
+from winkler.study.language.explain import example_study
 from winkler.study.language.study import Axis, Expectation, Output, Study
 from winkler.study.report import figures, report
 from winkler.study.report.citing import cite
@@ -393,3 +395,18 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
     title = re.search(r"<title>(.*?)</title>", answer.stdout)
     assert title, answer.stdout[:500] + answer.stderr[-500:]
     assert title[1] == "wide 0 requests 0 small 0 scroll 0 math true"
+
+
+@pytest.mark.parametrize(
+    "medium",
+    [
+        "coated_half_space",
+        pytest.param("depth_graded_half_space", marks=pytest.mark.slow),
+        pytest.param("graded_half_space", marks=pytest.mark.slow),
+    ],
+)
+def test_shapes_on_layers_have_a_whole_report(tmp_path, medium):
+    """The springs of an ellipse, which it has on homogeneous bodies alone, were asked for: no study on layers ended."""
+    problem = build(example_study("elliptic_indentation", medium=medium)["problem"])
+    write_files(report.report_files(run(Study("An ellipse", problem))), tmp_path)
+    assert sorted(path.suffix for path in (tmp_path / "figures").iterdir()) == [".svg"]

@@ -37,7 +37,7 @@ def extra_pictures(solution: Any) -> tuple[ExtraPicture, ...]:
     """Return the additional pictures of a solution; empty for most solutions."""
     problem: Any = getattr(solution, "problem", None)
     contact = solution.contact if is_a(solution, *HOLD_A_CONTACT) else None
-    bed: Any = getattr(problem, "bed", None)
+    bed: Any = vars(problem).get("bed") if problem is not None else None  # as given: the springs of others are made
     rough = getattr(problem if contact is None else contact.problem, "topography", None)
     if is_a(bed, REDUCED_BED):
         rough = bed.topography
