@@ -205,8 +205,8 @@ class PowerLawLineFoundation(LineBed):
         if isinstance(self.profile, Paraboloid) and rim_load == 0.0:
             # P' = (2 + k) P(1) c^(1+k), of which c alone is left over c^k
             whole = (2.0 + k) / (1.0 + k) * float(self.load_profile(np.ones(1))[0]) / self._spread
-            room = np.maximum((half_width - away) * (half_width + away), 0.0)
-            return np.asarray(self.medium.modulus * whole * room ** (0.5 * (1.0 + k)))
+            inside = np.maximum((half_width - away) * (half_width + away), 0.0)
+            return np.asarray(self.medium.modulus * whole * inside ** (0.5 * (1.0 + k)))
         factor = math.pi / self._spread
         kinks = [(b, factor * self._scale * b * jump) for b, jump in self.profile.kinks]
         part = graded_pressure(
@@ -226,11 +226,11 @@ class PowerLawLineFoundation(LineBed):
             return self.profile.slope(x)
         # h' = 2 cos(k pi/2) / (pi scale) int P' (x^2 - c^2)^(-(1+k)/2) dc, with c^2 = x^2 - (x^2 - a^2) v
         node, weight = gauss_jacobi(NODES, -0.5 * (1.0 + k))
-        room = (x - half_width) * (x + half_width)
-        c = np.sqrt(x[..., None] ** 2 - room[..., None] * node)
+        inside = (x - half_width) * (x + half_width)
+        c = np.sqrt(x[..., None] ** 2 - inside[..., None] * node)
         punches = (self.load_profile_slope(c.ravel()).reshape(c.shape) / c) @ weight
         lifted = math.sin(0.5 * math.pi * (1.0 - abs(k))) / (0.5 * math.pi * self._scale)
-        return np.asarray(0.5 * lifted * room ** (0.5 * (1.0 - k)) * punches)
+        return np.asarray(0.5 * lifted * inside ** (0.5 * (1.0 - k)) * punches)
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
