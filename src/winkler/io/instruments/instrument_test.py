@@ -7,9 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
+from winkler.units import scale
 
-__all__ = ["InstrumentColumn", "InstrumentTest"]
+__all__ = ["InstrumentColumn", "InstrumentTest", "measures"]
 
 
 class InstrumentColumn(NamedTuple):
@@ -49,3 +51,12 @@ class InstrumentTest(NamedTuple):
     y: float = math.nan
     direction: Array = np.zeros(0)
     rows: Array = np.zeros(0)
+
+
+def measures(unit: str, wanted: str) -> bool:
+    """Return whether a unit is one of the same quantity as another."""
+    try:
+        scale(unit, wanted)
+    except InvalidInput:
+        return False
+    return True

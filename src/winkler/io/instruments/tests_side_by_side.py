@@ -18,12 +18,11 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES, TIME_NAMES
-from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
+from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import is_row, rows_of
 from winkler.io.tables.table_cells import like_number
 from winkler.io.text_file import head_of, lines_of
 from winkler.numerics.types import Array
-from winkler.units import scale
 
 __all__ = ["tests_side_by_side"]
 
@@ -126,19 +125,11 @@ def _named(place: int, cell: str, below: str) -> _Named | None:
         rest = [*words[:begin], *words[end:]]
         unit = stated[1] if stated else below
         if not unit:
-            unit = next((word for word in reversed(rest) if _measures(word, si)), "")
+            unit = next((word for word in reversed(rest) if measures(word, si)), "")
             rest = [word for word in rest if word != unit]
-        if _measures(unit, si):
+        if measures(unit, si):
             return _Named(place, cell, quantity, unit, tuple(word.lower() for word in rest))
     return None
-
-
-def _measures(unit: str, wanted: str) -> bool:
-    try:
-        scale(unit, wanted)
-    except InvalidInput:
-        return False
-    return True
 
 
 def _tests(

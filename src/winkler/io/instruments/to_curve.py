@@ -19,7 +19,7 @@ from winkler.io.curve_columns import (
     by_preference,
 )
 from winkler.io.foreign import in_file
-from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
+from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.given_units import USUAL, key_of
@@ -118,17 +118,9 @@ def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str
     """Return the column with the first of the names whose unit fits or is not stated."""
     for name in by_preference(names):
         for column in columns:
-            if column.name.lower().strip() == name and (not column.unit or _measures(column.unit, unit)):
+            if column.name.lower().strip() == name and (not column.unit or measures(column.unit, unit)):
                 return column
     return None
-
-
-def _measures(unit: str, wanted: str) -> bool:
-    try:
-        scale(unit, wanted)
-    except InvalidInput:
-        return False
-    return True
 
 
 def _factor(role: str, column: InstrumentColumn, units: Mapping[str, str], where: str) -> float:

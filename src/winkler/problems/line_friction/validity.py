@@ -90,7 +90,8 @@ def slid_yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tupl
         return (Note(Assumption.ELASTIC, notes[0].standing, f"{text} would be reached.", notes[0].source),)
     text = (
         "By von Mises' criterion the contact stays elastic without friction, and would yield if all of it slid "
-        f"({most:.3g} of the strength); request the stresses of the states in between."
+        f"({most:.3g} of the strength); for what lies in between, `stresses` of a state answers on homogeneous bodies, "
+        "and nothing on layers."
     )
     return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, notes[0].source),)
 
