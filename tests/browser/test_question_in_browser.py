@@ -82,12 +82,12 @@ def test_the_page_begins_with_examples(fresh):
         assert not page.locator(".refused").is_visible(), title
 
 
-def test_a_kind_is_found_by_its_name_or_chapter(fresh):
-    """By the keyboard alone; the list is filtered in the browser, and whole again when it is opened next."""
+def test_a_kind_is_found_by_its_name_or_by_words(fresh):
+    """By the keyboard alone; the list is whole again when it is opened next."""
     app_page = fresh()
     page = app_page.page
     page.locator('[data-choice="problem"]').click()
-    page.get_by_role("searchbox", name="Find by name or chapter").wait_for()
+    page.get_by_role("searchbox", name="Find by name, chapter, word or question").wait_for()
     page.keyboard.type("adhes cycle")
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length === 1")
     page.keyboard.press("Enter")
