@@ -15,6 +15,13 @@ OTHER_SENTENCE = """before => {
 }"""
 
 
+FIRST_SHOWN = """label => {
+  const shown = [...document.querySelectorAll('[role=option]')].filter(one => one.offsetHeight);
+  shown.sort((one, two) => one.getBoundingClientRect().top - two.getBoundingClientRect().top);
+  return shown[0]?.getAttribute('aria-label') === label;
+}"""
+
+
 def test_another_question_for_the_same_bodies(fresh):
     app_page = fresh()
     page = app_page.page
@@ -95,5 +102,20 @@ def test_a_kind_is_found_by_its_name_or_by_words(fresh):
     assert page.locator('[data-choice="problem"]').inner_text().endswith("adhesive cycle")
     page.locator('[data-choice="problem"]').click()
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length > 40")
-    page.keyboard.type("no such thing")
+    page.keyboard.type("qqqqxx")
     page.get_by_text("Nothing has these words.").wait_for()
+    page.keyboard.press("Control+A")
+    page.keyboard.type("does my gasket leak")
+    app_page.shot("found_by_words")
+    page.wait_for_function(FIRST_SHOWN, arg="seal")
+    page.keyboard.press("Control+A")
+    page.keyboard.type("oil film thickness")
+    page.get_by_text("winkler does not cover lubricant films; these come nearest.").wait_for()
+    page.wait_for_function(FIRST_SHOWN, arg="indentation")
+    app_page.shot("not_covered")
+    page.keyboard.press("Control+A")
+    page.keyboard.type("does my gasket leak")
+    page.wait_for_function(FIRST_SHOWN, arg="seal")
+    page.keyboard.press("Enter")
+    app_page.busy()
+    assert page.locator('[data-choice="problem"]').inner_text().endswith("seal")

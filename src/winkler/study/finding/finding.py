@@ -8,7 +8,7 @@ import math
 import re
 import tomllib
 import unicodedata
-from collections import Counter
+from collections import Counter, defaultdict
 from importlib import resources
 from typing import Any, NamedTuple
 
@@ -240,16 +240,15 @@ def find(text: str, *, most: int = 5) -> Found:
     'lubricant films'
     """
     index = _index()
-    totals: Counter[str] = Counter()
+    totals: defaultdict[str, float] = defaultdict(float)
     for token in _tokens(text):
-        best: Counter[str] = Counter()
+        best: defaultdict[str, float] = defaultdict(float)
         for known, sure in index.alike(token).items():
             for name, score in index.scores[known].items():
                 best[name] = max(best[name], sure * score)
-        own = [name for name in best if name.startswith("beyond.")]
-        if token in index.scores and len(own) == len(best):
-            best.update({name: (DECIDES - 1.0) * best[name] for name in own})
-        totals.update(best)
+        decides = token in index.scores and all(name.startswith("beyond.") for name in best)
+        for name, score in best.items():
+            totals[name] += score * (DECIDES if decides else 1.0)
     if not totals:
         return Found((), None)
     for name in totals:
