@@ -11,22 +11,26 @@ otherwise, is none: the ratio of the moduli, and with it g, would change in time
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, cast
 
 import numpy as np
 
 from winkler.checks.number_checks import Advice, Positive
+from winkler.errors import OutsideValidity
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.plane_interior import PlaneMedium
+from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
+from winkler.media.relaxing.at_rate import both, solid_at
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_relaxation
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -99,6 +103,22 @@ class RelaxingInProportion(RelaxingMedium):
     def creep(self) -> CreepSeries:
         """What a step of load makes of the compliance [-]."""
         return of_relaxation(self.relaxation)
+
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves, as of `RelaxingMedium.waves`; the medium is no power law."""
+        medium = self.medium
+        if isinstance(medium, GradedHalfSpace):
+            raise OutsideValidity(
+                "RelaxingInProportion: a modulus that follows a power of the depth has no surface whose half-space "
+                "short waves feel; give layers, or a DepthGradedHalfSpace."
+            )
+        xi, s = np.broadcast_arrays(xi, s)
+        if isinstance(medium, HalfSpace | TransverselyIsotropicHalfSpace):
+            first = np.full(xi.size, half_space_compliance(medium.first, part))
+        else:
+            first = cast(PlaneMedium, medium).response.first.waves(part, xi.ravel())
+        whole = both(part, first.reshape(xi.shape), medium.second)
+        return np.asarray(whole / solid_at(self.solid, s).shear * self.shear)
 
     @property
     def span(self) -> tuple[float, float]:

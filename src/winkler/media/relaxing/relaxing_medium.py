@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 import numpy as np
 
 from winkler.errors import OutsideValidity
+from winkler.media.layered.wave_constants import Wave
 from winkler.media.medium import Displacement, Medium, PunchFacts
 from winkler.media.punch_field import BodyField
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ComplexArray
 from winkler.profiles.profile import Profile
 
 if TYPE_CHECKING:
@@ -56,6 +57,25 @@ class RelaxingMedium(Protocol):
     @property
     def span(self) -> tuple[float, float]:
         """From which time on and up to which the series are the solids [s]."""
+        raise NotImplementedError
+
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves at Laplace's s: compliance times xi / 2 [1/Pa].
+
+        Parameters
+        ----------
+        part : Wave
+            What moves, and what pulls; of `Wave.COUPLING` the first body less the second.
+        xi : ndarray
+            Wave numbers, real and positive [1/m]; infinite for the shortest waves.
+        s : ndarray
+            Rates [1/s], not negative or imaginary, broadcast with xi; infinite for a sudden step.
+
+        Raises
+        ------
+        OutsideValidity
+            If the medium does not know this part.
+        """
         raise NotImplementedError
 
     def timeless(self) -> OutsideValidity:
