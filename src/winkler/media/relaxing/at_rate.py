@@ -50,7 +50,7 @@ def solid_at(solid: ViscoelasticSolid | Elastic | TransverselyIsotropic | Rigid,
     return IsotropicAt(np.where(sudden, series.glassy, series.at_rate(np.where(sudden, 0.0, s))), solid.poisson)
 
 
-def both(part: Wave, first: ComplexArray, second: Any) -> ComplexArray:
+def both(part: Wave, first: Any, second: Any) -> ComplexArray:
     """Return what both surfaces answer, the second that of a half-space: their sum, of couplings the difference."""
     added = half_space_compliance(second, part)
     return np.asarray(first - added if part is Wave.COUPLING else first + added)

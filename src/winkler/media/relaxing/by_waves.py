@@ -7,14 +7,14 @@ from typing import ClassVar, Protocol
 from winkler.errors import OutsideValidity
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.wave_constants import Wave
-from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.media.relaxing.relaxing_medium import RelaxingLayers, RelaxingMedium
 from winkler.numerics.transforms.wave_creep import WaveCreep
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["RelaxingByWaves"]
 
 
-class RelaxingByWaves(RelaxingMedium, Protocol):
+class RelaxingByWaves(RelaxingLayers, Protocol):
     """A stack on which no single function of time stands for all springs: subclasses state the creep of its waves."""
 
     in_proportion: ClassVar[bool] = False

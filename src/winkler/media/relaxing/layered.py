@@ -90,6 +90,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     (15000.0, 3000.0)
     """
 
+    described: ClassVar[str] = "Perfectly bonded, isotropic, linear viscoelastic layers"
     reason: ClassVar[str] = "the layers of the bed relax each by a law of its own,"
     alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers that relax alike"
 
@@ -140,6 +141,11 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
         """Return how all waves of line load sink after a step, of any length; cached by value."""
         return _wave_creep(self)
+
+    @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m]."""
+        return float(self.bodies.thickness)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
         """What both surfaces answer to waves, as of `RelaxingMedium.waves`."""

@@ -99,6 +99,9 @@ class PoroelasticFilm(RelaxingByWaves):
         poisson=(r"\nu", "", "Poisson's ratio of the drained network"),
     )
 
+    described: ClassVar[str] = (
+        "A film by Biot's linear theory, bonded to a rigid base and drained all over its surface,"
+    )
     reason: ClassVar[str] = "the liquid leaves the film the later, the wider the contact is,"
     alike: ClassVar[str] = "an elastic film, CoatedHalfSpace, of the drained network or, at first, with poisson=0.5"
 

@@ -14,8 +14,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 import numpy as np
 
 from winkler.errors import OutsideValidity
+from winkler.media.layered.plane_interior import PlaneMedium, PlaneResponse
 from winkler.media.layered.wave_constants import Wave
 from winkler.media.medium import Displacement, Medium, PunchFacts
+from winkler.media.offers import offers
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array, ComplexArray
 from winkler.profiles.profile import Profile
@@ -23,7 +25,7 @@ from winkler.profiles.profile import Profile
 if TYPE_CHECKING:
     from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
-__all__ = ["RelaxingMedium"]
+__all__ = ["RelaxingLayers", "RelaxingMedium"]
 
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
 
@@ -69,7 +71,7 @@ class RelaxingMedium(Protocol):
         xi : ndarray
             Wave numbers, real and positive [1/m]; infinite for the shortest waves.
         s : ndarray
-            Rates [1/s], not negative or imaginary, broadcast with xi; infinite for a sudden step.
+            Rates [1/s], not negative or imaginary, broadcast with xi; infinite for a sudden step of solids.
 
         Raises
         ------
@@ -127,3 +129,24 @@ class RelaxingMedium(Protocol):
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it."""
         raise NotImplementedError
+
+
+class RelaxingLayers(RelaxingMedium, Protocol):
+    """Layers that relax, as of `PlaneMedium`: what does not change in time; there are no moduli at all times."""
+
+    described: ClassVar[str]
+    """What notes call it, the beginning of a sentence."""
+
+    @property
+    def response(self) -> PlaneResponse:
+        """Of the elastic layers to a pressure: a wave over the shortest ones; refuse other bodies."""
+        if not offers(self.bodies, PlaneMedium):
+            raise OutsideValidity(
+                f"{type(self).__name__}: a {type(self.bodies).__name__} has no layers that line contacts know; give "
+                "layers or a DepthGradedHalfSpace, or a homogeneous body as LineFoundation(profile, "
+                "ViscoelasticHalfSpace(solid))."
+            )
+        return self.bodies.response
+
+    modulus = along_modulus = property(RelaxingMedium._changing)  # type: ignore[misc]
+    along_response = coupling_response = property(RelaxingMedium._changing)  # type: ignore[misc]
