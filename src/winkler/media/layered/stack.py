@@ -19,11 +19,12 @@ from winkler.media.layered.wave_constants import (
     in_plane_share,
     stiffness_scale,
 )
+from winkler.numerics.caching import rounded
 from winkler.numerics.types import ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
-__all__ = ["Layered", "StackBody", "rounded"]
+__all__ = ["Layered", "StackBody"]
 
 
 class Layered(Protocol):
@@ -135,11 +136,6 @@ class StackBody:
             for layer in self.layers
         )
         return StackBody(layers, self.on if isinstance(self.on, Rigid) else _in_units(self.on, modulus))
-
-
-def rounded(ratio: float) -> float:
-    """Return a ratio to 14 digits, so that the same stack in other units is the same value."""
-    return float(f"{ratio:.13e}")
 
 
 def _in_units(solid: Elastic | TransverselyIsotropic, unit: float) -> Elastic | TransverselyIsotropic:
