@@ -28,6 +28,7 @@ __all__ = [
     "extremes",
     "faded",
     "in_own_lengths",
+    "kernel_precision",
     "on_axis",
     "scaled_response",
     "transform",
