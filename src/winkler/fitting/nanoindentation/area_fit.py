@@ -153,7 +153,7 @@ def _conditional(
             line = _line(powers[:, :count], measured, whiten)
             lines[place, number], squares[place, number] = line, float(line.left @ line.left)
             used = np.count_nonzero(line.numbers) + (frames.size > 1)
-            freedom[place, number] = max(size - used, 1.0)
+            freedom[place, number] = np.maximum(size - used, 1.0)
     factor = float(np.min(squares / freedom))
     free = max(float(freedom.flat[int(np.argmin(squares / freedom))]), 1.0)
     wide = max(factor, 1.0) * free / max(free - 2.0, 1.0)
