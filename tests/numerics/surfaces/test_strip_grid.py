@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.numerics.surfaces.strip_grid import FEW_CHANGED, MOST_CHANGED, StripGrid, strip_compliance
+from winkler.numerics.surfaces.strip_grid import FEW_CHANGED, MOST_CHANGED, StuckStrip, strip_compliance
 
 COUNT = 90
 
@@ -17,7 +17,7 @@ def test_nodes_that_begin_to_stick_or_to_slip_border_the_system(most, summed, mo
     away = np.abs(np.subtract.outer(np.arange(COUNT), np.arange(COUNT)))
     compliance = strip_compliance(COUNT, 1.0 / COUNT, 2.0)[away]
     weights = random.uniform(0.5, 2.0, COUNT)
-    grid, factorised = StripGrid(compliance, weights), []
+    grid, factorised = StuckStrip(compliance, weights), []
     hold = grid._hold
     monkeypatch.setattr(grid, "_hold", lambda sticks: factorised.append(1) or hold(sticks))
     first = random.random(COUNT) < 0.6

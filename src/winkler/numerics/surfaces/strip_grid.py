@@ -17,7 +17,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["StripGrid", "StripStep", "first_to_stick", "strip_compliance", "strip_step"]
+__all__ = ["StripStep", "StuckStrip", "first_to_stick", "strip_compliance", "strip_step"]
 
 MOST_ITERATIONS = 2000
 FEW_CHANGED, MOST_CHANGED = 4, 32
@@ -64,7 +64,7 @@ class StripStep(NamedTuple):
     moved: Array
 
 
-class StripGrid:
+class StuckStrip:
     """The nodes of a strip: what sticks on it is solved again and again, while few nodes begin to stick or to slip.
 
     The matrix of some nodes is factorised, and those that stick are these but for a few: added ones border the system,
@@ -173,7 +173,7 @@ class StripGrid:
 
 
 def strip_step(
-    grid: StripGrid,
+    grid: StuckStrip,
     before: Array,
     bound: Array,
     slips: Array,
@@ -186,7 +186,7 @@ def strip_step(
 
     Parameters
     ----------
-    grid : StripGrid
+    grid : StuckStrip
     before : ndarray, (n,)
         u_0 [m].
     bound : ndarray, (n,)

@@ -29,7 +29,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.surfaces.strip_grid import StripGrid, strip_step
+from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.elements import elements_for, pressed_elements
@@ -91,7 +91,7 @@ class LineMarch:
         self.points = np.stack([path.across * per_force, path.along * per_force, strains], axis=1)
         self.most = friction * float(np.max(self.points[:, 0]))
         self.bulk = path.bulk
-        self.grid = StripGrid(self.elements.compliance, self.elements.widths)
+        self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
         self.traction, self.bound, self.ahead, self.slips, self.rubbed = np.zeros((5, self.elements.x.size))
         self.shift = self.lost = 0.0
         self.half_width = self.force = 0.0
