@@ -31,6 +31,7 @@ from winkler.problems.friction.spring_run import SingleSprings
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipRow
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
+from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.one_load import OfPath
@@ -158,7 +159,7 @@ class Tangential:
 
 
 @value
-class TangentialSolution(OfPath[TangentialState | SpringState]):
+class TangentialSolution(Looped, OfPath[TangentialState | SpringState]):
     """The solution of a `Tangential` problem, point by point.
 
     Parameters
@@ -201,9 +202,15 @@ class TangentialSolution(OfPath[TangentialState | SpringState]):
         return np.array([state.work for state in self.states])
 
     @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, its loss and its amplitudes."""
+        path = self.problem.path
+        return cycle_of("Tangential", (path.across, path.along), self.dissipation, self.shift, self.shear_force)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         notes = friction_notes(
             self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
         )
-        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
+        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation), *self._cycle_notes)
