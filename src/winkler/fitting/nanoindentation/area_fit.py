@@ -139,7 +139,7 @@ def _conditional(
     most, size = max(counts), readings.force.size
     squares = np.full((frames.size, len(counts)), np.inf)
     freedom = np.ones(squares.shape)
-    lines: dict[tuple[int, int], _Line] = {}
+    lines: dict[tuple[int, int], _LinearArea] = {}
     for place, frame in enumerate(frames.tolist()):
         own = readings.compliance - frame
         contact = readings.depth - frame * readings.force - readings.intercept * readings.force * own
@@ -168,7 +168,7 @@ def _conditional(
     return _Conditional(weights / weights.sum(), means, covariances, factor)
 
 
-class _Line(NamedTuple):
+class _LinearArea(NamedTuple):
     """Coefficients, none below zero, residuals of unit variance there, their slopes, and what is expected before.
 
     Slopes are those by the coefficients over `scale`.
@@ -180,7 +180,7 @@ class _Line(NamedTuple):
     scale: Array
 
 
-def _line(powers: Array, measured: Array, whiten: Array) -> _Line:
+def _line(powers: Array, measured: Array, whiten: Array) -> _LinearArea:
     """Return the most likely coefficients of a given frame, and the residuals about them."""
     from scipy.optimize import nnls
 
@@ -193,10 +193,10 @@ def _line(powers: Array, measured: Array, whiten: Array) -> _Line:
         shift = 0.5 * np.log(area / measured)
     deepest = int(np.argmax(measured))
     scale = measured[deepest] / powers[deepest] * NARROWER ** np.arange(powers.shape[1])
-    return _Line(numbers, whiten @ shift, whiten @ (0.5 * powers / area[:, None]) * scale, scale)
+    return _LinearArea(numbers, whiten @ shift, whiten @ (0.5 * powers / area[:, None]) * scale, scale)
 
 
-def _averaged(line: _Line, scatter: float, wide: float) -> tuple[float, Array, Array]:
+def _averaged(line: _LinearArea, scatter: float, wide: float) -> tuple[float, Array, Array]:
     """Return the logarithm of the probability of the readings, and mean and covariance of the coefficients.
 
     Before the readings, the area that a coefficient adds at the deepest of them is half of a normal distribution, as
