@@ -122,6 +122,7 @@ class CreepSearch:
     ):
         self.patch, self.by_force, self.tolerance = patch, by_force, tolerance
         self.friction, self.speed, self.coefficient = friction, speed, greatest_coefficient(friction)
+        self.falls = isinstance(friction, FallingFriction) and friction.kinetic_coefficient < self.coefficient
         self.inner = max(INNER_RATIO * tolerance, LEAST_INNER) if np.any(by_force) else tolerance
         self.first = max(FIRST_TOLERANCE, self.inner)
         p, self.shift = patch.pressure, AHEAD * patch.pixel[0]
@@ -178,7 +179,7 @@ class CreepSearch:
         missing, allowed = np.inf, max(self.tolerance, FORCE_TOLERANCE)
         guess = np.where(self.by_force, self.last.creeps, given)
         behind = self._behind(given, self.last) - self.stiffness @ ((guess - self.last.creeps) * self.lengths)
-        coarse = not varies  # rolls on the way to the forces are no more exact than they are near
+        coarse = not self.falls  # rolls on the way to the forces are no more exact than they are near
         best = self._rolled(guess + self._step(behind), start, self.first if coarse else self.inner)
         length, lost, measured, rolls, earlier = 1.0, False, False, 0, np.inf
         for rolls in range(1, MOST_ROLLS + 1):
