@@ -139,7 +139,7 @@ def _conditional(
     most, size = max(counts), readings.force.size
     squares = np.full((frames.size, len(counts)), np.inf)
     freedom = np.ones(squares.shape)
-    lines: dict[tuple[int, int], _GivenFrame] = {}
+    lines: dict[tuple[int, int], _LinearArea] = {}
     for place, frame in enumerate(frames.tolist()):
         own = readings.compliance - frame
         contact = readings.depth - frame * readings.force - readings.intercept * readings.force * own
@@ -147,10 +147,10 @@ def _conditional(
             continue
         measured = np.pi * (1.0 / (2.0 * shape_factor * readings.reference * own)) ** 2
         powers = np.stack([contact ** (2.0 ** (1 - n)) for n in range(most)], axis=1)
-        first = _most_likely(powers, measured, np.eye(size)).numbers
+        first = _line(powers, measured, np.eye(size)).numbers
         whiten = np.linalg.inv(np.linalg.cholesky(covariance_of(np.array([frame, *first]), readings, shape_factor)))
         for number, count in enumerate(counts):
-            line = _most_likely(powers[:, :count], measured, whiten)
+            line = _line(powers[:, :count], measured, whiten)
             lines[place, number], squares[place, number] = line, float(line.left @ line.left)
             used = np.count_nonzero(line.numbers) + (frames.size > 1)
             freedom[place, number] = np.maximum(size - used, 1.0)
@@ -168,7 +168,7 @@ def _conditional(
     return _Conditional(weights / weights.sum(), means, covariances, factor)
 
 
-class _GivenFrame(NamedTuple):
+class _LinearArea(NamedTuple):
     """Coefficients, none below zero, residuals of unit variance there, their slopes, and what is expected before.
 
     Slopes are those by the coefficients over `scale`.
@@ -180,7 +180,7 @@ class _GivenFrame(NamedTuple):
     scale: Array
 
 
-def _most_likely(powers: Array, measured: Array, whiten: Array) -> _GivenFrame:
+def _line(powers: Array, measured: Array, whiten: Array) -> _LinearArea:
     """Return the most likely coefficients of a given frame, and the residuals about them."""
     from scipy.optimize import nnls
 
@@ -193,10 +193,10 @@ def _most_likely(powers: Array, measured: Array, whiten: Array) -> _GivenFrame:
         shift = 0.5 * np.log(area / measured)
     deepest = int(np.argmax(measured))
     scale = measured[deepest] / powers[deepest] * NARROWER ** np.arange(powers.shape[1])
-    return _GivenFrame(numbers, whiten @ shift, whiten @ (0.5 * powers / area[:, None]) * scale, scale)
+    return _LinearArea(numbers, whiten @ shift, whiten @ (0.5 * powers / area[:, None]) * scale, scale)
 
 
-def _averaged(line: _GivenFrame, scatter: float, wide: float) -> tuple[float, Array, Array]:
+def _averaged(line: _LinearArea, scatter: float, wide: float) -> tuple[float, Array, Array]:
     """Return the logarithm of the probability of the readings, and mean and covariance of the coefficients.
 
     Before the readings, the area that a coefficient adds at the deepest of them is half of a normal distribution, as
