@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.fields.strips_below import loads_of
 from winkler.numerics.surfaces.pressed_line import PressedLine
 from winkler.numerics.surfaces.refined_strips import gaps
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
-from winkler.numerics.surfaces.strips_below import loads_of
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["ElementStrips", "FoundStrips", "RefinedStrips"]

@@ -3,7 +3,7 @@ r"""A two-dimensional profile pressed on a half-plane by a force per length, on 
 .. math:: w_i = f_i - \theta x_i - C + \sum_j K_{ij} p_j , \qquad
           K_{ij} = -\frac1\pi\int_{x_j-h/2}^{x_j+h/2}\ln\frac{|x_i-s|}L\,\mathrm ds ,
 
-to which layers add what `winkler.numerics.surfaces.strips_below` says,
+to which layers add what `winkler.numerics.fields.strips_below` says,
 with p >= 0, w >= 0 and p w = 0; pressures are even on each element.  Elements that pull are dropped, those that overlap
 added, until none does either; for each such set the pressures are linear in C, theta and f, found by conjugate
 gradients preconditioned with \|q\| (products by the fast Fourier transform, padded with zeros), and the force, with
@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.strips_below import Below
+from winkler.numerics.fields.strips_below import Below
 from winkler.numerics.types import Array
 
 __all__ = ["PressedLine", "press_line"]

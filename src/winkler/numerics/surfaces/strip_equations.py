@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.fields.strip_potential import StripTerms, in_circle, powers
-from winkler.numerics.surfaces.strips_below import Below, loads_of
+from winkler.numerics.fields.strips_below import Below, loads_of
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["LineCurve", "Spots", "equations", "moved", "nodes_of"]
@@ -205,7 +205,7 @@ def _of_layers(
     slopes: Array,
     by_edge: Array,
 ) -> tuple[Array, Array, Array, Array]:
-    """Add the layers to the derivatives; return what they add to slopes, slopes of these, slopes and heights at edges."""
+    """Add the layers to the derivatives; return their slopes, the slopes of these, and slopes and heights at edges."""
     ends, bent, steeper = edges.ravel(), np.zeros(places.size), np.zeros(places.size)
     beside, raised = np.zeros(ends.size), np.zeros(ends.size)
     for j, strip in enumerate(spots.strips):

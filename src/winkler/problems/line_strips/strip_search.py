@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.fields.strips_below import Below
 from winkler.numerics.surfaces.found_strips import ElementStrips, FoundStrips, RefinedStrips, runs
 from winkler.numerics.surfaces.pressed_line import PressedLine, press_line
 from winkler.numerics.surfaces.refined_strips import examined, refined
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
-from winkler.numerics.surfaces.strips_below import Below
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.profiles.sections.section import Section
@@ -66,11 +66,6 @@ class Pushed(NamedTuple):
         """Return the layers, for lengths over a unit [m]."""
         return None if self.response is None else Below(self.response, unit)
 
-    @property
-    def refines(self) -> bool:
-        """Whether strips may be refined: not on a grading, whose kernel has a logarithm of its own."""
-        return self.response is None or self.response.smooth == self.response.length
-
 
 class _OnGrid(NamedTuple):
     places: Array
@@ -98,7 +93,7 @@ def find_strips(section: Section, load: Pushed) -> FoundStrips:
         checked = np.concatenate([grid.places for grid in seen])
         count = load.elements
         fine = seen[-1]
-        while load.refines:
+        while _refines(load):
             found = _refined(section, load, fine, checked)
             if found is not None:
                 return found
@@ -108,6 +103,11 @@ def find_strips(section: Section, load: Pushed) -> FoundStrips:
             x = np.linspace(fine.places[0], fine.places[-1], count)
             fine = _OnGrid(x, _press(section, load, x))
     return _elements(section, load, seen[-1])
+
+
+def _refines(load: Pushed) -> bool:
+    """Return whether strips may be refined: not on a grading, whose kernel has a logarithm of its own."""
+    return load.response is None or load.response.smooth == load.response.length
 
 
 def _press(section: Section, load: Pushed, x: Array) -> PressedLine:
@@ -254,7 +254,7 @@ def _elements(section: Section, load: Pushed, grid: _OnGrid) -> ElementStrips:
         error = max(abs(length - 1.0), abs(float(np.max(coarse) / np.max(fine)) - 1.0))
         # counted elements may change by none: each strip is as long as so many elements, give or take one; on a
         # grading, where they are the result for smooth sections, too, one at each edge
-        missed = 1.0 if load.refines else 2.0
+        missed = 1.0 if _refines(load) else 2.0
         error = max(error, missed * len(runs(fine > 0.0)) / int(np.count_nonzero(fine > 0.0)))
     except NotConverged:
         pass
