@@ -35,6 +35,9 @@ from winkler.media.layered.depth_response import GradedBody
 from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, PlaneWaves, plane_waves
 from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.poroelastic import PoroelasticFilm
+from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
@@ -68,6 +71,7 @@ from winkler.values import value
 
 __all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 
+RelaxingKinds = RelaxingInProportion | ViscoelasticCoatedHalfSpace | PoroelasticFilm
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 PAIRS_PER_CHUNK = 1_000_000
@@ -147,7 +151,8 @@ class LayeredLineFoundation(LineBed):
         The gap f between the undeformed bodies, as of `LineFoundation`.
     medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or PlaneMedium
         Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, or a body graded
-        with depth; against a homogeneous body.
+        with depth; against a homogeneous body.  RelaxingInProportion, ViscoelasticCoatedHalfSpace and PoroelasticFilm
+        are for problems in which they relax.
 
     References
     ----------
@@ -157,7 +162,7 @@ class LayeredLineFoundation(LineBed):
 
     profile: Profile
     medium: Annotated[
-        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | PlaneMedium,
+        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | RelaxingKinds | PlaneMedium,
         Advice("homogeneous bodies go into a LineFoundation"),
     ]
 
@@ -170,7 +175,8 @@ class LayeredLineFoundation(LineBed):
     @property
     def half_plane(self) -> LineFoundation:
         """The same profile on a half-plane of the uppermost layer."""
-        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(self.layered_body.top, self.medium.second))
+        pair = cast(PlaneMedium, self.medium).response
+        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(pair.first.top, pair.second))
 
     @property
     def layered_body(self) -> Layered:
@@ -239,7 +245,7 @@ class LayeredLineFoundation(LineBed):
     @property
     def surfaces(self) -> tuple[Body, Body]:
         """The solid of the uppermost layer, and the second body."""
-        return self.layered_body.top, self.medium.second
+        return self.layered_body.top, cast(PlaneMedium, self.medium).second
 
     @property
     def similar(self) -> bool:

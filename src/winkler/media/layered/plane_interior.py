@@ -34,7 +34,7 @@ from winkler.media.offers import LayerStack
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, WaveResponse, wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["PlaneLayers", "PlaneMedium", "PlaneWaves", "added_stresses", "plane_waves"]
+__all__ = ["PlaneLayers", "PlaneMedium", "PlaneResponse", "PlaneWaves", "added_stresses", "plane_waves"]
 
 
 class PlaneResponse(SurfaceResponse, Protocol):
@@ -43,6 +43,11 @@ class PlaneResponse(SurfaceResponse, Protocol):
     @property
     def first(self) -> Layered:
         """The body that is not homogeneous."""
+        ...
+
+    @property
+    def second(self) -> Body:
+        """The other body."""
         ...
 
 

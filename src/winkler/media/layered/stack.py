@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -19,11 +19,12 @@ from winkler.media.layered.wave_constants import (
     in_plane_share,
     stiffness_scale,
 )
+from winkler.numerics.caching import rounded
 from winkler.numerics.types import ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
-__all__ = ["Layered", "StackBody", "rounded"]
+__all__ = ["Layered", "StackBody", "stack_waves"]
 
 
 class Layered(Protocol):
@@ -89,9 +90,7 @@ class StackBody:
         """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m]: of a half-space, 1 / modulus."""
         if not self.layers:
             return np.full(xi.shape, self.short(part), dtype=xi.dtype)
-        if part is Wave.ACROSS:
-            return np.asarray(0.5 * climbed_across(self.layers, self.on, xi)[0])
-        return in_plane_share(part, climbed(self.layers, self.on, xi)[0][1])
+        return stack_waves(self.layers, self.on, part, xi)
 
     def short(self, part: Wave) -> float:
         """The limit of `waves` for short waves [1/Pa]."""
@@ -137,9 +136,11 @@ class StackBody:
         return StackBody(layers, self.on if isinstance(self.on, Rigid) else _in_units(self.on, modulus))
 
 
-def rounded(ratio: float) -> float:
-    """Return a ratio to 14 digits, so that the same stack in other units is the same value."""
-    return float(f"{ratio:.13e}")
+def stack_waves(layers: tuple[Any, ...], on: Any, part: Wave, xi: ComplexArray) -> ComplexArray:
+    """Return the compliance of a stack times xi / 2 [1/Pa]; its solids may be `IsotropicAt`, xi is then complex."""
+    if part is Wave.ACROSS:
+        return np.asarray(0.5 * climbed_across(layers, on, xi)[0])
+    return in_plane_share(part, climbed(layers, on, xi)[0][1])
 
 
 def _in_units(solid: Elastic | TransverselyIsotropic, unit: float) -> Elastic | TransverselyIsotropic:

@@ -22,7 +22,7 @@ from __future__ import annotations
 import cmath
 import enum
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from winkler.numerics.types import ComplexArray
 
 __all__ = [
     "Body",
+    "IsotropicAt",
     "Wave",
     "WaveConstants",
     "constants_of",
@@ -42,6 +43,14 @@ __all__ = [
 
 Body = TransverselyIsotropic | Elastic | Rigid
 """What carries the layers, or presses on them."""
+
+
+class IsotropicAt(NamedTuple):
+    """An isotropic solid with a shear modulus for each wave [Pa] ``(m,)``: one that relaxes, at Laplace's s."""
+
+    shear: Any
+    poisson: float
+
 
 SERIES_TERMS = 10
 """Terms of the series of cosh and sinh up to an argument of one."""
@@ -61,7 +70,7 @@ class Wave(enum.Enum):
 
 
 class WaveConstants(NamedTuple):
-    """A solid, in units of its C44.
+    """A solid, in units of its C44, `shear`: one number, or one for each wave of a solid `IsotropicAt`.
 
     `lateral` is n, `axial` C44/C33, `plane` c/C44, `twist` C66/C44; `total` and `product` are p and q, `split` is
     (p^2 - 4 q)/4.
@@ -103,15 +112,19 @@ class WaveConstants(NamedTuple):
 
     def decay(self, x: ComplexArray) -> Four:
         """Return exp(-L x): tractions x below those of 1 that decay downward."""
+        half = 0.5 * self.total
+        if self.split == 0.0:  # as of isotropic solids: one exponent, twice
+            even = np.exp(-(self.product / half) * x)
+            odd = even * x
+            return even - half * odd, self.product * odd, -odd, even + half * odd
         single = cmath.sqrt(self.split)
         # the functions are even in the root: of both signs the one whose exponentials do not grow along a turned path
         root = np.where(np.real(single * x) < 0.0, -single, single)
-        slow = np.exp(-(self.product / (0.5 * self.total + root)) * x)
+        slow = np.exp(-(self.product / (half + root)) * x)
         even = 0.5 * slow * (1.0 + np.exp(-2.0 * root * x))
-        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root) if single else x)
+        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root))
         if not np.iscomplexobj(x):
             even, odd = np.real(even), np.real(odd)
-        half = 0.5 * self.total
         return even - half * odd, self.product * odd, -odd, even + half * odd
 
     def propagator(self, x: ComplexArray) -> tuple[Four, Four, Four, Four]:
@@ -144,9 +157,9 @@ class WaveConstants(NamedTuple):
         return block(0, 0), block(0, 2), block(2, 0), block(2, 2)
 
 
-def constants_of(solid: Elastic | TransverselyIsotropic) -> WaveConstants:
+def constants_of(solid: Elastic | TransverselyIsotropic | IsotropicAt) -> WaveConstants:
     """Return what the waves need of a solid."""
-    if isinstance(solid, Elastic):
+    if isinstance(solid, Elastic | IsotropicAt):
         nu = solid.poisson
         return WaveConstants(
             solid.shear, nu / (1.0 - nu), (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)), 2.0 / (1.0 - nu), 1.0, 2.0, 1.0, 0.0
@@ -160,10 +173,11 @@ def constants_of(solid: Elastic | TransverselyIsotropic) -> WaveConstants:
     return WaveConstants(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
 
 
-def half_space_compliance(body: Body, part: Wave) -> float:
+def half_space_compliance(body: Body | IsotropicAt, part: Wave) -> float:
     """Return what waves on a half-space answer, times xi / 2 [1/Pa]; zero of a rigid one.
 
-    Of a pressure 1/E*; of shear along a wave 1/m_L, across it 1/m_T = 1 / (2 sqrt(C44 C66)).
+    Of a pressure 1/E*; of shear along a wave 1/m_L, across it 1/m_T = 1 / (2 sqrt(C44 C66)).  One for each wave if the
+    solid is `IsotropicAt`.
     """
     if isinstance(body, Rigid):
         return 0.0
