@@ -377,6 +377,23 @@ def cylinder(rng):
     return exceeded(*((found.strip_error + ROUNDING, abs(one / true - 1.0)) for one, true in pairs))
 
 
+@states()
+def cylinder_on_layers(rng):
+    """The same on a layer, refined, and on a grading, by elements: those of another engine, Chebyshev modes."""
+    young, radius = 10.0 ** rng.uniform(-1, 1), 10.0 ** rng.uniform(0, 1)
+    grading = wk.ExponentialGrading(1.0, young, 10.0 ** rng.uniform(-1, 0), 0.3)
+    coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.0, 0.3), 10.0 ** rng.uniform(-1, 0))], wk.Elastic(young, 0.4))
+    pairs = []
+    for medium in (coated, wk.DepthGradedHalfSpace(grading)):
+        bed = wk.LayeredLineFoundation(wk.Paraboloid(radius), medium)
+        known = wk.LineIndentation(bed, wk.HalfWidth(10.0 ** rng.uniform(-1.5, 0))).solve()
+        row, force = wk.CylinderRow([radius], [rng.uniform(-1.0, 1.0)], [0.0]), wk.LineForce(known.force_per_length)
+        found = wk.LineProfileContact(row, medium, force).solve()
+        pairs += [(found.strip_error + 1e-10, abs(found.contact_length / (2.0 * known.half_width) - 1.0))]
+        pairs += [(found.strip_error + 1e-10, abs(found.peak_pressure / known.peak_pressure - 1.0))]
+    return exceeded(*pairs)
+
+
 @states("problems.line_strips.profile_notes", quick=True)
 def measured_section(rng):
     """Contact length and greatest pressure of points measured across a wavy cylinder, sixteen times as many."""

@@ -199,6 +199,14 @@ def test_layers_of_no_family_give_the_same_numbers_or_the_same_refusal(name):
     assert known == ghost.replace("Ghost", "CoatedHalfSpace")
 
 
+def test_strips_on_layers_of_no_family_are_the_same():
+    row = wk.CylinderRow([1.0, 0.7], [-0.2, 0.2], [0.0, 0.0])
+    known, ghost = (wk.LineProfileContact(row, medium, LOAD).solve() for medium in (COATED, Ghost(COATED)))
+    np.testing.assert_allclose(ghost.edges, known.edges, rtol=1e-12)
+    stresses = [one.stresses([0.0, 0.3], [0.1, 0.4], 0.1).von_mises for one in (ghost, known)]
+    np.testing.assert_allclose(*stresses, rtol=1e-12)
+
+
 def refusal(solve, bed):
     with pytest.raises(wk.WinklerError) as caught:
         solve(bed)

@@ -32,7 +32,7 @@ from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.media.offers import LayerStack
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, WaveResponse, wave_numbers
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["PlaneLayers", "PlaneMedium", "PlaneResponse", "PlaneWaves", "added_stresses", "plane_waves"]
 
@@ -105,14 +105,17 @@ class PlaneLayers(PlaneMedium, LayerStack, Protocol):
 
 
 class PlaneWaves(NamedTuple):
-    """Wave numbers k [1/m], and quadrature weights times the transform of the pressure over pi."""
+    """Wave numbers k [1/m], and quadrature weights times the transform of the pressure over pi.
+
+    Of a pressure that is not even the transform is that of p exp(-ikx).
+    """
 
     k: Array
-    weights: Array
+    weights: ComplexArray
 
 
 def plane_waves(
-    medium: PlaneLayers, half_width: float, farthest: float, transform: Callable[[Array], Array]
+    medium: PlaneLayers, half_width: float, farthest: float, transform: Callable[[Array], ComplexArray]
 ) -> PlaneWaves:
     """Return the pressure of a strip as waves, for places up to a distance from the middle.
 
@@ -172,16 +175,17 @@ def added_stresses(medium: PlaneLayers, waves: PlaneWaves, x: Array, z: Array, *
 
 def _superposed(state: WaveState, waves: PlaneWaves, x: Array, dragged: bool) -> Array:
     end, solid = waves.k.size, constants_of(state.solid)
-    strain = solid.shear * state.moved[:end, 0] * waves.weights
-    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
+    strain, shear, axial = solid.shear * state.moved[:end, 0], state.loaded[:end, 0], state.loaded[:end, 1]
     along = solid.plane * strain + solid.lateral * axial
     even = np.stack([along, along - 2.0 * solid.twist * strain, axial])
+    level, ahead = waves.weights.real[:, None], waves.weights.imag[:, None]
     result = np.empty((4, x.size))
     step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, x.size, step):
         part = slice(start, start + step)
         phase = np.outer(waves.k, x[part])
         cosine, sine = np.cos(phase), np.sin(phase)
+        cosine, sine = level * cosine - ahead * sine, level * sine + ahead * cosine
         if dragged:
             cosine, sine = -sine, cosine
         result[:3, part] = even @ cosine

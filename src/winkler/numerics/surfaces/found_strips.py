@@ -7,16 +7,19 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.fields.strips_below import loads_of
 from winkler.numerics.surfaces.pressed_line import PressedLine
 from winkler.numerics.surfaces.refined_strips import gaps
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["ElementStrips", "FoundStrips", "RefinedStrips"]
 
 SAMPLES, ZOOMS, ZOOMED = 65, 6, 9
 """Places of a strip among which its greatest pressure is sought, at least, and how they close in on it."""
-PLACES_PER_CHUNK = 1000
+PLACES_PER_CHUNK, PAIRS_PER_CHUNK = 1000, 1_000_000
+FEWEST_LOADS = 24
+"""Line loads of a strip in its transform, beyond the terms of its series and 3/4 of the phase over its half-width."""
 
 
 class RefinedStrips(NamedTuple):
@@ -116,6 +119,16 @@ class RefinedStrips(NamedTuple):
             slope[deep] += strip.gradient(zeta[deep])
         return 0.5 * self.modulus * whole, 0.5 * self.modulus / self.unit * slope
 
+    def transform(self, k: Array, middle: float) -> ComplexArray:
+        """Return the transform of the pressure at ascending wave numbers [1/m], places counted from a middle [N/m]."""
+        found = np.zeros(k.size, dtype=complex)
+        for strip in self.spots.strips:
+            count = strip.series.size + FEWEST_LOADS + math.ceil(0.75 * k[-1] * self.unit * strip.half)
+            pressed = loads_of(strip, count)
+            places = self.origin - middle + self.unit * pressed.places
+            found += _summed(places, 0.5 * self.modulus * self.unit * pressed.loads, k)
+        return found
+
 
 class ElementStrips(NamedTuple):
     """Strips made of even elements.
@@ -209,8 +222,21 @@ class ElementStrips(NamedTuple):
         factor, shape = 0.5 * self.modulus / math.pi, np.shape(x)
         return factor * whole.reshape(shape), factor * slope.reshape(shape)
 
+    def transform(self, k: Array, middle: float) -> ComplexArray:
+        """Return the transform of the pressure at wave numbers [1/m], places counted from a middle [N/m]."""
+        bears = self.pressed.pressure > 0.0
+        loads = 0.5 * self.modulus * self.spacing * self.pressed.pressure[bears]
+        return np.sinc(k * self.spacing / (2.0 * math.pi)) * _summed(self.places[bears] - middle, loads, k)
+
 
 FoundStrips = RefinedStrips | ElementStrips
+
+
+def _summed(places: Array, loads: Array, k: Array) -> ComplexArray:
+    """Return the transform of line loads."""
+    step = max(1, PAIRS_PER_CHUNK // max(places.size, 1))
+    parts = [np.exp(-1j * np.outer(k[i : i + step], places)) @ loads for i in range(0, k.size, step)]
+    return np.concatenate(parts)
 
 
 def runs(active: Array) -> Array:

@@ -3,6 +3,7 @@ r"""A two-dimensional profile pressed on a half-plane by a force per length, on 
 .. math:: w_i = f_i - \theta x_i - C + \sum_j K_{ij} p_j , \qquad
           K_{ij} = -\frac1\pi\int_{x_j-h/2}^{x_j+h/2}\ln\frac{|x_i-s|}L\,\mathrm ds ,
 
+to which layers add what `winkler.numerics.fields.strips_below` says,
 with p >= 0, w >= 0 and p w = 0; pressures are even on each element.  Elements that pull are dropped, those that overlap
 added, until none does either; for each such set the pressures are linear in C, theta and f, found by conjugate
 gradients preconditioned with \|q\| (products by the fast Fourier transform, padded with zeros), and the force, with
@@ -20,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.fields.strips_below import Below
 from winkler.numerics.types import Array
 
 __all__ = ["PressedLine", "press_line"]
@@ -33,6 +35,8 @@ TILTS = 60
 """Doublings of the interval of tilts in which the moment is sought."""
 ACCURACY = 1e-11
 """Residual of the linear equations, over their right-hand side."""
+ROUNDING = 1e-15
+"""Rounding of a product with the kernel of layers, which may be a million times as soft as their surface."""
 TOLERANCE = 1e-9
 """Overlap over the greatest gap, and tension over the greatest pressure, that count as none."""
 
@@ -67,22 +71,28 @@ class PressedLine(NamedTuple):
 class _LogKernel:
     """Products with K on n places, and with the approximate inverse."""
 
-    def __init__(self, count: int, spacing: float) -> None:
+    def __init__(self, count: int, spacing: float, below: Below | None) -> None:
         from scipy import fft
 
         self.count = count
         self.fft = fft
         self.size = int(fft.next_fast_len(2 * count, real=True))
+        self.rounding = 0.0
         ends = (np.arange(count + 1) - 0.5) * spacing
         length = 2.0 * count * spacing
         whole = ends * np.log(np.abs(ends) / length)
         row = (spacing - np.diff(whole)) / math.pi
+        if below is not None:
+            row = row + below.of_elements(count, spacing, length)
+            self.rounding = ROUNDING * float(np.sum(np.abs(row)))
         kernel = np.zeros(self.size)
         kernel[:count] = row
         kernel[self.size - count + 1 :] = row[:0:-1]
         self.kernel = fft.rfft(kernel)
         q = 2.0 * math.pi * np.arange(self.kernel.size) / (self.size * spacing)
         self.inverse = q + 1.0 / length
+        if below is not None:
+            self.inverse = self.inverse / below.whole(self.inverse)
 
     def times(self, content: Array) -> Array:
         """Return K times each row."""
@@ -98,7 +108,13 @@ class _LogKernel:
 
 
 def press_line(
-    places: Array, heights: Array, force: float, *, tilt: float = 0.0, moment: float = math.nan
+    places: Array,
+    heights: Array,
+    force: float,
+    *,
+    tilt: float = 0.0,
+    moment: float = math.nan,
+    below: Below | None = None,
 ) -> PressedLine:
     """Solve the contact.
 
@@ -114,6 +130,8 @@ def press_line(
         theta, if no moment is given.
     moment
         2 M / E* [m^2] about x = 0; NaN where the tilt is prescribed.
+    below
+        The layers below the surface; none of a half-plane.
 
     Raises
     ------
@@ -132,21 +150,23 @@ def press_line(
             active = np.repeat(active, 2)[: x.size]
             active = np.append(active, np.full(x.size - active.size, bool(active[-1]))) & np.isfinite(f)
         try:
-            pressed = _pressed(x, f, force, tilt, moment, active)
+            pressed = _pressed(x, f, force, tilt, moment, active, below)
         except NotConverged:
             if part == slice(None):
                 if math.isnan(moment):
                     raise
-                return _balanced(x, f, force, moment, np.isfinite(f))
+                return _balanced(x, f, force, moment, np.isfinite(f), below)
             active = np.isfinite(f)
             continue
         active = pressed.pressure > 0.0
     return pressed
 
 
-def _pressed(x: Array, f: Array, force: float, tilt: float, moment: float, active: Array) -> PressedLine:
+def _pressed(
+    x: Array, f: Array, force: float, tilt: float, moment: float, active: Array, below: Below | None
+) -> PressedLine:
     spacing = float(x[-1] - x[0]) / (x.size - 1)
-    grid, body = _LogKernel(x.size, spacing), np.isfinite(f)
+    grid, body = _LogKernel(x.size, spacing, below), np.isfinite(f)
     free = not math.isnan(moment)
     rows = np.array([np.ones(x.size), np.where(body, f, 0.0) - (0.0 if free else tilt) * x, x])[: 3 if free else 2]
     span = float(np.ptp(rows[1][body])) or spacing
@@ -179,7 +199,7 @@ def _pressed(x: Array, f: Array, force: float, tilt: float, moment: float, activ
     )
 
 
-def _balanced(x: Array, f: Array, force: float, moment: float, active: Array) -> PressedLine:
+def _balanced(x: Array, f: Array, force: float, moment: float, active: Array, below: Below | None) -> PressedLine:
     """Return the profile under the tilt with which its pressures bear the moment, sought between prescribed tilts."""
     from scipy.optimize import brentq
 
@@ -189,9 +209,9 @@ def _balanced(x: Array, f: Array, force: float, moment: float, active: Array) ->
     def pressed(tilt: float) -> PressedLine:
         nonlocal touched
         try:
-            found = _pressed(x, f, force, tilt, math.nan, touched)
+            found = _pressed(x, f, force, tilt, math.nan, touched, below)
         except NotConverged:
-            found = _pressed(x, f, force, tilt, math.nan, active)
+            found = _pressed(x, f, force, tilt, math.nan, active, below)
         touched = found.pressure > 0.0
         return found
 
@@ -217,7 +237,7 @@ def _solved(grid: _LogKernel, active: Array, right: Array, start: Array) -> Arra
     r = goal - np.where(active, grid.times(p), 0.0)
     along, before = np.zeros(p.shape), np.ones(len(p))
     for _ in range(MOST_ITERATIONS):
-        open_rows = np.linalg.norm(r, axis=1) > bound
+        open_rows = np.linalg.norm(r, axis=1) > np.maximum(bound, grid.rounding * np.linalg.norm(p, axis=1))
         if not open_rows.any():
             return p
         z = np.where(active, grid.smoothed_back(r), 0.0)

@@ -17,9 +17,9 @@ from winkler.numerics.fields.strip_potential import StripTerms
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots, equations, moved, nodes_of
 from winkler.numerics.types import Array
 
-__all__ = ["Examined", "bent_slope", "examined", "gaps", "refined"]
+__all__ = ["Examined", "examined", "gaps", "refined"]
 
-FIRST_TERMS, MOST_TERMS, MOST_UNKNOWNS = 12, 400, 2600
+FIRST_TERMS, MOST_TERMS, MOST_UNKNOWNS, MOST_LOADS = 12, 400, 2600, 12000
 TAIL = 3e-13
 """Last terms of a series over the greatest term of all, that count as none."""
 STEPS, SETTLED, LEFT = 40, 1e-13, 1e-9
@@ -71,11 +71,11 @@ def refined(
     """
     terms = [_terms(curve, start, end) for start, end in edges]
     while True:
-        _affordable(terms)
         strips = tuple(
             StripTerms(start, end, np.zeros(count), corners=curve.inside(start, end))
             for (start, end), count in zip(edges.tolist(), terms, strict=True)
         )
+        _affordable(curve, strips)
         spots = _begun(curve, Spots(strips, pinned, tilt), force, moment)
         spots = _newton(curve, spots, force, moment)
         most = max(max(float(np.max(np.abs(strip.series))), strip.force / strip.half) for strip in spots.strips)
@@ -89,9 +89,11 @@ def refined(
         edges, tilt = np.array([[strip.start, strip.end] for strip in spots.strips]), spots.tilt
 
 
-def _affordable(terms: list[int]) -> None:
-    if sum(terms) + 2 * len(terms) > MOST_UNKNOWNS:
-        raise NotConverged(f"{len(terms)} strips need more than {MOST_UNKNOWNS} numbers")
+def _affordable(curve: LineCurve, strips: tuple[StripTerms, ...]) -> None:
+    if sum(strip.series.size + 2 for strip in strips) > MOST_UNKNOWNS:
+        raise NotConverged(f"{len(strips)} strips need more than {MOST_UNKNOWNS} numbers")
+    if curve.below is not None and sum(curve.below.count(strip) for strip in strips) > MOST_LOADS:
+        raise NotConverged(f"{len(strips)} strips on so thin layers need more than {MOST_LOADS} line loads")
 
 
 def _terms(curve: LineCurve, start: float, end: float) -> int:
@@ -195,16 +197,14 @@ def _share(spots: Spots, step: Array) -> float:
     return float(np.min(shares))
 
 
-def bent_slope(spots: Spots, x: Array) -> Array:
-    """Return Re F of all strips on the surface."""
-    return np.asarray(sum(strip.potential(x + 0.0j).real for strip in spots.strips))
-
-
 def gaps(curve: LineCurve, spots: Spots, x: Array) -> Array:
     """Return the distance of the deformed surfaces at places beside the strips."""
     reference = np.array([spots.strips[0].start])
     at = np.concatenate([reference, x])
-    raised = sum(strip.raised(at) for strip in spots.strips)
+    raised = np.asarray(sum(strip.raised(at) for strip in spots.strips))
+    if curve.below is not None:
+        loads = [curve.below.loads(strip) for strip in spots.strips]
+        raised = raised + np.sum([curve.below.raised(at, one.places) @ one.loads for one in loads], axis=0)
     level = curve.height(at) - spots.tilt * at - raised
     return np.asarray(level[1:] - level[0])
 
@@ -221,6 +221,7 @@ def examined(curve: LineCurve, spots: Spots, places: Array) -> Examined:
     """
     tension, most, residual, steepest = 0.0, 0.0, 0.0, _steepest(curve, spots)
     covered = np.zeros(places.shape, dtype=bool)
+    below = [] if curve.below is None else [curve.below.loads(strip) for strip in spots.strips]
     for j, strip in enumerate(spots.strips):
         covered |= (places >= strip.start) & (places <= strip.end)
         t = np.cos(math.pi * (np.arange(2 * strip.series.size + 9) + 0.3) / (2 * strip.series.size + 9.0))
@@ -234,6 +235,8 @@ def examined(curve: LineCurve, spots: Spots, places: Array) -> Examined:
             (other.potential(x + 0.0j).real for i, other in enumerate(spots.strips) if i != j), np.zeros(x.shape)
         )
         slope = curve.slope(x) - spots.tilt - others - own.real
+        if curve.below is not None:
+            slope = slope - np.sum([curve.below.slope(x, one.places) @ one.loads for one in below], axis=0)
         residual = max(residual, float(np.max(np.abs(slope[finite]))))
     beside = places[~covered]
     apart = gaps(curve, spots, beside) if beside.size else np.zeros(1)

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.fields.strip_potential import StripTerms, in_circle, powers
+from winkler.numerics.fields.strips_below import Below, loads_of
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["LineCurve", "Spots", "equations", "moved", "nodes_of"]
@@ -34,11 +35,14 @@ class LineCurve(NamedTuple):
         f and f', at corners that on the right.
     corners
         (place, jump of the slope, jump of the curvature), (k, 3).
+    below
+        The layers below the surface; none of a half-plane.
     """
 
     height: Curve
     slope: Curve
     corners: Array
+    below: Below | None = None
 
     def inside(self, start: float, end: float) -> Array:
         """Return the corners between two places."""
@@ -165,6 +169,15 @@ def equations(curve: LineCurve, spots: Spots, force: float, moment: float) -> tu
             slopes[balance, column] = pushed
             if free:
                 slopes[balance + 1, column] = turned
+    if curve.below is not None:
+        bent, steeper, beside, heights = (
+            one + other
+            for one, other in zip(
+                (bent, steeper, beside, heights),
+                _of_layers(curve, spots, curve.below, places, edges, columns, slopes[:last], by_edge),
+                strict=True,
+            )
+        )
     left[:last] -= bent
     for j in range(m):  # the places move with the edges
         mine, first = slice(int(rows[j]), int(rows[j + 1])), int(columns[j]) + strips[j].series.size
@@ -180,6 +193,52 @@ def equations(curve: LineCurve, spots: Spots, force: float, moment: float) -> tu
         slopes[:last, -1] = -1.0
         slopes[last:balance, -1] = edges[:-1, 1] - edges[1:, 0]
     return left, slopes
+
+
+def _of_layers(
+    curve: LineCurve,
+    spots: Spots,
+    below: Below,
+    places: Array,
+    edges: Array,
+    columns: Array,
+    slopes: Array,
+    by_edge: Array,
+) -> tuple[Array, Array, Array, Array]:
+    """Add the layers to the derivatives; return their slopes, the slopes of these, and slopes and heights at edges."""
+    ends, bent, steeper = edges.ravel(), np.zeros(places.size), np.zeros(places.size)
+    beside, raised = np.zeros(ends.size), np.zeros(ends.size)
+    for j, strip in enumerate(spots.strips):
+        first, count = int(columns[j]), strip.series.size
+        loads = below.loads(strip)
+        t = (loads.places - strip.middle) / strip.half
+        slope, curvature = below.slope(places, loads.places), below.curvature(places, loads.places)
+        at_ends, sunk = below.slope(ends, loads.places), below.raised(ends, loads.places)
+        bent += slope @ loads.loads
+        steeper += curvature @ loads.loads
+        beside -= at_ends @ loads.loads
+        raised -= sunk @ loads.loads
+        angle = np.arccos(t)
+        changed = np.zeros((t.size, count + 2))  # line loads by the unknowns
+        changed[:, :count] = (
+            np.sin(np.outer(angle, np.arange(1, count + 1))) * (np.sin(angle) * math.pi * strip.half / t.size)[:, None]
+        )
+        for side, sign in ((0, -1.0), (1, 1.0)):
+            if spots.pinned[j, side]:
+                changed[:, count + side] = math.pi * strip.half / t.size * (1.0 + sign * t)
+                continue
+            step = DIFFERENCE * strip.half
+            wider, narrower = (
+                loads_of(_with_edges(curve, strip, *(edges[j] + move)), t.size).loads
+                for move in (step * np.eye(2)[side], -step * np.eye(2)[side])
+            )
+            changed[:, count + side] = (wider - narrower) / (2.0 * step)
+            moved_loads = 0.5 * (1.0 + sign * t) * loads.loads  # with the places on the strip
+            slopes[:, first + count + side] += curvature @ moved_loads
+            by_edge[:, first + count + side] += at_ends @ moved_loads
+        slopes[:, first : first + count + 2] -= slope @ changed
+        by_edge[:, first : first + count + 2] -= sunk @ changed
+    return bent, steeper, beside.reshape(edges.shape), raised.reshape(edges.shape)
 
 
 def _raised_powers(strip: StripTerms, x: Array, count: int) -> Array:

@@ -31,6 +31,7 @@ __all__ = [
     "kernel_precision",
     "on_axis",
     "scaled_response",
+    "sine_transform",
     "transform",
     "wave_numbers",
 ]
@@ -202,19 +203,31 @@ def transform(response: WaveResponse, end: float) -> Panels:
     return _stretched(own, octave, unit)
 
 
+def sine_transform(response: WaveResponse, end: float) -> Panels:
+    r"""Return :math:`\frac2\pi\int M(\xi)\sin(\xi x)\,\mathrm d\xi` as `transform` returns C(x).
+
+    Raises
+    ------
+    NotConverged
+        As of `transform`.
+    """
+    own, unit = in_own_lengths(response)
+    return _stretched(own, max(0, math.ceil(math.log2(end / unit / own.length))), unit, odd=True)
+
+
 @cached_by_value(256)
-def _stretched(response: WaveResponse, octave: int, unit: float) -> Panels:
-    """Return C(x) with x in m, of a response in units of a length [m]."""
-    panels = _joined(response, octave)
+def _stretched(response: WaveResponse, octave: int, unit: float, odd: bool = False) -> Panels:
+    """Return C(x), or the transform of sines, with x in m, of a response in units of a length [m]."""
+    panels = _joined(response, octave, odd)
     return panels if unit == 1.0 else Panels(panels.edges * unit, panels.coefficients / unit)
 
 
 @cached_by_value(256)
-def _joined(response: WaveResponse, octave: int) -> Panels:
-    last = _octave(response, octave)
+def _joined(response: WaveResponse, octave: int, odd: bool) -> Panels:
+    last = _octave(response, octave, odd)
     if octave == 0:
         return last
-    before = _joined(response, octave - 1)
+    before = _joined(response, octave - 1, odd)
     return Panels(
         np.concatenate([before.edges, last.edges[1:]]), np.concatenate([before.coefficients, last.coefficients])
     )
@@ -276,16 +289,19 @@ def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
 
 
 @cached_by_value(1024)
-def _octave(response: WaveResponse, octave: int) -> Panels:
+def _octave(response: WaveResponse, octave: int, odd: bool) -> Panels:
     high = response.length * 2.0**octave
     low = 0.5 * high if octave else 0.0
+    turned = -1j if odd else 1.0  # sin y is the real part of -i exp(iy)
     xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)
+    weights = turned * weights
     size = float(np.sum(np.abs(weights * np.exp(1j * xi * low))))
     precision = kernel_precision(response)
     floor = max(ROUNDING_RATIO, LEAST_RESPONSE * precision) / high
     if octave:
         x = np.array([low])
-        misfit = float(np.abs(_sum(xi, weights, x) - _sum(*_path(response, low, low, PATH_ANGLES[1]), x))[0])
+        check, others = _path(response, low, low, PATH_ANGLES[1])
+        misfit = float(np.abs(_sum(xi, weights, x) - _sum(check, turned * others, x))[0])
         if misfit > AGREEMENT_RATIO * precision * size + 100.0 * floor:
             raise NotConverged(
                 f"The kernel of the stack is not resolved at {low:.3g} m: two paths differ by {misfit / size:.1e}; "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Elastic, Rigid
-from winkler.media.layered.plane_interior import PlaneWaves, added_stresses
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves, added_stresses
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
 from winkler.numerics.types import Array
@@ -21,6 +22,7 @@ from winkler.values import value, words
 __all__ = [
     "LayerStress",
     "greatest_within",
+    "in_layers",
     "layer_stresses",
     "layered_fields",
     "waves_for_search",
@@ -99,8 +101,42 @@ def layered_fields(
     friction : float
         Traction on the body along x over the pressure [-].
     """
-    medium = bed.layered
+
+    def own(across: Array, deep: Array, poisson: float) -> LineFields:
+        return stresses(LineContact(bed, *strip, poisson, friction), across, deep)
+
+    def waves_below(farthest: float) -> PlaneWaves:
+        return bed.waves_below(*strip, farthest) if waves is None else waves
+
     bed.refuse_dragged(friction)
+    return in_layers(bed.layered, own, waves_below, x, z, below, friction)
+
+
+def in_layers(
+    medium: PlaneLayers,
+    own: Callable[[Array, Array, float], LineFields],
+    waves_below: Callable[[float], PlaneWaves],
+    x: Array,
+    z: Array,
+    below: bool,
+    friction: float,
+) -> LineFields:
+    """Return the stresses of one pressure at places of one shape, z as requested.
+
+    Parameters
+    ----------
+    medium : PlaneLayers
+    own
+        Of the half-plane that carries the surface: takes places, depths [m] and Poisson's ratio.
+    waves_below
+        Takes the farthest place [m], and returns the pressure as waves.
+    x, z : ndarray
+        [m].
+    below : bool
+        In the layered body.
+    friction : float
+        Traction on the body along x over the pressure [-].
+    """
     x, z = np.broadcast_arrays(x, z)
     across, deep = x.ravel(), np.abs(z).ravel()
     top = medium.layers[0].thickness if below else math.inf
@@ -108,11 +144,10 @@ def layered_fields(
     upper = deep <= top
     if upper.any():
         body = medium.layers[0].solid if below else medium.second
-        own = stresses(LineContact(bed, *strip, _isotropic(body, below), friction), across[upper], deep[upper])
-        parts[:, upper] = own.xx_stress, own.yy_stress, own.zz_stress, own.xz_stress
+        found = own(across[upper], deep[upper], _isotropic(body, below))
+        parts[:, upper] = found.xx_stress, found.yy_stress, found.zz_stress, found.xz_stress
     if below and across.size:
-        if waves is None:
-            waves = bed.waves_below(*strip, float(np.max(np.abs(across))))
+        waves = waves_below(float(np.max(np.abs(across))))
         parts += added_stresses(medium, waves, across, deep)
         if friction != 0.0:
             parts += friction * added_stresses(medium, waves, across, deep, dragged=True)

@@ -1,9 +1,11 @@
-r"""Sections that touch a half-plane in several strips, which do not repeat: rough, wavy, tilted, side by side.
+r"""Sections that touch half-planes or layers in several strips, which do not repeat: rough, wavy, tilted, side by side.
 
 .. math:: h(x) = f(x) - \theta x - C - \frac2{\pi E^*}\int p(s)\ln|x-s|\,\mathrm ds , \qquad
           p \ge 0, \; h \ge 0, \; p\,h = 0 , \qquad P = \int p\,\mathrm dx , \quad M = \int p\,x\,\mathrm dx .
 
-The constant C follows from the force, the tilt is prescribed, or follows from the line of action of the force.
+The constant C follows from the force, the tilt is prescribed, or follows from the line of action of the force.  On
+layers what the waves of their response add, :math:`\frac2{\pi E^*}\int\frac Mk\cos k(x-s)\,\mathrm dk`, stands beside
+the logarithm.
 """
 
 from __future__ import annotations
@@ -18,13 +20,13 @@ from winkler.checks.number_checks import Advice, Whole
 from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import LineForce, LineOfAction, Tilt
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.pressing_load import pressing
-from winkler.problems.line.stress import InBody, LineFields, fields_of, one_coefficient, poisson_of
+from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line_strips.profile_notes import profile_notes
+from winkler.problems.line_strips.strip_fields import LineMedium, layers_below, strip_fields
 from winkler.problems.line_strips.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
@@ -39,14 +41,15 @@ STRAIGHT = Tilt(0.0)
 
 @value
 class LineProfileContact:
-    """A section, stated or measured, pressed on a half-plane, in plane strain: it may touch in many strips.
+    """A section, stated or measured, pressed on a half-plane or layers, in plane strain: it may touch in many strips.
 
     Parameters
     ----------
     section : CylinderRow, PunchRow, MirroredSection, FormulaSection or MeasuredSection
         The gap between the undeformed bodies across their length.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace or PlaneMedium
+        Both bodies: homogeneous, or one of them in layers, bonded or sliding, or graded with depth, such as a
+        CoatedHalfSpace, StackedHalfSpace, SlidingFilm or DepthGradedHalfSpace.
     load : LineForce
         The force per length; its value may be an array, the results then have its shape.
     alignment : Tilt or LineOfAction, optional
@@ -62,7 +65,7 @@ class LineProfileContact:
     References
     ----------
     I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1;
-    K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7 and 13.2, doi:10.1017/CBO9781139171731
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7, 5.8 and 13.2, doi:10.1017/CBO9781139171731
 
     Examples
     --------
@@ -85,7 +88,7 @@ class LineProfileContact:
     )
 
     section: AnySection
-    medium: Annotated[HomogeneousMedium, Advice("the half-plane of a line contact is known on no other")]
+    medium: Annotated[LineMedium, Advice("strips are known on no other")]
     load: LineForce
     alignment: Tilt | LineOfAction = STRAIGHT
     elements: Annotated[int, Whole(64, 20000, "elements")] = 2048
@@ -136,7 +139,9 @@ class LineProfileContact:
             return None
         tilt, action = self._aligned
         action = action if isinstance(self.alignment, LineOfAction) else math.nan
-        return find_strips(self.section, Pushed(self.medium.modulus, force, tilt, action, self.elements))
+        layered = layers_below(self.medium)
+        response = None if layered is None else layered.response
+        return find_strips(self.section, Pushed(self.medium.modulus, force, tilt, action, self.elements, response))
 
 
 @value
@@ -269,9 +274,7 @@ class LineProfileSolution:
         found = self._one("stresses")
         if found is None:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        deep = np.abs(depth)
-        body = InBody(poisson_of(self.problem.medium, below), friction)
-        return dataclasses.replace(fields_of(place, deep, *found.potential(place, deep), body), z=depth)
+        return strip_fields(self.problem.medium, found, place, depth, below, friction)
 
     def at(self, index: int | tuple[int, ...]) -> LineProfileSolution:
         """Return the solution of one load of an array.

@@ -1,17 +1,19 @@
-"""Validity of the contact of a section: half-planes, section, strips, slopes, yield."""
+"""Validity of the contact of a section: half-planes or layers, section, strips, slopes, yield."""
 
 from __future__ import annotations
 
 import math
+from typing import cast
 
 import numpy as np
 
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves
 from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
-from winkler.problems.line.stress import InBody, fields_of
+from winkler.problems.line.layered_notes import WAVES
+from winkler.problems.line_strips.strip_fields import LineMedium, layers_below, middle_of, strip_fields, strip_waves
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
@@ -21,6 +23,7 @@ from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["profile_notes"]
 
+HALF_PLANES = Standing.EXACT, "Homogeneous, linear elastic half-planes in plane strain under normal load"
 FLAMANT = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7, doi:10.1017/CBO9781139171731"
 FINE, COARSE = 0.02, 0.1
 """Change from half as many elements up to which results count as fine, and as coarse."""
@@ -31,9 +34,7 @@ PLACES, DEPTHS, FINEST_DEPTH = 25, 21, 1e-3
 WIDTHS_SEARCHED, DEEPEST_SEARCHED = 1.5, 2.5
 
 
-def profile_notes(
-    section: Section, medium: HomogeneousMedium, found: FoundStrips | None, error: float
-) -> tuple[Note, ...]:
+def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | None, error: float) -> tuple[Note, ...]:
     """Return what was assumed of a section, and how well its strips are known.
 
     Parameters
@@ -45,12 +46,15 @@ def profile_notes(
     error
         The greatest `strip_error` of all loads.
     """
+    layered = layers_below(medium)
+    standing, body = HALF_PLANES if layered is None else layered.response.first.in_plane
     response = Note(
         Assumption.RESPONSE,
-        Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain under normal load: all strips press on each "
-        "other; the ends of a body of finite length and thickness are not included.",
-        FLAMANT,
+        standing,
+        f"{body}: all strips press on each other; the ends of a body of finite length and thickness are not included."
+        if layered is None
+        else f"{body}; all strips press on each other, and the ends of a body of finite length are not included.",
+        FLAMANT if layered is None else WAVES,
     )
     if found is None:
         apart = "The bodies do not touch under this load."
@@ -63,8 +67,8 @@ def profile_notes(
         resolution = Note(Assumption.RESOLUTION, Standing.EXACT, text, "a-posteriori check between the nodes")
     else:
         text = (
-            "The strips are made of even elements: by an element of each strip, or by what changes from half as many, "
-            f"contact length and greatest pressure may be off by up to {100.0 * error:.2g} per cent."
+            "The strips are made of even elements: by those at the edges of each strip, or by what changes from half "
+            f"as many, contact length and greatest pressure may be off by up to {100.0 * error:.2g} per cent."
             if math.isfinite(error)
             else "The strips are made of even elements; half as many find no contact to compare with."
         )
@@ -87,12 +91,12 @@ def _sharp(found: FoundStrips) -> bool:
     return not math.isfinite(float(np.max(found.peaks)))
 
 
-def _yield_notes(medium: HomogeneousMedium, found: FoundStrips) -> tuple[Note, ...]:
+def _yield_notes(medium: LineMedium, found: FoundStrips) -> tuple[Note, ...]:
     """Return whether the body that comes nearest to its strength stays elastic."""
     parts = strong_parts(medium)
     if not parts:
         return ()
-    places = [(_greatest(found, part), part) for part in parts]
+    places = [(_greatest(medium, found, part), part) for part in parts]
     place, part = max(places, key=lambda one: one[0].value / one[1].solid.strength)
     share = place.value / part.solid.strength
     level, beyond = share_of(share, part), "" if share < 1.0 else ": the result is not elastic"
@@ -114,20 +118,29 @@ def _yield_notes(medium: HomogeneousMedium, found: FoundStrips) -> tuple[Note, .
     return (Note(Assumption.ELASTIC, standing if share < 1.0 else Standing.OUTSIDE, text, MISES),)
 
 
-def _greatest(found: FoundStrips, part: StrongPart) -> Placed:
-    """Return the greatest von Mises stress below the strips of the greatest pressures or forces."""
+def _greatest(medium: LineMedium, found: FoundStrips, part: StrongPart) -> Placed:
+    """Return the greatest von Mises stress of a part below the strips of the greatest pressures or forces."""
     edges = found.edges
     level = found.peaks if not _sharp(found) else found.forces / np.diff(edges, axis=1)[:, 0]
+    searched = [edges[index] for index in np.argsort(-level)[:MOST_STRESSED]]
+    if part.top > 0.0 and len(edges) > 1:
+        searched.append(edges[[0, -1], [0, 1]])  # deep down all strips press as one
     best = Placed(0.0, 0.0, 0.0)
-    for index in np.argsort(-level)[:MOST_STRESSED]:
-        middle, half = float(np.mean(edges[index])), 0.5 * float(np.diff(edges[index])[0])
+    for ends in searched:
+        middle, half = float(np.mean(ends)), 0.5 * float(np.diff(ends)[0])
         shallow = half * (AWAY if _sharp(found) or not found.refined else FINEST_DEPTH)
-        x = middle + half * WIDTHS_SEARCHED * np.linspace(-1.0, 1.0, PLACES)
-        z = np.geomspace(shallow, DEEPEST_SEARCHED * half, DEPTHS)
-        body = InBody(part.solid.poisson)
+        spread = math.hypot(half, part.top)
+        x = middle + spread * WIDTHS_SEARCHED * np.linspace(-1.0, 1.0, PLACES)
+        deepest = min(DEEPEST_SEARCHED * spread, part.bottom - part.top)
+        z = part.top + np.geomspace(min(shallow, 0.5 * deepest), deepest, DEPTHS)
+        waves = None
+        if layers_below(medium) is not None and part.first:
+            farthest = float(np.max(np.abs(x - middle_of(found))))
+            waves = strip_waves(cast(PlaneLayers, medium), found, farthest)
 
-        def stress(across: Array, down: Array, body: InBody = body) -> Array:
-            return fields_of(across, down, *found.potential(across, down), body).von_mises
+        def stress(across: Array, down: Array, waves: PlaneWaves | None = waves) -> Array:
+            depth = down if part.first else -down
+            return strip_fields(medium, found, across, depth, part.first, waves=waves).von_mises
 
         top = highest(stress, [x, z])
         best = max(best, Placed(top.value, *top.place), key=lambda one: one.value)
