@@ -9,6 +9,7 @@ others.  Deeper layers lie at least h below the load and need no such help.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -118,14 +119,8 @@ def wave_states(
     dragged : bool
         Whether the traction on the surface is not a pressure but along the wave.
     """
-    supports = [support for support, _ in climbed(layers, on, xi)]
+    supports, arrived = _arrived(layers, on, xi.tobytes(), dragged)
     tops = np.concatenate([[0.0], bottoms])
-    surface = np.zeros((xi.size, 2, 1))
-    surface[:, 0 if dragged else 1] = -1.0
-    arrived = [surface]
-    for layer, support in zip(layers, supports, strict=True):
-        x = xi * layer.thickness
-        arrived.append(_matrices(crossing(constants_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
     index_of = np.searchsorted(bottoms, depths)
     most = max(1, PAIRS_PER_CHUNK // (8 * max(xi.size, 1)))
     for index in np.unique(index_of):
@@ -154,6 +149,22 @@ def wave_states(
             for depth, moves, loads in zip(part, displacement, traction, strict=True):
                 (end,) = reaching(layers, on, bottoms, np.array([depth]), xi)
                 yield float(depth), WaveState(moves / constants.shear, loads, solid), end
+
+
+@functools.lru_cache(maxsize=4)
+def _arrived(
+    layers: tuple[AnyLayer, ...], on: Body, wave_numbers: bytes, dragged: bool
+) -> tuple[list[Support], list[Array]]:
+    """Return what lies below each layer, and the tractions on its upper face and on the base per traction of 1."""
+    xi = np.frombuffer(wave_numbers)
+    supports = [support for support, _ in climbed(layers, on, xi)]
+    surface = np.zeros((xi.size, 2, 1))
+    surface[:, 0 if dragged else 1] = -1.0
+    arrived = [surface]
+    for layer, support in zip(layers, supports, strict=True):
+        x = xi * layer.thickness
+        arrived.append(_matrices(crossing(constants_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
+    return supports, arrived
 
 
 def reaching(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array) -> list[int]:
