@@ -18,23 +18,25 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import Annotated, ClassVar, NamedTuple, cast
+from collections.abc import Callable
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, Positive
+from winkler.checks.number_checks import Advice, Positive
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
-from winkler.foundation.line_bed import LineBed
+from winkler.foundation.line import LineFoundation, ZonedBed
+from winkler.foundation.line_bed import LineBed, Zone
 from winkler.foundation.periodic import from_line
 from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, turns, twists
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import GradedBody
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, PlaneWaves, plane_waves
+from winkler.media.layered.plane_interior import PlaneWaves, plane_waves
 from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
+from winkler.media.offers import LayerStack, PlaneMedium, offers
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
@@ -165,6 +167,7 @@ class LayeredLineFoundation(LineBed):
     punches_push: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
+        LineBed.__post_init__(self)
         _ = self.half_plane
 
     @property
@@ -175,10 +178,10 @@ class LayeredLineFoundation(LineBed):
     @property
     def layered_body(self) -> Layered:
         """The layered body, as what it answers to waves."""
-        return cast(PlaneMedium, self.medium).response.first
+        return self.medium.response.first
 
     @property
-    def layered(self) -> PlaneLayers:
+    def layered(self) -> LayerStack:
         """The medium, if it has layers.
 
         Raises
@@ -189,7 +192,8 @@ class LayeredLineFoundation(LineBed):
         self._refuse_grading(
             "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading"
         )
-        return cast(PlaneLayers, self.medium)
+        assert offers(self.medium, LayerStack)
+        return self.medium
 
     def _refuse_grading(self, why: str) -> None:
         if isinstance(self.layered_body, GradedBody):
@@ -208,10 +212,6 @@ class LayeredLineFoundation(LineBed):
     def own_transforms(self, half_width: Array, k: Array) -> Array:
         """Return the transforms of the half-planes' pressures over E* [m] at wave numbers k [1/m] ``(a, k)``."""
         return transforms(self.half_plane, half_width, k)
-
-    def beside(self, half_width: float) -> tuple[Array, Array]:
-        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
-        return np.zeros(0), np.zeros(0)
 
     def repeated(self, profile: Profile, pitch: float) -> PeriodicLayers:
         """Return the bed of strips at a pitch [m], as of `LineFoundation.repeated`."""
@@ -263,33 +263,23 @@ class LayeredLineFoundation(LineBed):
 
     def load_profile(self, half_width: Array) -> Array:
         """Return the load per length over E* of the uppermost layer [m]."""
-        half_width = np.asarray(half_width, dtype=float)
-        result = self.half_plane.load_profile(half_width)
-        touching = half_width > 0.0
-        if touching.any():
-            result[touching] += _responses(self, half_width[touching]).closing[:, 0]
-        return result
+        own = self.half_plane.load_profile(half_width)
+        return _touching(half_width, own, lambda a, own: own + _responses(self, a).closing[:, 0])
 
     def load_profile_slope(self, half_width: Array) -> Array:
         """Return its derivative by the half-width [-]."""
-        half_width = np.asarray(half_width, dtype=float)
-        result = self.half_plane.load_profile_slope(half_width)
-        touching = half_width > 0.0
-        if touching.any():
-            found = _responses(self, half_width[touching])
-            order = np.arange(found.closing.shape[1])
-            inner = 2.0 / half_width[touching] * (found.closing @ order**2)
-            result[touching] = (result[touching] - inner) / np.sum(found.punch, axis=1)
-        return result
+
+        def widened(a: Array, own: Array) -> Array:
+            found = _responses(self, a)
+            return np.asarray((own - _edge_fall(found.closing, a)) / np.sum(found.punch, axis=1))
+
+        return _touching(half_width, self.half_plane.load_profile_slope(half_width), widened)
 
     def edge_share(self, half_width: Array) -> Array:
         """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
         self._refuse_sticking_grading()
-        half_width = np.asarray(half_width, dtype=float)
-        result, touching = np.ones(half_width.shape), half_width > 0.0
-        if touching.any():
-            result[touching] = np.sum(_responses(self, half_width[touching]).punch, axis=1)
-        return result
+        ones = np.ones(np.shape(half_width))
+        return _touching(half_width, ones, lambda a, _: np.sum(_responses(self, a).punch, axis=1))
 
     def edge_share_slope(self, half_width: Array) -> Array:
         """Return its derivative by the half-width [1/m].
@@ -298,11 +288,15 @@ class LayeredLineFoundation(LineBed):
         half-plane's, -k J_1(ka), the layers take away what closes at the edge.
         """
         self._refuse_sticking_grading()
-        half_width = np.asarray(half_width, dtype=float)
-        result, touching = np.zeros(half_width.shape), half_width > 0.0
-        if touching.any():
-            result[touching] = _edge_slopes(self, half_width[touching])
-        return result
+        from scipy.special import j1
+
+        def widened(a: Array, _: Array) -> Array:
+            punch = _responses(self, a).punch
+            none = np.zeros(a.size)  # the waves of no grading, which alone ask for slopes
+            added = strip_responses(self.medium.response, a, lambda a, k: -k * j1(a[:, None] * k), none)
+            return np.asarray(_edge_fall(punch, a) - np.sum(punch, axis=1) ** 2 * added.closing[:, 0])
+
+        return _touching(half_width, np.zeros(np.shape(half_width)), widened)
 
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedLayers:
         """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
@@ -503,10 +497,13 @@ class LayeredLineFoundation(LineBed):
         x = half_width + (end - half_width) * PLACES_BESIDE
         return x, self.separation(x, half_width, 0.0)
 
+    def mode_transforms(self, half_width: float, count: int, k: Array) -> Array:
+        """Return the cosine transforms of so many modes that each bear one, at wave numbers k [1/m] ``(n, k)``."""
+        return np.asarray(signs(count)[:, None] * bessel_rows(k * half_width, count))
+
     def transform(self, k: Array, carried: Carried) -> Array:
         """Return the cosine transform of a pressure over E* [m] at wave numbers k [1/m]."""
-        rows = bessel_rows(k * carried.half_width, carried.modes.size)
-        found = (carried.modes * signs(carried.modes.size)) @ rows
+        found = carried.modes @ self.mode_transforms(carried.half_width, carried.modes.size, k)
         if carried.own is None:
             found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
         return np.asarray(found)
@@ -618,13 +615,9 @@ class PeriodicLayers(LayeredLineFoundation):
             )
         )
 
-    def transform(self, k: Array, carried: Carried) -> Array:
-        """Return the transform of a pressure over E* [m] at the waves `discrete`."""
-        rows = self.rows(np.array([carried.half_width]), carried.modes.size, k.size)[0]
-        found = carried.modes @ rows
-        if carried.own is None:
-            found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
-        return np.asarray(found)
+    def mode_transforms(self, half_width: float, count: int, k: Array) -> Array:
+        """Return the transforms of so many modes that each bear one, at the waves `discrete`."""
+        return self.rows(np.array([half_width]), count, k.size)[0]
 
     def sunk(self, x: Array, carried: Carried) -> Array:
         """Return by how much less the layers below let the surface sink at places u >= a [m] than at the edge."""
@@ -646,22 +639,8 @@ class PeriodicLayers(LayeredLineFoundation):
 
 
 @value
-class ZonedLayers(LayeredLineFoundation):
-    """A line contact on layers, and the attraction beside one strip of it.
-
-    Parameters
-    ----------
-    strength : float
-        The stress sigma_0 [Pa].
-    contact, outer : float
-        a and c [m].
-    """
-
-    __words__ = ZONE_WORDS
-
-    strength: Positive
-    contact: NonNegative
-    outer: Positive
+class ZonedLayers(Zone, LayeredLineFoundation):
+    """A line contact on layers, and the attraction beside one strip of it."""
 
     def __post_init__(self) -> None:
         LayeredLineFoundation.__post_init__(self)
@@ -719,12 +698,10 @@ def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength:
     (strips,) = np.nonzero(half_width > 0.0)
     if strips.size:
         found = strip_responses(response, half_width[strips], pressed, np.zeros(strips.size))
-        order = np.arange(found.closing.shape[1])
-        added = np.zeros((2, half_width.size, order.size))
+        added = np.zeros((2, half_width.size, found.closing.shape[1]))
         added[:, strips] = found
         load = load + added[0, :, 0]
-        inner = 2.0 / half_width[strips] * (found.closing @ order**2)
-        edge[strips] = (edge[strips] - inner) / np.sum(found.punch, axis=1)
+        edge[strips] = (edge[strips] - _edge_fall(found.closing, half_width[strips])) / np.sum(found.punch, axis=1)
         for i in strips:
             gap[i] -= lowered(added[0, i], float(half_width[i]), outer[i : i + 1])[0]
             closing[i] += lowered(added[1, i], float(half_width[i]), outer[i : i + 1])[0]
@@ -740,14 +717,17 @@ def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength:
     return EndedZones(gap, load, edge, closing)
 
 
-def _edge_slopes(bed: LayeredLineFoundation, half_width: Array) -> Array:
-    from scipy.special import j1
+def _touching(half_width: Array, alone: Array, found: Callable[[Array, Array], Array]) -> Array:
+    """Return `alone`, and where strips have a width [m] what is found of that and of `alone`."""
+    there, result = half_width > 0.0, np.array(alone)
+    if there.any():
+        result[there] = found(half_width[there], result[there])
+    return result
 
-    punch = _responses(bed, half_width).punch
-    share, order = np.sum(punch, axis=1), np.arange(punch.shape[1])
-    none = np.zeros(half_width.size)  # the waves of no grading, which alone ask for slopes
-    widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k), none)
-    return np.asarray(2.0 / half_width * (punch @ order**2) - share**2 * widened.closing[:, 0])
+
+def _edge_fall(modes: Array, half_width: Array) -> Array:
+    """Return how steeply loads of modes ``(a, n)`` fall at the edges of strips, over a flat punch of one [1/m]."""
+    return np.asarray(2.0 / half_width * (modes @ np.arange(modes.shape[1]) ** 2))
 
 
 @functools.lru_cache(maxsize=16)

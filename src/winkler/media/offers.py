@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol, TypeGuard, TypeVar
 
-from winkler.checks.contract import keeps
+from winkler.checks.contract import keeps, offered
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.medium import Displacement, Medium
@@ -18,16 +18,13 @@ from winkler.numerics.types import Array, Curve
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.materials.depth_grading import DepthGrading
     from winkler.media.interior.shear_field_punch import ShearField
-    from winkler.numerics.pixels.layered import GridResponse
-    from winkler.numerics.transforms.cosine_transform import SurfaceResponse
-
-    class GridWaves(SurfaceResponse, GridResponse, Protocol):
-        """A response to a load, on a disc and on pixels."""
-
+    from winkler.media.layered.stack import PairWaves
+    from winkler.numerics.transforms.cosine_transform import WaveResponse
 
 __all__ = [
     "GradedInDepth",
     "LayerStack",
+    "PlaneMedium",
     "PowerOfDepth",
     "PressedWaves",
     "PushedWaves",
@@ -91,7 +88,7 @@ class PressedWaves(Medium, Protocol):
         ...
 
     @property
-    def response(self) -> GridWaves:
+    def response(self) -> PairWaves:
         """The response of the pair to a pressure."""
         ...
 
@@ -104,7 +101,7 @@ class TwistedWaves(PressedWaves, TwistModuli, Protocol):
     """The responses of layers to a pressure and to a twist."""
 
     @property
-    def across_response(self) -> GridWaves:
+    def across_response(self) -> PairWaves:
         """The response of the pair to shear across its wave, and to a twist."""
         ...
 
@@ -113,7 +110,7 @@ class PushedWaves(TwistedWaves, Protocol):
     """The responses of layers to all loads: rings may slide around the axis, or along the surface."""
 
     @property
-    def tangential_response(self) -> GridWaves:
+    def tangential_response(self) -> PairWaves:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
         ...
 
@@ -123,7 +120,7 @@ class PushedWaves(TwistedWaves, Protocol):
         ...
 
     @property
-    def turning_response(self) -> GridWaves:
+    def turning_response(self) -> PairWaves:
         """Of a shear load, the part that turns with twice the angle between it and the wave."""
         ...
 
@@ -144,8 +141,50 @@ class PushedWaves(TwistedWaves, Protocol):
         ...
 
 
-class LayerStack(Protocol):
-    """Layers on a half-space or a rigid base, against a homogeneous body."""
+@offered(
+    "a medium of layers or graded with depth, such as CoatedHalfSpace(layers, on) or DepthGradedHalfSpace(grading)"
+)
+class PlaneMedium(Protocol):
+    """A body whose moduli depend on the depth alone, against a homogeneous body, by its response to plane waves."""
+
+    @property
+    def second(self) -> Elastic | TransverselyIsotropic | Rigid:
+        """The other body."""
+        ...
+
+    @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m]: of all layers together."""
+        ...
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the other body."""
+        ...
+
+    @property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
+        ...
+
+    @property
+    def response(self) -> PairWaves:
+        """Of the pair to a pressure."""
+        ...
+
+    @property
+    def along_response(self) -> PairWaves:
+        """Of the pair to shear along its wave; refused where it does not reach the base."""
+        ...
+
+    @property
+    def coupling_response(self) -> WaveResponse:
+        """Of the first body: how much farther than its uppermost layer alone a pressure draws its surface along."""
+        ...
+
+
+class LayerStack(PlaneMedium, Protocol):
+    """Layers on a half-space or a rigid base, bonded or sliding on each other, against a homogeneous body."""
 
     @property
     def layers(self) -> tuple[Layer | StackLayer, ...]:
@@ -160,21 +199,6 @@ class LayerStack(Protocol):
     @property
     def on(self) -> Elastic | TransverselyIsotropic | Rigid:
         """What carries them."""
-        ...
-
-    @property
-    def second(self) -> Elastic | TransverselyIsotropic | Rigid:
-        """The other body."""
-        ...
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa] of the uppermost layer and the other body."""
-        ...
-
-    @property
-    def thickness(self) -> float:
-        """Of all layers together [m]."""
         ...
 
     @property

@@ -29,7 +29,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from typing import ClassVar, Protocol
+from typing import ClassVar
 
 import numpy as np
 
@@ -43,11 +43,10 @@ from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
 from winkler.media.layered.pair_response import CouplingResponse, Mode, PairResponse
-from winkler.media.layered.stack import StackBody
+from winkler.media.layered.stack import PairWaves, StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
-from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
 from winkler.numerics.transforms.odd_response import OddResponse
@@ -61,41 +60,37 @@ __all__ = ["CoatedHalfSpace", "LayeredMedium", "SlidingFilm", "StackMedium", "St
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
-class PressedResponse(SurfaceResponse, GridResponse, Protocol):
-    """A response to pressures."""
-
-
 class LayeredMedium:
     """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Body
 
-    def responding(self, mode: Mode) -> PressedResponse:
+    def responding(self, mode: Mode) -> PairWaves:
         """The response of the pair to a load."""
         raise NotImplementedError
 
     @functools.cached_property
-    def response(self) -> PressedResponse:
+    def response(self) -> PairWaves:
         """The response of the pair to a pressure."""
         return self.responding(Mode.NORMAL)
 
     @functools.cached_property
-    def tangential_response(self) -> PressedResponse:
+    def tangential_response(self) -> PairWaves:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
         return self.responding(Mode.TANGENTIAL)
 
     @functools.cached_property
-    def along_response(self) -> PressedResponse:
+    def along_response(self) -> PairWaves:
         """The response of the pair to shear along its wave."""
         return self.responding(Mode.ALONG)
 
     @functools.cached_property
-    def across_response(self) -> PressedResponse:
+    def across_response(self) -> PairWaves:
         """The response of the pair to shear across its wave, and to a twist."""
         return self.responding(Mode.ACROSS)
 
     @functools.cached_property
-    def turning_response(self) -> PressedResponse:
+    def turning_response(self) -> PairWaves:
         """Of a shear load, the part that turns with twice the angle between it and the wave."""
         return self.responding(Mode.TURNING)
 

@@ -23,9 +23,9 @@ import numpy as np
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.media.layered.coated_interior import wave_states
-from winkler.media.layered.plane_interior import PlaneLayers
 from winkler.media.layered.sheared_interior import across_states
 from winkler.media.layered.wave_constants import constants_of
+from winkler.media.offers import LayerStack
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array
@@ -62,7 +62,7 @@ class MapInLayers:
 
     Parameters
     ----------
-    medium : PlaneLayers
+    medium : LayerStack
         Layers on their base.
     pressure : ndarray, (n, n)
         [Pa], even along both axes, n even.
@@ -70,7 +70,7 @@ class MapInLayers:
         (dx, dy) [m].
     """
 
-    def __init__(self, medium: PlaneLayers, pressure: Array, pixel: tuple[float, float]) -> None:
+    def __init__(self, medium: LayerStack, pressure: Array, pixel: tuple[float, float]) -> None:
         self.medium, self.pressure, self.pixel = medium, pressure, pixel
         self.bottoms = np.cumsum([layer.thickness for layer in medium.layers])
         half = pressure.shape[0] // 2
