@@ -28,7 +28,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.foundation.periodic import from_line
-from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, turns, twists
+from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, risen, turns, twists
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
@@ -38,6 +38,7 @@ from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
 from winkler.media.offers import LayerStack, PlaneMedium, offers
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
@@ -72,7 +73,6 @@ __all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
-PAIRS_PER_CHUNK = 1_000_000
 MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
 """Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
 LEAST_NODES = 12
@@ -382,9 +382,7 @@ class LayeredLineFoundation(LineBed):
         found = waves(response, int(octaves(response, away[-1:])[0]))
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
         near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
-        step = max(1, PAIRS_PER_CHUNK // found.k.size)
-        half = [np.sin(0.5 * np.outer(away[i : i + step], found.k)) for i in range(0, away.size, step)]
-        felt = near - np.concatenate([part**2 @ (2.0 * found.weights * evened) for part in half])
+        felt = near - wave_sums(risen, away, found.k, found.weights * evened)
         plain = LineBed.hat_compliance(self, count, spacing, reference)
         return np.asarray(plain + 2.0 / np.pi * self.along_share * spacing * felt)
 
@@ -515,9 +513,7 @@ class LayeredLineFoundation(LineBed):
         found = waves(response, int(octaves(response, extent)[0]))
         weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
         at_edge = float(np.cos(found.k * carried.half_width) @ weights)
-        step = max(1, PAIRS_PER_CHUNK // found.k.size)
-        parts = [np.cos(np.outer(x[i : i + step], found.k)) @ weights for i in range(0, x.size, step)]
-        return np.asarray(at_edge - np.concatenate(parts))
+        return at_edge - wave_sums(np.cos, x, found.k, weights)
 
 
 @value
@@ -593,7 +589,6 @@ class PeriodicLayers(LayeredLineFoundation):
         """Return what the layers add under strips [m]."""
         found = self.discrete
         whole = found.k.size + 1 + TAIL  # no wave has more modes
-        step = max(1, PAIRS_PER_CHUNK // whole)
 
         def settled(a: Array) -> StripResponse:
             octave = max(0.0, float(np.log2(np.max(a) / self.medium.response.length)))
@@ -606,7 +601,7 @@ class PeriodicLayers(LayeredLineFoundation):
             strips = Strips(from_line(a, self.pitch), np.abs(pressed[:, 0]), equation)
             return settled_strips(strips, first, rounding, whole)
 
-        parts = [settled(half_width[i : i + step]) for i in range(0, half_width.size, step)]
+        parts = [settled(half_width[some]) for some in chunks(half_width.size, whole)]
         most = max(part.closing.shape[1] for part in parts)
         return StripResponse(
             *(
@@ -617,7 +612,7 @@ class PeriodicLayers(LayeredLineFoundation):
 
     def mode_transforms(self, half_width: float, count: int, k: Array) -> Array:
         """Return the transforms of so many modes that each bear one, at the waves `discrete`."""
-        return self.rows(np.array([half_width]), count, k.size)[0]
+        return np.asarray(self.rows(np.array([half_width]), count, k.size)[0])
 
     def sunk(self, x: Array, carried: Carried) -> Array:
         """Return by how much less the layers below let the surface sink at places u >= a [m] than at the edge."""
@@ -670,8 +665,7 @@ def _of_punches(widths: Array, loads: Array, k: Array) -> Array:
     """Return the transforms of flat punches that bear loads ``(a, n)`` [m] at wave numbers ``(a, k)``."""
     from scipy.special import j0
 
-    step = max(1, PAIRS_PER_CHUNK // (widths.shape[1] * k.size))
-    parts = (slice(start, start + step) for start in range(0, widths.shape[0], step))
+    parts = chunks(widths.shape[0], widths.shape[1] * k.size)
     return np.concatenate([np.einsum("akn,an->ak", j0(widths[i, None, :] * k[:, None]), loads[i]) for i in parts])
 
 

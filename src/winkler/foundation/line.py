@@ -30,13 +30,14 @@ from __future__ import annotations
 import functools
 import math
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import Advice
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.wave_constants import Body
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -105,14 +106,14 @@ class LineFoundation(LineBed):
         return shape.curvature_radius if isinstance(shape, Paraboloid) else math.inf
 
     @property
-    def surfaces(self) -> tuple[Any, Any]:
+    def surfaces(self) -> tuple[Body, Body]:
         """The two bodies."""
-        return self.medium.first, self.medium.second  # type: ignore[attr-defined]
+        return self.medium.first, self.medium.second
 
     @property
-    def strained(self) -> Any:
+    def strained(self) -> Body:
         """The first body, which a bulk stress strains."""
-        return self.medium.first  # type: ignore[attr-defined]
+        return self.surfaces[0]
 
     def half_width(self, load: Array) -> Array | None:
         """Return the half-widths [m] under loads per length over E* [m], of a parabolic cylinder."""

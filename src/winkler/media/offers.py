@@ -74,23 +74,27 @@ class PowerOfDepth(TwistModuli, Protocol):
         ...
 
 
-class PressedWaves(Medium, Protocol):
-    """Layers, or a grading down to some depth, by their response to waves of pressure."""
+class ByWaves(Protocol):
+    """A body whose moduli depend on the depth alone, against a homogeneous body, by its response to waves."""
 
     @property
     def modulus(self) -> float:
-        """E* [Pa] of the surface and the other body."""
+        """E* [Pa] of the surface, or the uppermost layer, and the other body."""
         ...
 
     @property
     def thickness(self) -> float:
-        """Depth below which nothing changes any more [m]."""
+        """Depth below which nothing changes any more [m]: of all layers together."""
         ...
 
     @property
     def response(self) -> PairWaves:
         """The response of the pair to a pressure."""
         ...
+
+
+class PressedWaves(ByWaves, Medium, Protocol):
+    """Layers, or a grading down to some depth, by their response to waves of pressure."""
 
     def transformed_slope(self, imprint: Displacement) -> Curve:
         """Return h'(x) [-] as a function of 0 <= x <= a (`winkler.media.body_of`)."""
@@ -144,8 +148,8 @@ class PushedWaves(TwistedWaves, Protocol):
 @offered(
     "a medium of layers or graded with depth, such as CoatedHalfSpace(layers, on) or DepthGradedHalfSpace(grading)"
 )
-class PlaneMedium(Protocol):
-    """A body whose moduli depend on the depth alone, against a homogeneous body, by its response to plane waves."""
+class PlaneMedium(ByWaves, Protocol):
+    """The responses of such a body to plane waves."""
 
     @property
     def second(self) -> Elastic | TransverselyIsotropic | Rigid:
@@ -153,23 +157,8 @@ class PlaneMedium(Protocol):
         ...
 
     @property
-    def thickness(self) -> float:
-        """Depth below which nothing changes any more [m]: of all layers together."""
-        ...
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa] of the uppermost layer and the other body."""
-        ...
-
-    @property
     def along_modulus(self) -> float:
         """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
-        ...
-
-    @property
-    def response(self) -> PairWaves:
-        """Of the pair to a pressure."""
         ...
 
     @property

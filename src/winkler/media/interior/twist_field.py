@@ -17,13 +17,14 @@ Twist and normal load do not act on each other, whatever the bodies.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.media.layered.wave_constants import constants_of
+from winkler.media.medium import Displacement
 from winkler.numerics.integrals.bisected_quadrature import refined
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
@@ -51,31 +52,8 @@ HALVINGS, HALVED = 40, 0.05
 """Places towards the axis at which a slope is examined; by how much it may miss half of that at the last one."""
 
 
-class Twisted(Protocol):
-    """The load h(x) = q(x)/x [Pa] of twisted springs, in contact up to `radius`."""
-
-    @property
-    def radius(self) -> float:
-        """A [m]."""
-        ...
-
-    @property
-    def edge(self) -> float:
-        """h(a-) [Pa]; zero where the contact closes smoothly."""
-        ...
-
-    @property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)``: just above x the slope of h holds -strength / sqrt(x^2 - x_kink^2)."""
-        ...
-
-    def value(self, x: Array) -> Array:
-        """h(x) [Pa] for 0 < x <= a."""
-        ...
-
-    def slope(self, x: Array) -> Array:
-        """h'(x) [Pa/m] for 0 < x < a."""
-        ...
+class Twisted(Displacement, Protocol):
+    """The load h(x) = q(x)/x [Pa] of twisted springs as if it were a displacement; `value` is given for x > 0 only."""
 
 
 class TwistBelow(NamedTuple):
@@ -91,12 +69,9 @@ def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[floa
 
     For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
     """
-    if isinstance(body, Elastic):
-        return body.shear, 1.0
     if isinstance(body, Rigid):
         raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
-    c66 = 0.5 * (body.c11 - body.c12)
-    return math.sqrt(body.c44 * c66), math.sqrt(c66 / body.c44)
+    return constants_of(body).impedance
 
 
 def twist_traction(twisted: Twisted, r: Array) -> Array:

@@ -42,7 +42,7 @@ from winkler.media.layered import coated_interior, coated_load, flat_punch, punc
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
-from winkler.media.layered.pair_response import CouplingResponse, Mode, PairResponse
+from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import PairWaves, StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
@@ -94,13 +94,10 @@ class LayeredMedium:
         """Of a shear load, the part that turns with twice the angle between it and the wave."""
         return self.responding(Mode.TURNING)
 
-    @property
+    @functools.cached_property
     def coupling_response(self) -> WaveResponse:
         """By how much farther pressures draw the first surface along than on a half-space of what lies at it."""
-        raise OutsideValidity(
-            f"{type(self).__name__}: how far a pressure draws its surface along is not known to winkler; leave the "
-            "coupling out, or give layers."
-        )
+        return self.responding(Mode.COUPLING)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
@@ -303,7 +300,7 @@ class StackMedium(LayeredMedium):
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load: to a twist and a pressure, if a layer slides."""
         slides = next((number for number, layer in enumerate(self.stack, 1) if not layer.bonded), 0)
-        if not slides or mode is Mode.NORMAL:
+        if not slides or mode in (Mode.NORMAL, Mode.COUPLING):
             return PairResponse(mode, StackBody(self.stack, self.on), self.second)
         if mode is Mode.ACROSS:
             return FloatingAcross(mode, StackBody(self.stack[:slides], RIGID), self.second)
@@ -312,19 +309,14 @@ class StackMedium(LayeredMedium):
             "that under a push it slides away; give layers that are bonded."
         )
 
-    @functools.cached_property
-    def coupling_response(self) -> CouplingResponse:
-        """By how much farther pressures draw the first surface along than on a half-space of the uppermost layer."""
-        return CouplingResponse(self.responding(Mode.NORMAL))
-
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
-        return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
+        return coated_interior.field(load, StackBody(self.stack, self.on), self.modulus, r, z)
 
     def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
         """Stresses and displacements under a traction along +x: that of a load times a modulus; no layer slides."""
         _ = self.tangential_response
-        return sheared_interior.field(load, self.stack, self.on, modulus, x, y, z)
+        return sheared_interior.field(load, StackBody(self.stack, self.on), modulus, x, y, z)
 
 
 def _stiffness(response: SurfaceResponse, radius: Array) -> Array:

@@ -24,11 +24,11 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Rigid
-from winkler.media.layered.coated_interior import WaveState, wave_states
+from winkler.media.layered.coated_interior import WaveState, refuse_base, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
-from winkler.media.layered.wave_constants import constants_of
+from winkler.media.layered.stack import StackBody
 from winkler.media.offers import LayerStack
+from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.types import Array
 
@@ -38,7 +38,6 @@ FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0
 MOST_WAVES = 200_000
-PAIRS_PER_CHUNK = 1_000_000
 
 
 class PlaneWaves(NamedTuple):
@@ -95,32 +94,23 @@ def added_stresses(medium: LayerStack, waves: PlaneWaves, x: Array, z: Array, *,
     OutsideValidity
         If a point lies in a rigid base.
     """
-    bottoms = np.cumsum([layer.thickness for layer in medium.layers])
-    if isinstance(medium.on, Rigid) and np.any(z > bottoms[-1]):
-        raise OutsideValidity(
-            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request places in them."
-        )
+    body = StackBody(medium.stack, medium.on)
+    refuse_base(body, z)
     result = np.zeros((4, x.size))
-    for depth, state, end in wave_states(medium.stack, medium.on, bottoms, np.unique(z), waves.k, dragged=dragged):
+    for depth, state, end in wave_states(body, np.unique(z), waves.k, dragged=dragged):
         (members,) = np.nonzero(z == depth)
         result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members], dragged)
     return result
 
 
 def _superposed(state: WaveState, waves: PlaneWaves, x: Array, dragged: bool) -> Array:
-    end, solid = waves.k.size, constants_of(state.solid)
-    strain = solid.shear * state.moved[:end, 0] * waves.weights
-    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
-    along = solid.plane * strain + solid.lateral * axial
-    even = np.stack([along, along - 2.0 * solid.twist * strain, axial])
+    *even, shear, _, _ = state.weighted(waves.weights)
     result = np.empty((4, x.size))
-    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
-    for start in range(0, x.size, step):
-        part = slice(start, start + step)
+    for part in chunks(x.size, waves.k.size):
         phase = np.outer(waves.k, x[part])
         cosine, sine = np.cos(phase), np.sin(phase)
         if dragged:
             cosine, sine = -sine, cosine
-        result[:3, part] = even @ cosine
+        result[:3, part] = np.stack(even) @ cosine
         result[3, part] = shear @ sine
     return result

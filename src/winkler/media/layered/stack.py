@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple, Protocol
 
@@ -21,7 +22,7 @@ from winkler.media.layered.wave_constants import (
 )
 from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse
-from winkler.numerics.types import ComplexArray
+from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
@@ -83,6 +84,11 @@ class StackBody:
 
     layers: tuple[AnyLayer, ...]
     on: Body
+
+    @functools.cached_property
+    def bottoms(self) -> Array:
+        """Depths of the lower faces of the layers [m]."""
+        return np.cumsum([layer.thickness for layer in self.layers])
 
     @property
     def top(self) -> Body:

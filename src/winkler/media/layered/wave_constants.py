@@ -90,6 +90,12 @@ class WaveConstants(NamedTuple):
         return self.product / (0.5 * self.total + root.real)
 
     @property
+    def impedance(self) -> tuple[float, float]:
+        """sqrt(C44 C66) [Pa] of waves across, and sqrt(C66 / C44), by which depths count more than isotropic ones."""
+        steep = math.sqrt(self.twist)
+        return self.shear * steep, steep
+
+    @property
     def half_space(self) -> Four:
         """C44 Y0."""
         p, q, n, c = self.total, self.product, self.lateral, self.plane
@@ -169,7 +175,7 @@ def half_space_compliance(body: Body, part: Wave) -> float:
         return 0.0
     constants = constants_of(body)
     if part is Wave.ACROSS:
-        return 0.5 / (constants.shear * math.sqrt(constants.twist))
+        return 0.5 / constants.impedance[0]
     compliance = 0.5 / (constants.plane * constants.shear)
     if part is Wave.COUPLING:
         return compliance * (constants.product - constants.lateral)

@@ -96,20 +96,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         spans = [body.span for body in (self.first, self.second) if isinstance(body, ViscoelasticSolid)]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
-    @property
-    def modulus(self) -> float:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    @property
-    def shear_modulus(self) -> float:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    @property
-    def torsional_modulus(self) -> float:
-        """There is none that would hold at all times."""
-        raise self.timeless()
+    modulus = shear_modulus = torsional_modulus = along_modulus = property(RelaxingMedium._changing)
 
     notes = (
         Note(

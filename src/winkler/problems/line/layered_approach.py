@@ -29,6 +29,7 @@ from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated_interior import wave_states
 from winkler.media.layered.depth_response import GradedBody
+from winkler.media.layered.stack import StackBody
 from winkler.media.offers import PlaneMedium
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.transforms.strips.strip_equation import LOCAL_PHASE, excess_at
@@ -148,10 +149,9 @@ def _moved_first(bed: LayeredLineFoundation, k: Array, depth: float) -> Array:
         body = bed.layered_body
         if isinstance(body, GradedBody):
             return depth_interior.sunk(body.grading, body.tolerance, k, depth)
-        medium = bed.layered
-        bottoms = np.cumsum([layer.thickness for layer in medium.layers])
-        at = np.array([np.nextafter(max(depth, float(bottoms[-1])), math.inf)])
-        for _, state, end in wave_states(medium.stack, medium.on, bottoms, at, k):
+        stack = StackBody(bed.layered.stack, bed.layered.on)
+        at = np.array([np.nextafter(max(depth, float(stack.bottoms[-1])), math.inf)])
+        for _, state, end in wave_states(stack, at, k):
             moved[:end] = state.moved[:end, 1]
     return moved
 
