@@ -178,7 +178,8 @@ class LayeredLineFoundation(LineBed):
     @property
     def layered_body(self) -> Layered:
         """The layered body, as what it answers to waves."""
-        return self.medium.response.first
+        body: Layered = self.medium.response.first
+        return body
 
     @property
     def layered(self) -> LayerStack:

@@ -20,8 +20,7 @@ from winkler.profiles.profile import Profile
 from winkler.validity import Note
 from winkler.values import value, words
 
-if TYPE_CHECKING:  # beds of half-planes and layers are made of this one
-    from winkler.foundation.line import LineFoundation
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.media.layered.plane_interior import PlaneWaves
     from winkler.media.offers import LayerStack
 
@@ -105,7 +104,7 @@ class LineBed:
             )
 
     @property
-    def half_plane(self) -> LineFoundation:
+    def half_plane(self) -> LineBed:
         """The same profile on half-planes of what carries the surface: a bed of which all is known in closed form."""
         raise NotImplementedError
 
@@ -286,6 +285,10 @@ class LineBed:
         Its `load_profile` is still that of the profile alone, on half-planes.
         """
         raise NotImplementedError
+
+    def zone_start(self, half_width: Array, reach: float, strength: float) -> Array:
+        """Return at least how far an attraction with a range `reach` [m] goes on beside strips, the span l [m]."""
+        return self.half_plane.zone_start(half_width, reach, strength)
 
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
         """Return the distance of the surfaces [m] where a constant attraction beside strips ends, and its slope.

@@ -17,7 +17,6 @@ from winkler.checks.contract import offered
 from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
-from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel
@@ -39,9 +38,11 @@ class HomogeneousMedium:
     second: Any
     """The bodies: this class knows the moduli of elastic ones, isotropic or transversely isotropic, and rigid ones."""
 
-    def _compliance(self, part: Wave) -> float:
-        """Return what both answer to waves, times xi / 2 [1/Pa]."""
-        return half_space_compliance(self.first, part) + half_space_compliance(self.second, part)
+    def _compliance(self, part: str) -> float:
+        """Return what both answer to waves of a name, times xi / 2 [1/Pa]."""
+        from winkler.media.layered.wave_constants import Wave, half_space_compliance  # not loaded for isotropic bodies
+
+        return sum(half_space_compliance(body, Wave[part]) for body in (self.first, self.second))
 
     def _refuse_rigid(self, elastic: str) -> None:
         if isinstance(self.first, Rigid) and isinstance(self.second, Rigid):
@@ -49,29 +50,23 @@ class HomogeneousMedium:
 
     @functools.cached_property
     def modulus(self) -> float:
-        """E* [Pa]; of isotropic bodies 1/E* = sum of (1 - nu^2) / E."""
-        return 1.0 / self._compliance(Wave.NORMAL)
+        """E* [Pa]."""
+        return 1.0 / self._compliance("NORMAL")
 
     @functools.cached_property
     def shear_modulus(self) -> float:
-        """G* [Pa]; of isotropic bodies 1/G* = sum of (2 - nu) / (4 G)."""
-        return 2.0 / (self._compliance(Wave.ALONG) + self._compliance(Wave.ACROSS))
+        """G* [Pa]."""
+        return 2.0 / (self._compliance("ALONG") + self._compliance("ACROSS"))
 
     @functools.cached_property
     def torsional_modulus(self) -> float:
-        """G_t [Pa], 1/G_t = sum of 1/G, or of 1/sqrt(C44 C66)."""
-        return 0.5 / self._compliance(Wave.ACROSS)
+        """G_t [Pa], 1/G_t = sum of 1/sqrt(C44 C66)."""
+        return 0.5 / self._compliance("ACROSS")
 
     @functools.cached_property
     def along_modulus(self) -> float:
-        """m_L [Pa] of shear along a wave, as in plane strain; E* of isotropic bodies."""
-        return 1.0 / self._compliance(Wave.ALONG)
-
-    @property
-    def mismatch(self) -> float:
-        """Dundurs' second constant beta [-]; zero for elastically similar bodies."""
-        first, second = (half_space_compliance(body, Wave.COUPLING) for body in (self.first, self.second))
-        return self.modulus * (first - second)
+        """m_L [Pa] of shear along a wave, as in plane strain."""
+        return 1.0 / self._compliance("ALONG")
 
     @property
     def notes(self) -> tuple[Note, ...]:
@@ -171,6 +166,39 @@ class HalfSpace(HomogeneousMedium):
     def between(cls, first: Solid, second: Solid = RIGID) -> HalfSpace:
         """Return the medium between two bodies; the second is rigid unless given."""
         return cls(first, second)
+
+    @property
+    def _elastic(self) -> list[Elastic]:
+        return [body for body in (self.first, self.second) if isinstance(body, Elastic)]
+
+    @functools.cached_property
+    def modulus(self) -> float:
+        """E* [Pa], 1/E* = sum of (1 - nu^2) / E."""
+        return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in self._elastic)
+
+    @functools.cached_property
+    def shear_modulus(self) -> float:
+        """G* [Pa], 1/G* = sum of (2 - nu) / (4 G)."""
+        return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in self._elastic)
+
+    @functools.cached_property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa], 1/G_t = sum of 1/G."""
+        return 1.0 / sum(1.0 / body.shear for body in self._elastic)
+
+    @functools.cached_property
+    def along_modulus(self) -> float:
+        """m_L [Pa]: E*."""
+        return self.modulus
+
+    @property
+    def mismatch(self) -> float:
+        """Dundurs' second constant beta [-]; zero for elastically similar bodies."""
+        first, second = (
+            (1.0 - 2.0 * body.poisson) / body.shear if isinstance(body, Elastic) else 0.0
+            for body in (self.first, self.second)
+        )
+        return self.modulus * 0.25 * (first - second)
 
     notes = (
         Note(

@@ -7,7 +7,7 @@ only raises `OutsideValidity` with the reason, as the push of layers of which on
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Protocol, TypeGuard, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, TypeVar
 
 from winkler.checks.contract import keeps, offered
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
@@ -18,8 +18,17 @@ from winkler.numerics.types import Array, Curve
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.materials.depth_grading import DepthGrading
     from winkler.media.interior.shear_field_punch import ShearField
-    from winkler.media.layered.stack import PairWaves
-    from winkler.numerics.transforms.cosine_transform import WaveResponse
+    from winkler.numerics.pixels.layered import GridResponse
+    from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
+
+    class PairWaves(SurfaceResponse, GridResponse, Protocol):
+        """The response of two bodies to a load, on a disc and on pixels; the second is a homogeneous half-space."""
+
+        @property
+        def first(self) -> Any:
+            """The body that is not homogeneous, as `winkler.media.layered.stack.Layered`."""
+            ...
+
 
 __all__ = [
     "GradedInDepth",

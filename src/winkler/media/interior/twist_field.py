@@ -21,9 +21,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.media.layered.wave_constants import constants_of
+from winkler.errors import InvalidInput
 from winkler.media.medium import Displacement
 from winkler.numerics.integrals.bisected_quadrature import refined
 from winkler.numerics.transforms import abel
@@ -34,7 +32,6 @@ __all__ = [
     "Twisted",
     "clean_slope",
     "twist_below",
-    "twist_constants",
     "twist_displacement",
     "twist_traction",
 ]
@@ -62,16 +59,6 @@ class TwistBelow(NamedTuple):
     hoop_displacement: Array
     axial_twist_stress: Array
     radial_twist_stress: Array
-
-
-def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[float, float]:
-    """Return the modulus [Pa] of a twist, and by how much depths count more than distances along the surface.
-
-    For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
-    """
-    if isinstance(body, Rigid):
-        raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
-    return constants_of(body).impedance
 
 
 def twist_traction(twisted: Twisted, r: Array) -> Array:
@@ -150,7 +137,7 @@ def twist_below(twisted: Twisted, r: Array, z: Array, modulus: float, stretch: f
     r, z : ndarray
         Distance from the axis and depth below the surface [m], broadcast; r not negative, z positive.
     modulus, stretch : float
-        What `twist_constants` returns for the body.
+        As `winkler.media.layered.wave_constants.twist_constants` of the body.
 
     Returns
     -------

@@ -29,7 +29,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -43,7 +43,7 @@ from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
 from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.stack import PairWaves, StackBody
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
@@ -54,6 +54,9 @@ from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+
+if TYPE_CHECKING:
+    from winkler.media.offers import PairWaves
 
 __all__ = ["CoatedHalfSpace", "LayeredMedium", "SlidingFilm", "StackMedium", "StackedHalfSpace"]
 

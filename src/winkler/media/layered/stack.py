@@ -20,13 +20,11 @@ from winkler.media.layered.wave_constants import (
     in_plane_share,
     stiffness_scale,
 )
-from winkler.numerics.pixels.layered import GridResponse
-from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
-__all__ = ["Layered", "PairWaves", "StackBody", "rounded"]
+__all__ = ["Layered", "StackBody", "rounded"]
 
 
 class Layered(Protocol):
@@ -58,15 +56,6 @@ class Layered(Protocol):
     @property
     def unit(self) -> tuple[float, float]:
         """Modulus [Pa] and length [m] of what lies at the surface, in which other bodies may be the same."""
-        ...
-
-
-class PairWaves(SurfaceResponse, GridResponse, Protocol):
-    """The response of two bodies to a load, on a disc and on pixels; the second is a homogeneous half-space."""
-
-    @property
-    def first(self) -> Layered:
-        """The body that is not homogeneous."""
         ...
 
 

@@ -26,6 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.blocks import Four
 from winkler.numerics.types import ComplexArray
@@ -38,6 +39,7 @@ __all__ = [
     "half_space_compliance",
     "in_plane_share",
     "stiffness_scale",
+    "twist_constants",
 ]
 
 Body = TransverselyIsotropic | Elastic | Rigid
@@ -164,6 +166,16 @@ def constants_of(solid: Elastic | TransverselyIsotropic) -> WaveConstants:
     split = 0.25 * (mean + c13) * (mean - c13 - 2.0 * c44) / ratio  # (p^2 - 4 q) / 4 without a difference of squares
     plane = (mean - c13) * (mean + c13) / ratio
     return WaveConstants(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
+
+
+def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[float, float]:
+    """Return the modulus [Pa] of a twist, and by how much depths count more than distances along the surface.
+
+    For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
+    """
+    if isinstance(body, Rigid):
+        raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
+    return constants_of(body).impedance
 
 
 def half_space_compliance(body: Body, part: Wave) -> float:
