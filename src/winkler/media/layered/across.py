@@ -17,7 +17,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.materials.elastic import Rigid
-from winkler.media.layered.climb import LEAST_WAVE, AnyLayer
+from winkler.media.layered.climb import AnyLayer
+from winkler.media.layered.faces import LEAST_WAVE
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 

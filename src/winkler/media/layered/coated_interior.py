@@ -18,7 +18,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import subsurface
-from winkler.media.layered.blocks import Four, add, scaled, stacked, times
+from winkler.media.layered.blocks import Four, add, scaled, times
 from winkler.media.layered.climb import Support, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.hankel_waves import HankelWaves, RadialWaves, reach_of, waves_of
@@ -134,12 +134,12 @@ def wave_states(
     layers, on, bottoms = body.layers, body.on, body.bottoms
     supports = [support for support, _ in climbed(layers, on, xi)]
     tops = np.concatenate([[0.0], bottoms])
-    surface = np.zeros((xi.size, 2, 1))
+    surface = np.zeros((xi.size, 2))
     surface[:, 0 if dragged else 1] = -1.0
     arrived = [surface]
     for layer, support in zip(layers, supports, strict=True):
         x = xi * layer.thickness
-        arrived.append(_matrices(crossing(constants_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
+        arrived.append(_applied(crossing(constants_of(layer.solid), support, x, x).loaded, arrived[-1], 1)[0])
     index_of = np.searchsorted(bottoms, depths)
     for index in np.unique(index_of):
         (members,) = np.nonzero(index_of == index)
@@ -175,8 +175,8 @@ def reaching(body: StackBody, depths: Array, xi: Array) -> list[int]:
 
 
 def _applied(four: Four, arrived: Array, count: int) -> Array:
-    """Return what matrices of several depths ``(count * m,)`` make of the tractions ``(m, 2, 1)``."""
-    shear, axial = arrived[:, 0, 0], arrived[:, 1, 0]
+    """Return what matrices of several depths ``(count * m,)`` make of the tractions ``(m, 2)``."""
+    shear, axial = arrived.T
     a, b, c, d = (np.reshape(np.broadcast_to(entry, (count * shear.size,)), (count, shear.size)) for entry in four)
     return np.stack([a * shear + b * axial, c * shear + d * axial], axis=-1)
 
@@ -195,10 +195,6 @@ def _passed(body: StackBody, depth: float) -> float:
     return sum(
         passed * min(constants_of(solid).slowest, math.sqrt(constants_of(solid).twist)) for passed, solid in above
     )
-
-
-def _matrices(four: Four, like: Array) -> Array:
-    return np.asarray(stacked(tuple(np.broadcast_to(entry, like.shape) for entry in four)))  # type: ignore[arg-type]
 
 
 def superposed(state: WaveState, waves: HankelWaves, radial: RadialWaves, r: Array, end: int) -> Array:

@@ -150,9 +150,11 @@ def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
             result[2, members] = profile.gap_integral(flat[members])
             continue
         steep = flat[members] > _table_end(profile)
-        for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
-            if chosen.size:
-                result[:, chosen] = moments(response, profile, int(octave), flat[chosen])
+        if steep.any():
+            panels = punch_tables.tables(response, int(octave))[-1].panels
+            result[:, members[steep]] = _integrated(response, profile, flat[members[steep]], panels)
+        if not steep.all():
+            result[:, members[~steep]] = _octave(response, profile, int(octave))(flat[members[~steep]])
     return result.reshape(3, *x.shape)
 
 
@@ -165,14 +167,6 @@ def _table_end(profile: Profile) -> float:
     with np.errstate(divide="ignore", invalid="ignore"):
         slope = float(profile.gap_slope(np.array([end]))[0])
     return end if math.isfinite(slope) else 0.97 * end
-
-
-def _tabulated(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
-    return _octave(response, profile, octave)(a)
-
-
-def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
-    return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
 
 
 @cached_by_value(512)
