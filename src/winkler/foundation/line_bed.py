@@ -42,12 +42,10 @@ class PressedPair(Protocol):
     @property
     def modulus(self) -> float:
         """E* of both surfaces [Pa]."""
-        ...
 
     @property
     def along_modulus(self) -> float:
         """m_L of both surfaces [Pa], of shear along the strip's width; refused where shear does not reach the base."""
-        ...
 
 
 @value

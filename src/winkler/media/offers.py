@@ -27,7 +27,6 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
         @property
         def first(self) -> Any:
             """The body that is not homogeneous, as `winkler.media.layered.stack.Layered`."""
-            ...
 
 
 __all__ = [
@@ -56,12 +55,10 @@ class TwistModuli(Medium, Protocol):
     @property
     def modulus(self) -> float:
         """E* [Pa]."""
-        ...
 
     @property
     def torsional_modulus(self) -> float:
         """G_t [Pa]."""
-        ...
 
 
 class PowerOfDepth(TwistModuli, Protocol):
@@ -70,17 +67,14 @@ class PowerOfDepth(TwistModuli, Protocol):
     @property
     def exponent(self) -> float:
         """k [-]."""
-        ...
 
     @property
     def depth_scale(self) -> float:
         """c_0 [m]."""
-        ...
 
     @property
     def shear_modulus(self) -> float:
         """G* [Pa]."""
-        ...
 
 
 class ByWaves(Protocol):
@@ -89,17 +83,14 @@ class ByWaves(Protocol):
     @property
     def modulus(self) -> float:
         """E* [Pa] of the surface, or the uppermost layer, and the other body."""
-        ...
 
     @property
     def thickness(self) -> float:
         """Depth below which nothing changes any more [m]: of all layers together."""
-        ...
 
     @property
     def response(self) -> PairWaves:
         """The response of the pair to a pressure."""
-        ...
 
 
 class PressedWaves(ByWaves, Medium, Protocol):
@@ -107,7 +98,6 @@ class PressedWaves(ByWaves, Medium, Protocol):
 
     def transformed_slope(self, imprint: Displacement) -> Curve:
         """Return h'(x) [-] as a function of 0 <= x <= a (`winkler.media.body_of`)."""
-        ...
 
 
 class TwistedWaves(PressedWaves, TwistModuli, Protocol):
@@ -116,7 +106,6 @@ class TwistedWaves(PressedWaves, TwistModuli, Protocol):
     @property
     def across_response(self) -> PairWaves:
         """The response of the pair to shear across its wave, and to a twist."""
-        ...
 
 
 class PushedWaves(TwistedWaves, Protocol):
@@ -125,33 +114,26 @@ class PushedWaves(TwistedWaves, Protocol):
     @property
     def tangential_response(self) -> PairWaves:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
-        ...
 
     @property
     def shear_modulus(self) -> float:
         """G* [Pa] of the surface and the other body."""
-        ...
 
     @property
     def turning_response(self) -> PairWaves:
         """Of a shear load, the part that turns with twice the angle between it and the wave."""
-        ...
 
     def punch_shear_stiffness(self, radius: Array) -> Array:
         """k_x(a) [N/m] of a flat punch that is pushed along the surface."""
-        ...
 
     def punch_torsional_stiffness(self, radius: Array) -> Array:
         """k_phi(a) [N m] of a flat punch that is twisted about its axis."""
-        ...
 
     def dragged_interior(self, displacement: Displacement, x: Array, y: Array, z: Array, *, below: bool) -> ShearField:
         """Return stresses and displacements where the surface is dragged along +x by a traction of the pressure."""
-        ...
 
     def pushed_interior(self, moved: Displacement, x: Array, y: Array, z: Array, *, below: bool) -> ShearField:
         """Return stresses and displacements where the surface is dragged along +x by springs that move it."""
-        ...
 
 
 @offered(
@@ -163,22 +145,18 @@ class PlaneMedium(ByWaves, Protocol):
     @property
     def second(self) -> Elastic | TransverselyIsotropic | Rigid:
         """The other body."""
-        ...
 
     @property
     def along_modulus(self) -> float:
         """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
-        ...
 
     @property
     def along_response(self) -> PairWaves:
         """Of the pair to shear along its wave; refused where it does not reach the base."""
-        ...
 
     @property
     def coupling_response(self) -> WaveResponse:
         """Of the first body: how much farther than its uppermost layer alone a pressure draws its surface along."""
-        ...
 
 
 class LayerStack(PlaneMedium, Protocol):
@@ -187,22 +165,18 @@ class LayerStack(PlaneMedium, Protocol):
     @property
     def layers(self) -> tuple[Layer | StackLayer, ...]:
         """From the surface down."""
-        ...
 
     @property
     def stack(self) -> tuple[Layer | StackLayer, ...]:
         """The same, with what they are bonded to."""
-        ...
 
     @property
     def on(self) -> Elastic | TransverselyIsotropic | Rigid:
         """What carries them."""
-        ...
 
     @property
     def spans(self) -> tuple[tuple[float, float], ...]:
         """Depths between which each layer lies, and what carries them if it deforms [m]: stresses jump between them."""
-        ...
 
 
 class GradedInDepth(PushedWaves, Protocol):
@@ -211,9 +185,7 @@ class GradedInDepth(PushedWaves, Protocol):
     @property
     def grading(self) -> DepthGrading:
         """E(z) and nu(z)."""
-        ...
 
     @property
     def tolerance(self) -> float:
         """Relative error of every k(a) [-]."""
-        ...

@@ -32,31 +32,25 @@ class Layered(Protocol):
 
     def waves(self, part: Wave, xi: ComplexArray) -> ComplexArray:
         """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m]."""
-        ...
 
     def short(self, part: Wave) -> float:
         """Its limit for short waves [1/Pa]: that of a half-space of what lies at the surface."""
-        ...
 
     @property
     def top(self) -> Body:
         """The solid at the surface."""
-        ...
 
     @property
     def on(self) -> Body:
         """The solid far below, or a rigid base."""
-        ...
 
     @property
     def in_plane(self) -> tuple[Standing, str]:
         """What is assumed of it in plane strain."""
-        ...
 
     @property
     def unit(self) -> tuple[float, float]:
         """Modulus [Pa] and length [m] of what lies at the surface, in which other bodies may be the same."""
-        ...
 
 
 @value
