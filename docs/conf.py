@@ -22,6 +22,7 @@ from sphinx_gallery.scrapers import figure_rst
 
 import winkler
 from winkler.calculators.single_page import calculator_page
+from winkler.study.finding.finding import known, neighbours, words
 from winkler.study.ledger.ledger import case_files, ledger, remarks
 from winkler.study.ledger.ledger_page import markdown
 
@@ -152,10 +153,26 @@ def public_names_page() -> str:
     return "\n".join(text)
 
 
+def words_page() -> str:
+    """Return what people call each problem, medium and shape, and what is not covered."""
+    text = []
+    for title, slots in (("Problems", ("problem",)), ("Media and shapes", ("medium", "profile")), ("Other tasks", ())):
+        text += [f"## {title}", ""]
+        for hit in known():
+            if hit.group in slots or (not slots and hit.group == "task"):
+                text += [f"**{hit.name}** (`{hit.command}`): {hit.meaning}", "", f"> {words(hit.name)}", ""]
+    text += ["## What is not covered", ""]
+    for one in neighbours():
+        text += [f"- {one.what}; the nearest: {', '.join(f'`{name}`' for name in one.nearest)}"]
+    return "\n".join(text)
+
+
 def _fill(app: Any, docname: str, source: list[str]) -> None:
     """Write the pages that are made while building."""
     if docname == "api":
         source[0] = source[0].replace("PUBLIC_NAMES", public_names_page())
+    if docname == "words":
+        source[0] = source[0].replace("KNOWN_WORDS", words_page())
     if docname == "validation":
         entries = list(ledger(case_files(())))
         missed = [entry.name for entry in entries if not entry.passed]

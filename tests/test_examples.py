@@ -95,7 +95,7 @@ def test_script(script, tmp_path, monkeypatch):
         plt.close("all")
 
 
-@pytest.mark.few(0, slow=4)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("script", QUICK_SCRIPTS, ids=map(name, QUICK_SCRIPTS))
 def test_script_on_its_own(script, tmp_path):
     solution = subprocess.run(

@@ -83,6 +83,7 @@ STATES = (
     State("fields", "map_stress", "fields"),
     State("a_against_b", "Ball bearing"),
     State("folder_of_curves", "folder"),
+    State("in_your_words", height=430),
     State("dark", "torsion", dark=True),
     State("phone", "AFM bead on a gel", width=390, height=844),
     State("calculators", "calculators"),
@@ -139,6 +140,10 @@ def prepare(page: Any, state: State, address: str) -> None:
         page.locator(".compared", has_text="From A to B").wait_for()
         done.wait_for()
         page.evaluate("document.activeElement.blur(); scrollTo(0, 0)")
+    if state.name == "in_your_words":
+        page.locator('[data-choice="problem"]').click()
+        page.get_by_role("searchbox").fill("how hot does my brake get")
+        page.locator("[role=option].found", has_text="friction heating").wait_for()
     page.locator(".q-notification").wait_for(state="hidden")
     page.wait_for_timeout(700)  # the last picture is painted
 

@@ -15,6 +15,13 @@ OTHER_SENTENCE = """before => {
 }"""
 
 
+FIRST_SHOWN = """label => {
+  const shown = [...document.querySelectorAll('[role=option]')].filter(one => one.offsetHeight);
+  shown.sort((one, two) => one.getBoundingClientRect().top - two.getBoundingClientRect().top);
+  return shown[0]?.getAttribute('aria-label') === label;
+}"""
+
+
 def test_another_question_for_the_same_bodies(fresh):
     app_page = fresh()
     page = app_page.page
@@ -82,12 +89,12 @@ def test_the_page_begins_with_examples(fresh):
         assert not page.locator(".refused").is_visible(), title
 
 
-def test_a_kind_is_found_by_its_name_or_chapter(fresh):
-    """By the keyboard alone; the list is filtered in the browser, and whole again when it is opened next."""
+def test_a_kind_is_found_by_its_name_or_by_words(fresh):
+    """By the keyboard alone; the list is whole again when it is opened next."""
     app_page = fresh()
     page = app_page.page
     page.locator('[data-choice="problem"]').click()
-    page.get_by_role("searchbox", name="Find by name or chapter").wait_for()
+    page.get_by_role("searchbox", name="Find by name, chapter, word or question").wait_for()
     page.keyboard.type("adhes cycle")
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length === 1")
     page.keyboard.press("Enter")
@@ -95,5 +102,19 @@ def test_a_kind_is_found_by_its_name_or_chapter(fresh):
     assert page.locator('[data-choice="problem"]').inner_text().endswith("adhesive cycle")
     page.locator('[data-choice="problem"]').click()
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length > 40")
-    page.keyboard.type("no such thing")
+    page.keyboard.type("qqqqxx")
     page.get_by_text("Nothing has these words.").wait_for()
+    page.keyboard.press("Control+A")
+    page.keyboard.type("does my gasket leak")
+    app_page.shot("found_by_words")
+    page.wait_for_function(FIRST_SHOWN, arg="seal")
+    page.keyboard.press("Control+A")
+    page.keyboard.type("oil film thickness")
+    page.get_by_text("winkler does not cover lubricant films; these come nearest.").wait_for()
+    page.wait_for_function(FIRST_SHOWN, arg="indentation")
+    app_page.shot("not_covered")
+    page.keyboard.press("Control+A")
+    page.keyboard.type("does my gasket leak")
+    page.wait_for_function(FIRST_SHOWN, arg="seal")
+    page.keyboard.press("Enter")
+    page.locator('[data-choice="problem"]', has_text="seal").wait_for()

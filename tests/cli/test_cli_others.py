@@ -102,7 +102,7 @@ def test_show_json(capsys):
 @pytest.mark.parametrize(
     ("name", "sentence", "code"),
     [
-        ("spher", "'spher' is not known (did you mean 'sphere'?); `winkler show` lists every kind.", 2),
+        ("fti", "'fti' is not known (did you mean 'fit'?); `winkler show` lists every kind.", 2),
         ("cylinder", "Cylinder: a cylinder on its side makes a line contact", 4),
     ],
 )
@@ -200,7 +200,7 @@ def pairs():
                 yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=80)
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
@@ -580,7 +580,7 @@ def test_the_module_is_the_command(here):
     command = [sys.executable, "-m", "winkler"]
     answer = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
     assert answer.stdout == f"winkler {wk.__version__}\n"
-    wrong = subprocess.run([*command, "show", "sfere"], capture_output=True, text=True, check=False)
+    wrong = subprocess.run([*command, "show", "qqqqxx"], capture_output=True, text=True, check=False)
     assert wrong.returncode == 2
     assert wrong.stderr.startswith("winkler: ")
 

@@ -342,7 +342,7 @@ def closed_paths(law, rng, many, parts):
     return path
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_closed_histories_create_no_energy(name):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)

@@ -48,7 +48,7 @@ def test_of_a_linear_fit_it_is_the_mixture_over_noises():
     assert found.interval("tilt") == pytest.approx((low, high), abs=0.005 * width)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_of_hertz_against_a_scan():
     """The modulus held, the contact point found by a fine scan: no least squares, no derivative."""
     position = np.linspace(-5e-7, 5e-7, 120)

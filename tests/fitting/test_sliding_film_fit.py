@@ -58,14 +58,14 @@ def test_a_deep_curve_tells_and_its_modulus_holds(law):
     assert low < TRUE < high < 1.2 * low
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_noise_hides_the_interface():
     found = wk.compare(measured("sliding", deepest=0.1e-6, noise=5e-2, seed=2, count=60), MODELS)
     assert set(found.possible) == {"bonded", "sliding"}
     assert found.verdict.startswith("This curve cannot tell: ")
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_wrong_interface_is_not_told():
     wrong = right = 0
     for seed in range(4):

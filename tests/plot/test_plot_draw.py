@@ -303,7 +303,7 @@ def test_a_notebook_shows_the_picture():
     assert repr(figure).startswith("<Picture of ")
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("ending", ["svg", "pdf", "PDF", "png"])
 def test_the_same_picture_on_another_day_is_the_same_file(ending, tmp_path, monkeypatch):
     for day in ("1", "86401"):

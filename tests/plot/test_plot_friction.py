@@ -139,7 +139,7 @@ SLOW = ("path in the plane", "layered: no traction", "graded", "state of a grade
 MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ITEMS]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=10)
 @pytest.mark.parametrize("name", MARKED)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]

@@ -50,7 +50,7 @@ def test_the_source_and_its_translation_agree_bit_by_bit(translated, name):
         assert same(outcome(translated[name], arguments), outcome(plain, arguments)), seed
 
 
-@pytest.mark.few(0, slow=8)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", HISTORIES)
 def test_a_thousand_histories_agree_bit_by_bit(translated, name):
     plain = interpreted(HISTORIES[name][0])

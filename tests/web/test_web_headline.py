@@ -65,7 +65,7 @@ def test_each_kind_is_headed_by_what_was_asked(kind):
     check(kind)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=6)
 @pytest.mark.parametrize("kind", sorted(LONG))
 def test_the_kinds_that_take_long_are_headed_too(kind):
     check(kind)

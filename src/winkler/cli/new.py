@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated
@@ -12,6 +13,9 @@ from winkler.cli.options import completion, refuse_existing
 from winkler.cli.streams import write_line
 
 __all__ = ["new"]
+
+MISTYPED = 0.8
+"""Least similarity of a word to a kind of which it is a mistyped name, rather than a word of its own."""
 
 ALSO = {"profile": ("section",), "bed": ("line_bed",), "load": ("line_load",)}
 """Further groups whose kinds an option takes."""
@@ -26,6 +30,20 @@ def _kinds(slot: str) -> Callable[[str], list[str]]:
         return [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
 
     return completion(names)
+
+
+def _meant(text: str, names: list[str]) -> str:
+    """Return which of the names a word may mean, as the end of a clause, or an empty string."""
+    from winkler.errors import suggest
+    from winkler.study.finding.finding import find
+
+    found = find(text)
+    near = [hit.name for hit in found.hits if hit.name in names][:3]
+    if not near or difflib.get_close_matches(text, names, cutoff=MISTYPED):
+        return suggest(text, names)
+    if found.beyond:
+        return f" (winkler does not cover {found.beyond.what}; nearest come {', '.join(near)})"
+    return f" (did you mean {' or '.join(repr(name) for name in near)}?)"
 
 
 def new(
@@ -45,7 +63,7 @@ def new(
 
     Example: winkler new indentation --profile cone --output cone.toml
     """
-    from winkler.errors import InvalidInput, WinklerError, suggest
+    from winkler.errors import InvalidInput, WinklerError
     from winkler.io.whole_file import write_whole
     from winkler.study.batch.run import run
     from winkler.study.language.catalogue import CATALOGUE
@@ -55,7 +73,7 @@ def new(
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
         names = [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
         if name and name not in names:
-            raise InvalidInput(f"{slot}: '{name}' is not known{suggest(name, names)}; there are {', '.join(names)}.")
+            raise InvalidInput(f"{slot}: '{name}' is not known{_meant(name, names)}; there are {', '.join(names)}.")
     path = output or Path(f"{problem}.toml")
     refuse_existing(path, overwrite)
     text = template(problem, file=path.stem, profile=profile, medium=medium, bed=bed, load=load)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from winkler.cli.options import completion
 from winkler.cli.streams import until_closed, write_json
+
+if TYPE_CHECKING:
+    from winkler.study.finding.finding import Found
 
 __all__ = ["show"]
 
@@ -23,15 +26,15 @@ def _names() -> Iterable[str]:
 
 
 def show(
-    name: Annotated[
-        str,
+    words: Annotated[
+        list[str] | None,
         typer.Argument(
-            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'; or a file with a "
-            "height map or a line scan.",
+            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'; a file with a "
+            "height map or a line scan; or what you look for, in your own words.",
             autocompletion=completion(_names),
             show_default=False,
         ),
-    ] = "",
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
     unit: Annotated[str, typer.Option(help="Unit of its heights, such as nm.", rich_help_panel=OF_A_FILE)] = "",
     lengths: Annotated[str, typer.Option(help="Its lengths, such as '10 um, 5 um'.", rich_help_panel=OF_A_FILE)] = "",
@@ -68,21 +71,23 @@ def show(
         bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.", rich_help_panel=OF_A_FILE)
     ] = False,
 ) -> None:
-    r"""Show what a kind takes: keys, units, ranges, and an example.
+    r"""Show what a kind takes: keys, units, ranges, and an example; or find the kind for a word or a question.
 
     Without a name, all kinds are listed; 'study' shows the sections of a study file, 'fit' those of `winkler fit` with
     its models, corrections and flags, 'nanoindentation' the sections \[indentation], \[calibration] and \[indenter],
-    'materials' the table of common materials, and the name of a material its numbers
-    and their sources.  Of a height map or a line scan it shows the statistics, what to know of it (spikes, the limit of
-    its tip), and, with --output, curves.
+    'materials' the table of common materials, and the name of a material its numbers and their sources.
 
-    Example: winkler show sphero_conical
+    Other words, in English, German or French, are searched for: what comes nearest is listed, the best first, and what
+    winkler does not cover is said.  Of a height map or a line scan it shows the statistics, what to know of it (spikes,
+    the limit of its tip), and, with --output, curves.
+
+    Example: winkler show does my gasket leak
     """
     from winkler.cli import materials, show_fit, show_map, show_nanoindentation
-    from winkler.errors import InvalidInput, suggest
-    from winkler.materials.named import material, material_names
+    from winkler.errors import InvalidInput
     from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
+    name = " ".join(words or ())
     options = show_map.MapOptions(
         unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along
     )
@@ -99,7 +104,7 @@ def show(
         write_json(show_fit.fit_json())
     elif as_json and name == "nanoindentation":
         write_json(show_nanoindentation.nanoindentation_json())
-    elif as_json:
+    elif as_json and (not name or name in kinds()):
         _json(name)
     elif name in kinds():
         _kind(name)
@@ -116,12 +121,44 @@ def show(
     elif name in REFUSED:
         REFUSED[name].cls(1.0)
     else:
-        try:
-            entry = material(name)
-        except InvalidInput:
-            near = suggest(name, [*_names(), *material_names()])
-            raise InvalidInput(f"'{name}' is not known{near}; `winkler show` lists every kind.") from None
+        _search(name, as_json=as_json)
+
+
+def _search(text: str, *, as_json: bool) -> None:
+    """Show a material, or what comes nearest to words of the user's own."""
+    from winkler.cli import materials
+    from winkler.errors import InvalidInput, suggest
+    from winkler.materials.named import material, material_names
+    from winkler.study.finding.finding import find
+
+    try:
+        entry = material(text)
+    except InvalidInput:
+        found = find(text)
+        if not found.hits:
+            near = suggest(text, [*_names(), *material_names()])
+            raise InvalidInput(f"'{text}' is not known{near}; `winkler show` lists every kind.") from None
+        if as_json:
+            write_json(found.table())
+        else:
+            _hits(text, found)
+    else:
         materials.one(entry)
+
+
+@until_closed()
+def _hits(text: str, found: Found) -> None:
+    from winkler.cli import terminal
+
+    out = terminal.console()
+    if found.beyond is None:
+        out.print(f"Nearest to '{text}', the best first:")
+    else:
+        out.print(f"winkler does not cover {found.beyond.what}. Nearest to '{text}' are:")
+    table = terminal.table("group", "kind", "what it is", "shown by")
+    for hit in found.hits:
+        table.add_row(hit.group, hit.name, hit.meaning, hit.command)
+    out.print(table)
 
 
 @until_closed()
@@ -188,12 +225,9 @@ def _study() -> None:
 
 
 def _json(name: str) -> None:
-    from winkler.errors import InvalidInput
     from winkler.study.language.catalogue import kinds, slot_of
     from winkler.study.language.explain import completed, keys_of, summary
 
-    if name and name not in kinds():
-        raise InvalidInput(f"'{name}' is not a kind; `winkler show` lists every kind.")
     content = [
         {
             "kind": kind,

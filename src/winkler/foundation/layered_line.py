@@ -19,7 +19,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
-from typing import Annotated, ClassVar, NamedTuple
+from typing import Annotated, ClassVar, NamedTuple, cast
 
 import numpy as np
 
@@ -36,7 +36,10 @@ from winkler.media.layered.depth_response import GradedBody
 from winkler.media.layered.plane_interior import PlaneWaves, plane_waves
 from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
-from winkler.media.offers import LayerStack, PlaneMedium, offers
+from winkler.media.offers import LayerStack, PlaneMedium
+from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
+from winkler.media.relaxing.poroelastic import PoroelasticFilm
+from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -71,6 +74,7 @@ from winkler.values import value
 
 __all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 
+RelaxingKinds = RelaxingInProportion | ViscoelasticCoatedHalfSpace | PoroelasticFilm
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
@@ -149,7 +153,8 @@ class LayeredLineFoundation(LineBed):
         The gap f between the undeformed bodies, as of `LineFoundation`.
     medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or PlaneMedium
         Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, or a body graded
-        with depth; against a homogeneous body.
+        with depth; against a homogeneous body.  RelaxingInProportion, ViscoelasticCoatedHalfSpace and PoroelasticFilm
+        are for problems in which they relax.
 
     References
     ----------
@@ -159,7 +164,7 @@ class LayeredLineFoundation(LineBed):
 
     profile: Profile
     medium: Annotated[
-        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | PlaneMedium,
+        CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | RelaxingKinds | PlaneMedium,
         Advice("homogeneous bodies go into a LineFoundation"),
     ]
 
@@ -173,7 +178,8 @@ class LayeredLineFoundation(LineBed):
     @property
     def half_plane(self) -> LineFoundation:
         """The same profile on a half-plane of the uppermost layer."""
-        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(self.layered_body.top, self.medium.second))
+        pair = cast(PlaneMedium, self.medium).response
+        return LineFoundation(self.profile, TransverselyIsotropicHalfSpace(pair.first.top, pair.second))
 
     @property
     def layered_body(self) -> Layered:
@@ -193,8 +199,7 @@ class LayeredLineFoundation(LineBed):
         self._refuse_grading(
             "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading"
         )
-        assert offers(self.medium, LayerStack)
-        return self.medium
+        return cast(LayerStack, self.medium)
 
     def _refuse_grading(self, why: str) -> None:
         if isinstance(self.layered_body, GradedBody):
@@ -240,7 +245,7 @@ class LayeredLineFoundation(LineBed):
     @property
     def surfaces(self) -> tuple[Body, Body]:
         """The solid of the uppermost layer, and the second body."""
-        return self.layered_body.top, self.medium.second
+        return self.layered_body.top, cast(PlaneMedium, self.medium).second
 
     @property
     def similar(self) -> bool:

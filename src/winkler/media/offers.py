@@ -28,6 +28,10 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
         def first(self) -> Any:
             """The body that is not homogeneous, as `winkler.media.layered.stack.Layered`."""
 
+        @property
+        def second(self) -> Any:
+            """The homogeneous one."""
+
 
 __all__ = [
     "GradedInDepth",

@@ -33,7 +33,7 @@ def test_where_nothing_happened_nothing_is_found(name):
     assert false_alarms(QUIET[name], range(5)) == []
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", QUIET)
 def test_false_alarms_are_at_most_one_in_fifty(name):
     assert len(false_alarms(QUIET[name], range(100, 150))) <= 1

@@ -121,7 +121,7 @@ def test_shared_modulus_holds():
     assert flagged <= 1
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_shared_modulus_holds_in_many_worlds():
     held, worlds = 0, 40
     for seed in range(worlds):

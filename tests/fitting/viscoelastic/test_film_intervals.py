@@ -95,7 +95,7 @@ def test_white_noise_that_is_stated():
     assert np.all((inside >= LOW * 1000) & (inside <= HIGH * 1000)), inside
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_noise_as_it_is_assumed():
     """Of 200 curves; one number of an honest interval leaves the bounds once in a thousand tests."""
     inside = held(assumed, 200, white=False)

@@ -78,7 +78,7 @@ def test_numbers_hold_with_inertia_and_not_without():
     assert "misfit" in [flag.name for flag in blind.flags]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_of_curves_with_inertia():
     free = FREE | {"inertia": MASS}
     rows = scores(range(1, 25), free)

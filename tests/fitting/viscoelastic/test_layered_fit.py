@@ -118,7 +118,7 @@ def test_a_gel_on_glass():
     assert np.min(hits(on_glass, start, range(3))) >= int(binom.ppf(1e-3, 3, 0.95))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_many_films_on_rubber():
     inside = hits(on_rubber, model(wk.StandardSolid(*FAR, poisson=0.5)), range(7000, 7020))
     assert np.min(inside) >= int(binom.ppf(1e-3, 20, 0.95)), inside

@@ -62,7 +62,7 @@ def test_three_cycles_give_the_solid():
     assert np.mean(judged(range(2))) >= 0.7
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_of_many_curves_of_cycles():
     assert np.all(np.mean(judged(range(100, 108)), axis=0) >= 0.6)
 

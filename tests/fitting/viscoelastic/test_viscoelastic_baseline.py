@@ -45,7 +45,7 @@ def test_creep_with_a_baseline_on_a_slope():
     assert not any(flag.name in ("misfit", "memory", "at_bound") for one in found for flag in one.flags)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("scatter", [2e-10, 1e-8])
 def test_creep_whatever_the_noise_of_the_position(scatter):
     """Noise of a force that drives is in the derivatives too; least squares alone are off by three errors at 0.2 nm."""

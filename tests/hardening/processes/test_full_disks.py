@@ -152,7 +152,7 @@ COMMANDS = {
 }
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", COMMANDS)
 def test_commands_on_a_full_disk(name, tmp_path):
     """A full disk was said to be a folder that does not exist."""

@@ -131,7 +131,7 @@ def whole(results):
     return made.exists() and sorted(json.loads(made.read_text())["files"]) == sorted(tree(results))
 
 
-@pytest.mark.few(0, slow=6)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("by", ["operation", "time"])
 @pytest.mark.parametrize("name", STUDIES)
 def test_a_rerun_after_a_kill_gives_equal_results_and_leaves_nothing(name, by, tmp_path, killer):

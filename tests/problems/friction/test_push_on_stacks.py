@@ -123,7 +123,7 @@ def test_rings_that_slide_bear_their_own_pressure_and_others_stand(solve):
     assert force == pytest.approx(state.shear_force, rel=1e-4 if graded else 1e-6)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @pytest.mark.parametrize("solve", [on_weave, on_grading])
 def test_no_history_gains_energy(solve, seed):

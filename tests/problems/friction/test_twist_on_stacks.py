@@ -104,7 +104,7 @@ def on_graded():
     return twisted(medium, 0.05, (0.0, 0.8)).solve()
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_body_graded_in_depth_twists_as_ever_thinner_layers():
     """Layers converge in proportion to the square of their thickness; what is left is the logarithm of the kernel."""
     found = on_graded()
@@ -140,7 +140,7 @@ class GradedWaves(Stack):
         self.across, self.short = 1.0 / stiff, (0.0, 2.0 + 2.0 * poisson)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(("deep", "off"), [(3.0, 2e-5), (30.0, 2e-4)])
 def test_the_torque_on_a_graded_body_is_known_as_far_as_the_manual_says(deep, off):
     """At the same angle, by least energy inside the stick zone and thin layers of waves."""

@@ -37,7 +37,7 @@ def test_the_spectrum_is_that_of_cole_and_cole():
     assert found.shears[inner] == pytest.approx(density(times[inner]) * np.log(times[1] / times[0]), rel=0.02)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_bands_hold_the_truth_as_often_as_they_say():
     held, spectrum = [], []
     at = np.geomspace(3e-2, 3e2, 9)

@@ -128,7 +128,7 @@ def test_layers_a_thousand_times_thinner_take_the_strain_of_the_base(base):
     np.testing.assert_allclose(2.0 * left[1] - left[0], 0.0, atol=2e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_waves_that_fade_round_off_the_edge_alone(monkeypatch):
     """Against twice as many waves: nothing changes below the middle; next to the edge a few per mille of p(0)."""
     bed, a = disc(scale=0.2), 2e-4

@@ -189,7 +189,7 @@ def test_stresses_in_layers_of_one_solid_are_those_of_a_half_space():
         np.testing.assert_allclose(one, other, atol=1e-12 * np.max(np.abs(other)))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_no_place_of_the_layers_is_stressed_more_than_the_one_that_yields():
     """A hard layer dragged over a softer base: sampled on both sides of the plane of sliding, and off it."""
     hard, soft = wk.Elastic(2.0 * E, 0.25, strength=3.0 * Y), wk.Elastic(E, 0.3, strength=Y)

@@ -49,7 +49,7 @@ SPUN = tuple(
 )
 
 
-@pytest.mark.few(0, slow=5)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("ratio", [0.3, 0.7, 1.0, 1.4, 3.3])
 @pytest.mark.parametrize("poisson", [0.12, 0.3, 0.4])
 def test_other_creepages_ellipses_and_bodies_are_within_what_is_stated(script, ratio, poisson):

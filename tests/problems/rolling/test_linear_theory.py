@@ -96,7 +96,7 @@ def test_long_along_rolling(nu):
     assert found[2] == pytest.approx(spin, rel=3e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_beside_boundary_elements_of_randomly_placed_pixels():
     """Grids of 20, 40 and 80 pixels, scaled to the area of their pixels, extrapolated: forces within 0.05 %."""
     ratio, nu = 0.6, 0.28

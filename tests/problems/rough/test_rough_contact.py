@@ -132,7 +132,7 @@ def test_against_the_curve_of_another_code(shared_data):
     assert np.all(stiffness[:4] < line.stiffness_band[1, :4])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_row_of_the_table():
     """One row of the table in the manual: twelve surfaces of 256 x 256 pixels with 32 waves along a side."""
     surface = SelfAffine(hurst=0.8, rms_height=0.01, longest=1.0, shortest=1.0 / 32)

@@ -96,7 +96,7 @@ def test_the_rings_stick_as_mossakovskii_and_spence_have_it(compliance):
         assert friction_of(compliance, sticking, coupled=True) > 1.03 * mu
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("sticking", [21, 30])
 def test_a_ball_pressed_in_steps(compliance, sticking):
     """65 x 65 pixels, forces in equal ratios: the stick radius errs in proportion to the steps."""

@@ -47,7 +47,7 @@ def test_half_the_pixels(ratio, nu):
     assert np.all(np.abs(sized)[:3] < [2e-3, 2e-3, 4e-3])
 
 
-@pytest.mark.few(0, slow=5)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("nu", [0.0, 0.25, 0.5])
 @pytest.mark.parametrize("ratio", [0.2, 0.5, 1.0, 2.0, 5.0])
 def test_long_and_wide_ellipses(ratio, nu):

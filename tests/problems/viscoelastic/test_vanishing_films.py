@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.media.layered.wave_constants import Wave
 from winkler.numerics.integrals.quadrature import gauss_legendre
 
 BASE, THIN = wk.Elastic(1.0, 0.3), 1e-6
@@ -22,13 +23,13 @@ def test_cells_far_wider_than_the_film_against_panels_that_resolve_all_waves(sta
 
     Beyond 25 over the thickness c is that of the film alone, whose integral is 2/3 w, w/6 and 0.
     """
-    count, at_once = 6, np.array([1j * np.inf])
-    local = stack.compliance(at_once, np.array([np.inf]))[0, 0].real
+    count, at_once = 6, 1j * np.inf
+    local = stack.waves(Wave.NORMAL, np.inf, at_once).real
     turns = 2.0 * np.pi / (2 * count * ratio)
     nodes, weights = gauss_legendre(16)
     xi = (turns * (np.arange(int(25.0 / turns))[:, None] + nodes)).ravel()
     measure = np.tile(turns * weights, xi.size // nodes.size) * ratio**2 / np.pi
-    measure *= np.sinc(0.5 * xi * ratio / np.pi) ** 4 * (stack.compliance(at_once, xi)[0].real - local)
+    measure *= np.sinc(0.5 * xi * ratio / np.pi) ** 4 * (stack.waves(Wave.NORMAL, xi, at_once).real - local)
     wanted = np.array([np.sum(measure * np.cos(j * xi * ratio)) for j in range(2 * count)])
     wanted[:2] += local * ratio * np.array([2.0 / 3.0, 1.0 / 6.0])
     found = stack.creep_of_waves(ratio, ratio * count).kernels(count, ratio)[0]

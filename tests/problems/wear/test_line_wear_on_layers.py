@@ -188,7 +188,7 @@ def test_the_substrate_is_felt():
     assert own < 0.25 * soft
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("contrast", [0.5, 2.0])
 def test_the_base_decides_under_a_thin_layer(contrast):
     """What sticks, where wear ends and how far sliding widens the contact: as h ln(1/h)."""

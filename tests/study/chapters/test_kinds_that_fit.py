@@ -125,7 +125,7 @@ def test_a_problem_takes_what_it_can_answer(name):
             solve_or_refuse(changed)
 
 
-@pytest.mark.few(20)
+@pytest.mark.few(20, slow=10)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in COSTLY else name for name in PRESSED]
 )

@@ -111,7 +111,7 @@ def _waves(medium: ViscoelasticCoatedHalfSpace, moduli: tuple[float, float]) -> 
     others = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
     alone = all(isinstance(solid, ViscoelasticSolid | Rigid) for solid in others)
     span, length = max(end.span for end in ends), min(end.length for end in ends)
-    return fit_modulus_waves(medium.compliance_at_modulus, moduli, span, length, alone=alone)
+    return fit_modulus_waves(medium.waves_at_modulus, moduli, span, length, alone=alone)
 
 
 @functools.lru_cache(maxsize=32)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
-__all__ = ["Layered", "StackBody", "rounded"]
+__all__ = ["Layered", "StackBody", "rounded", "stack_waves"]
 
 
 class Layered(Protocol):
@@ -89,9 +89,7 @@ class StackBody:
         """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m]: of a half-space, 1 / modulus."""
         if not self.layers:
             return np.full(xi.shape, self.short(part), dtype=xi.dtype)
-        if part is Wave.ACROSS:
-            return np.asarray(0.5 * climbed_across(self.layers, self.on, xi)[0])
-        return in_plane_share(part, climbed(self.layers, self.on, xi)[0][1])
+        return stack_waves(self.layers, self.on, part, xi)
 
     def short(self, part: Wave) -> float:
         """The limit of `waves` for short waves [1/Pa]."""
@@ -135,6 +133,13 @@ class StackBody:
             for layer in self.layers
         )
         return StackBody(layers, self.on if isinstance(self.on, Rigid) else _in_units(self.on, modulus))
+
+
+def stack_waves(layers: tuple[Any, ...], on: Any, part: Wave, xi: ComplexArray) -> ComplexArray:
+    """Return the compliance of a stack times xi / 2 [1/Pa]; its solids may be `IsotropicAt`, xi is then complex."""
+    if part is Wave.ACROSS:
+        return np.asarray(0.5 * climbed_across(layers, on, xi)[0])
+    return in_plane_share(part, climbed(layers, on, xi)[0][1])
 
 
 def rounded(ratio: float) -> float:

@@ -22,7 +22,7 @@ from __future__ import annotations
 import cmath
 import enum
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,6 +33,7 @@ from winkler.numerics.types import ComplexArray
 
 __all__ = [
     "Body",
+    "IsotropicAt",
     "Wave",
     "WaveConstants",
     "constants_of",
@@ -44,6 +45,14 @@ __all__ = [
 
 Body = TransverselyIsotropic | Elastic | Rigid
 """What carries the layers, or presses on them."""
+
+
+class IsotropicAt(NamedTuple):
+    """An isotropic solid with a shear modulus for each wave [Pa] ``(m,)``: one that relaxes, at Laplace's s."""
+
+    shear: Any
+    poisson: float
+
 
 SERIES_TERMS = 10
 """Terms of the series of cosh and sinh up to an argument of one."""
@@ -63,7 +72,7 @@ class Wave(enum.Enum):
 
 
 class WaveConstants(NamedTuple):
-    """A solid, in units of its C44.
+    """A solid, in units of its C44, `shear`: one number, or one for each wave of a solid `IsotropicAt`.
 
     `lateral` is n, `axial` C44/C33, `plane` c/C44, `twist` C66/C44; `total` and `product` are p and q, `split` is
     (p^2 - 4 q)/4.
@@ -152,9 +161,9 @@ class WaveConstants(NamedTuple):
         return block(0, 0), block(0, 2), block(2, 0), block(2, 2)
 
 
-def constants_of(solid: Elastic | TransverselyIsotropic) -> WaveConstants:
+def constants_of(solid: Elastic | TransverselyIsotropic | IsotropicAt) -> WaveConstants:
     """Return what the waves need of a solid."""
-    if isinstance(solid, Elastic):
+    if isinstance(solid, Elastic | IsotropicAt):
         nu = solid.poisson
         return WaveConstants(
             solid.shear, nu / (1.0 - nu), (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)), 2.0 / (1.0 - nu), 1.0, 2.0, 1.0, 0.0
@@ -178,10 +187,11 @@ def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[floa
     return constants_of(body).impedance
 
 
-def half_space_compliance(body: Body, part: Wave) -> float:
+def half_space_compliance(body: Body | IsotropicAt, part: Wave) -> float:
     """Return what waves on a half-space answer, times xi / 2 [1/Pa]; zero of a rigid one.
 
-    Of a pressure 1/E*; of shear along a wave 1/m_L, across it 1/m_T = 1 / (2 sqrt(C44 C66)).
+    Of a pressure 1/E*; of shear along a wave 1/m_L, across it 1/m_T = 1 / (2 sqrt(C44 C66)).  One for each wave if the
+    solid is `IsotropicAt`.
     """
     if isinstance(body, Rigid):
         return 0.0

@@ -6,13 +6,15 @@ from typing import ClassVar, Protocol
 
 from winkler.errors import OutsideValidity
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.media.layered.wave_constants import Wave
+from winkler.media.relaxing.relaxing_medium import RelaxingLayers, RelaxingMedium
 from winkler.numerics.transforms.wave_creep import WaveCreep
+from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["RelaxingByWaves"]
 
 
-class RelaxingByWaves(RelaxingMedium, Protocol):
+class RelaxingByWaves(RelaxingLayers, Protocol):
     """A stack on which no single function of time stands for all springs: subclasses state the creep of its waves."""
 
     in_proportion: ClassVar[bool] = False
@@ -31,6 +33,10 @@ class RelaxingByWaves(RelaxingMedium, Protocol):
     def relaxed(self) -> CoatedHalfSpace:
         """The elastic stack that is left after all time."""
         raise NotImplementedError
+
+    def pressed_waves(self, s: ComplexArray, xi: Array) -> ComplexArray:
+        """Return what both surfaces answer to pressures at all s ``(S,)`` and wave numbers ``(m,)``, ``(S, m)``."""
+        return self.waves(Wave.NORMAL, xi, s[:, None])
 
     def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
         """Return how waves of line load sink after a step.

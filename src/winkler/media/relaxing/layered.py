@@ -14,7 +14,6 @@ and the body asks for :math:`u(x,t) = d(t)-h(x)` where they touch, h the equival
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any, ClassVar
 
@@ -26,8 +25,18 @@ from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.faces import Face, above, compliance_of, face_of, rescaled
-from winkler.media.layered.wave_constants import WaveConstants, constants_of
+from winkler.media.layered.stack import stack_waves
+from winkler.media.layered.wave_constants import IsotropicAt, Wave
+from winkler.media.relaxing.at_rate import (
+    GLASSY,
+    RELAXED,
+    LayerAt,
+    ShearOf,
+    both,
+    elastic_with,
+    refuse_unbounded,
+    solid_at,
+)
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import LEE
 from winkler.numerics.caching import cached_by_value
@@ -41,7 +50,7 @@ from winkler.values import value
 __all__ = ["ViscoelasticCoatedHalfSpace"]
 
 VANISHED_DEPTH = 44.0
-"""A layer whose top lies this deep, times xi, has no effect."""
+"""What lies so deep, times xi, has no effect."""
 
 
 @value
@@ -81,6 +90,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     (15000.0, 3000.0)
     """
 
+    described: ClassVar[str] = "Perfectly bonded, isotropic, linear viscoelastic layers"
     reason: ClassVar[str] = "the layers of the bed relax each by a law of its own,"
     alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers that relax alike"
 
@@ -99,14 +109,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
                 "ViscoelasticCoatedHalfSpace: none of layers, on and second is viscoelastic; give one a Prony or "
                 "another viscoelastic solid, or use CoatedHalfSpace."
             )
-        for solid in self.relaxing_solids:
-            series = solid.series
-            if series.relaxed == 0.0 or math.isinf(series.glassy):
-                what = "flows for ever" if series.relaxed == 0.0 else "resists a step with an infinite modulus"
-                raise InvalidInput(
-                    f"ViscoelasticCoatedHalfSpace: a {type(solid).__name__} {what}; give a solid with a positive "
-                    "relaxed modulus and without a dashpot alongside, such as StandardSolid or Prony."
-                )
+        refuse_unbounded("ViscoelasticCoatedHalfSpace", self.relaxing_solids)
 
     @property
     def relaxing_solids(self) -> tuple[ViscoelasticSolid, ...]:
@@ -117,23 +120,17 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     @property
     def glassy(self) -> CoatedHalfSpace:
         """The elastic stack that responds to a sudden step."""
-        return self.elastic_with(lambda solid: solid.series.glassy)
+        return self.elastic_with(GLASSY)
 
     @property
     def relaxed(self) -> CoatedHalfSpace:
         """The elastic stack that is left after all time."""
-        return self.elastic_with(lambda solid: solid.series.relaxed)
+        return self.elastic_with(RELAXED)
 
-    def elastic_with(self, shear: Callable[[ViscoelasticSolid], float]) -> CoatedHalfSpace:
+    def elastic_with(self, shear: ShearOf) -> CoatedHalfSpace:
         """Return the elastic stack in which the solids that relax have shear moduli [Pa]."""
-
-        def elastic(solid: Any) -> Any:
-            if not isinstance(solid, ViscoelasticSolid):
-                return solid
-            return Elastic(2.0 * (1.0 + solid.poisson) * shear(solid), solid.poisson)
-
-        layers = tuple(Layer(elastic(layer.solid), layer.thickness) for layer in self.layers)
-        return CoatedHalfSpace(layers, elastic(self.on), elastic(self.second))
+        layers = tuple(Layer(elastic_with(layer.solid, shear), layer.thickness) for layer in self.layers)
+        return CoatedHalfSpace(layers, elastic_with(self.on, shear), elastic_with(self.second, shear))
 
     @property
     def span(self) -> tuple[float, float]:
@@ -145,49 +142,31 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         """Return how all waves of line load sink after a step, of any length; cached by value."""
         return _wave_creep(self)
 
-    def compliance(self, s: ComplexArray, xi: Array) -> ComplexArray:
-        """Return c(s, xi) [1/Pa] of the pair at complex rates (S,) [1/s] and wave numbers (m,) [1/m], ``(S, m)``."""
-        return self.compliance_of(lambda solid: _shear(solid, s), s.size, xi)
+    @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m]."""
+        return float(self.bodies.thickness)
 
-    def compliance_at_modulus(self, shear: ComplexArray, xi: Array) -> ComplexArray:
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves, as of `RelaxingMedium.waves`."""
+        xi, s = np.broadcast_arrays(xi, s)
+        rates = s.ravel()
+        return self._waves_of(part, xi.ravel(), lambda solid: solid_at(solid, rates)).reshape(xi.shape)
+
+    def waves_at_modulus(self, shear: ComplexArray, xi: Array) -> ComplexArray:
         """Return c [1/Pa] of waves [1/m] ``(m,)`` if all solids that relax had a shear modulus [Pa] ``(S,)``."""
+        moduli = np.repeat(shear, xi.size)
 
-        def own(solid: ViscoelasticSolid | Elastic) -> ComplexArray:
-            return np.full(shear.shape, solid.shear, dtype=complex) if isinstance(solid, Elastic) else shear
+        def own(solid: Any) -> Any:
+            return IsotropicAt(moduli, solid.poisson) if isinstance(solid, ViscoelasticSolid) else solid
 
-        return self.compliance_of(own, shear.size, xi)
+        return self._waves_of(Wave.NORMAL, np.tile(xi, shear.size), own).reshape(shear.size, xi.size)
 
-    def compliance_of(self, shear: Callable[[Any], ComplexArray], count: int, xi: Array) -> ComplexArray:
-        """Return c [1/Pa] of waves [1/m] ``(m,)`` for `count` shear moduli of every solid, ``(count, m)``."""
-        finite = np.isfinite(xi)
-        x = np.tile(xi[finite], count).astype(complex)
-
-        def moduli(solid: ViscoelasticSolid | Elastic) -> ComplexArray:
-            return np.repeat(shear(solid), finite.sum())
-
-        def half_space(solid: ViscoelasticSolid | Elastic) -> Face:
-            a, b, c, d = _of_one(solid).half_space
-            return rescaled(face_of((a + 0.0 * x, b + 0.0 * x, c + 0.0 * x, d + 0.0 * x)), 1.0 / moduli(solid))
-
-        rigid = np.zeros_like(x)
-        face = face_of((rigid, rigid, rigid, rigid)) if isinstance(self.on, Rigid) else half_space(self.on)
-        bottom = sum(layer.thickness for layer in self.layers)
-        for layer in reversed(self.layers):
-            bottom -= layer.thickness
-            reached = np.real(x) * bottom < VANISHED_DEPTH
-            modulus, upper = moduli(layer.solid)[reached], half_space(layer.solid)
-            below: Face = tuple(minor[reached] for minor in face)  # type: ignore[assignment]
-            risen = above(_of_one(layer.solid), rescaled(below, modulus), x[reached] * layer.thickness)
-            for minor, found in zip(upper, rescaled(risen, 1.0 / modulus), strict=True):
-                minor[reached] = found
-            face = upper
-        result = np.empty((count, xi.size), dtype=complex)
-        result[:, finite] = -0.5 * compliance_of(face)[3].reshape(count, -1)
-        top = self.layers[0].solid
-        result[:, ~finite] = _own(top, shear(top))[:, None]
-        if isinstance(self.second, Rigid):
-            return result
-        return np.asarray(result + _own(self.second, shear(self.second))[:, None])
+    def _waves_of(self, part: Wave, xi: Array, own: Callable[[Any], Any]) -> ComplexArray:
+        """Return what both surfaces answer if each solid is what `own` makes of it, which has a modulus for each xi."""
+        layers = tuple(LayerAt(own(layer.solid), layer.thickness) for layer in self.layers)
+        short = VANISHED_DEPTH / layers[0].thickness  # from here on waves feel the uppermost layer alone
+        return both(part, stack_waves(layers, own(self.on), part, np.minimum(xi, short) + 0j), own(self.second))
 
     notes = (
         Note(
@@ -201,31 +180,12 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """What is assumed."""
 
 
-def _of_one(solid: ViscoelasticSolid | Elastic) -> WaveConstants:
-    """Return the constants of a solid with a shear modulus of one."""
-    return constants_of(Elastic(2.0 * (1.0 + solid.poisson), solid.poisson))
-
-
-def _shear(solid: ViscoelasticSolid | Elastic, s: ComplexArray) -> ComplexArray:
-    """Return the shear modulus at complex rates [Pa]."""
-    if isinstance(solid, Elastic):
-        return np.full(s.shape, solid.shear, dtype=complex)
-    series = solid.series
-    last = np.isinf(np.abs(s))
-    return np.asarray(np.where(last, series.glassy, series.dynamic(np.where(last, 0.0, s.imag))))
-
-
-def _own(solid: ViscoelasticSolid | Elastic, shear: ComplexArray) -> ComplexArray:
-    """Return 1 / E* of a half-space of a solid with shear moduli [Pa] [1/Pa]."""
-    return np.asarray(0.5 * (1.0 - solid.poisson) / shear)
-
-
 @cached_by_value(32)
 def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
     solids = medium.relaxing_solids
 
     def share(s: ComplexArray) -> Array:
-        return np.asarray(np.min([solid.series.relaxed / np.abs(_shear(solid, s)) for solid in solids], axis=0))
+        return np.asarray(np.min([solid.series.relaxed / np.abs(solid_at(solid, s).shear) for solid in solids], axis=0))
 
     times = (
         min(float(np.min(solid.series.times)) for solid in solids),
@@ -233,4 +193,4 @@ def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
     )
     stacks = [stack.response for stack in (medium.glassy, medium.relaxed)]
     waves = FIRST_WAVE_NUMBER / max(stack.span for stack in stacks), DECAY_SPAN / stacks[0].length
-    return fit_wave_creep(medium.compliance, share, times, waves)
+    return fit_wave_creep(medium.pressed_waves, share, times, waves)

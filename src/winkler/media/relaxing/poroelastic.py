@@ -12,13 +12,29 @@ from __future__ import annotations
 import math
 from typing import Annotated, ClassVar
 
+import numpy as np
+
 from winkler.checks.number_checks import Advice, Number, Positive, PositiveNotTiny
+from winkler.errors import OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
+from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.wave_constants import Wave
+from winkler.media.relaxing.at_rate import (
+    GLASSY,
+    RELAXED,
+    ShearOf,
+    both,
+    elastic_with,
+    half_space_creep,
+    refuse_unbounded,
+    solid_at,
+)
 from winkler.media.relaxing.by_waves import RelaxingByWaves
-from winkler.media.relaxing.poroelastic_waves import film_creep
+from winkler.media.relaxing.poroelastic_waves import drained_waves, film_creep
 from winkler.numerics.transforms.wave_creep import WaveCreep
+from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -56,11 +72,13 @@ class PoroelasticFilm(RelaxingByWaves):
         D [m^2/s], positive: 2 G (1 - nu)/(1 - 2 nu) times permeability over viscosity.
     thickness : float
         h [m], positive.
+    second : Rigid, Elastic or ViscoelasticSolid, optional
+        The body that is pressed in, z < 0; rigid unless given.
 
     Raises
     ------
     InvalidInput
-        If a number is outside its range.
+        If a number is outside its range, or the second body flows for ever or has an infinite modulus at first.
 
     References
     ----------
@@ -81,6 +99,9 @@ class PoroelasticFilm(RelaxingByWaves):
         poisson=(r"\nu", "", "Poisson's ratio of the drained network"),
     )
 
+    described: ClassVar[str] = (
+        "A film by Biot's linear theory, bonded to a rigid base and drained all over its surface,"
+    )
     reason: ClassVar[str] = "the liquid leaves the film the later, the wider the contact is,"
     alike: ClassVar[str] = "an elastic film, CoatedHalfSpace, of the drained network or, at first, with poisson=0.5"
 
@@ -96,6 +117,10 @@ class PoroelasticFilm(RelaxingByWaves):
     ]
     diffusivity: Positive
     thickness: PositiveNotTiny
+    second: ViscoelasticSolid | Elastic | Rigid = RIGID
+
+    def __post_init__(self) -> None:
+        refuse_unbounded("PoroelasticFilm", (self.second,))
 
     @property
     def on(self) -> Rigid:
@@ -103,23 +128,18 @@ class PoroelasticFilm(RelaxingByWaves):
         return RIGID
 
     @property
-    def second(self) -> Rigid:
-        """The body that is pressed in."""
-        return RIGID
-
-    @property
     def glassy(self) -> CoatedHalfSpace:
         """The elastic film that responds to a sudden step: incompressible."""
-        return self._film(0.5)
+        return self._film(0.5, GLASSY)
 
     @property
     def relaxed(self) -> CoatedHalfSpace:
         """The elastic film that is left when the liquid is at rest: the drained network."""
-        return self._film(self.poisson)
+        return self._film(self.poisson, RELAXED)
 
-    def _film(self, poisson: float) -> CoatedHalfSpace:
+    def _film(self, poisson: float, modulus: ShearOf) -> CoatedHalfSpace:
         solid = Elastic(2.0 * (1.0 + poisson) * self.shear, poisson)
-        return CoatedHalfSpace((Layer(solid, self.thickness),), RIGID)
+        return CoatedHalfSpace((Layer(solid, self.thickness),), RIGID, elastic_with(self.second, modulus))
 
     @property
     def diffusion_time(self) -> float:
@@ -128,26 +148,43 @@ class PoroelasticFilm(RelaxingByWaves):
 
     @property
     def span(self) -> tuple[float, float]:
-        """All times are known."""
-        return 0.0, math.inf
+        """All times are known, those of a second body that relaxes apart [s]."""
+        return self.second.span if isinstance(self.second, ViscoelasticSolid) else (0.0, math.inf)
+
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves, as of `RelaxingMedium.waves`.
+
+        Raises
+        ------
+        OutsideValidity
+            Of shear, which meets the liquid in a manner of its own.
+        """
+        if part is not Wave.NORMAL:
+            raise OutsideValidity(
+                f"PoroelasticFilm: how its surface answers a wave of the kind {part.name.lower()} is not known to "
+                "winkler, pressures alone; leave friction out, or give ViscoelasticCoatedHalfSpace."
+            )
+        found = drained_waves(np.asarray(s) * self.diffusion_time, xi * self.thickness, self.poisson)
+        return both(part, found / self.shear, solid_at(self.second, s))
 
     def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
         """Return how waves of line load sink after a step, those that cells of a width [m] tell apart."""
         thickness = min(self.thickness, MOST_WIDTHS * width)
         unit = film_creep(self.poisson, math.floor(math.log2(width / thickness)), reach > WIDE * thickness)
-        return WaveCreep(
+        film = WaveCreep(
             unit.times * (thickness**2 / self.diffusivity),
             unit.local / self.shear,
             unit.edges / thickness,
             unit.series / self.shear,
             unit.error,
         )
+        return film if isinstance(self.second, Rigid) else film.plus(half_space_creep(self.second))
 
     notes = (
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of a rigid body with a bonded film by Biot's linear theory, of incompressible "
+            "Frictionless contact with a bonded film on a rigid base by Biot's linear theory, of incompressible "
             "constituents, without inertia. Liquid passes the surface freely, also into the body that is pressed in, "
             "and not the base; below a body that is sealed the force falls later. Under contacts wider than 40 "
             "thicknesses what flows within 1e-5 h^2/D flows at once: after a step the force is 3 % too high at "

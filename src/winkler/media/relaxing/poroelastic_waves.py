@@ -53,26 +53,27 @@ def drained_waves(rate: ComplexArray, x: Array, poisson: float) -> ComplexArray:
 
     Parameters
     ----------
-    rate : ndarray, (S,)
+    rate : ndarray
         s h^2 / D, with a real part that is not negative; zero for the drained network.
-    x : ndarray, (m,)
-        xi h, positive; infinite for a half-space.
+    x : ndarray
+        xi h, positive, broadcast with the rates; infinite for a half-space.
     poisson : float
         Of the drained network, below 0.5.
 
     Returns
     -------
-    ndarray, (S, m)
+    ndarray
         Times G.
     """
     uniaxial = 2.0 * (1.0 - poisson) / (1.0 - 2.0 * poisson)
+    rate, x = np.broadcast_arrays(rate, x)
     near = x < DEEP
-    found = np.empty((rate.size, x.size), dtype=complex)
-    found[:, near] = _shallow(rate[:, None], x[near], uniaxial)
+    found = np.empty(x.shape, dtype=complex)
+    found[near] = _shallow(rate[near], x[near], uniaxial)
     with np.errstate(invalid="ignore"):
         # over x: sqrt(1 + s / (D xi^2)) tends to one for the shortest waves
-        both = 0.5 * uniaxial * (np.sqrt(1.0 + rate[:, None] / x[~near] ** 2) + 1.0)
-    found[:, ~near] = 0.25 * both / (both - 1.0)
+        both = 0.5 * uniaxial * (np.sqrt(1.0 + rate[~near] / x[~near] ** 2) + 1.0)
+    found[~near] = 0.25 * both / (both - 1.0)
     return found
 
 
@@ -86,7 +87,7 @@ def undrained_waves(x: Array) -> Array:
 
 
 def _shallow(rate: ComplexArray, x: Array, uniaxial: float) -> ComplexArray:
-    """Return c G at rates ``(S, 1)`` and wave numbers ``(m,)`` that reach the base.
+    """Return c G at rates and wave numbers that reach the base, both ``(m,)``.
 
     With the dilatation and phi cosh(x) of the surface, and phi' at the base, as unknowns: phi vanishes with the pore
     pressure, the shear stress gives the last one over the first, and the pressure the first one.
@@ -106,7 +107,7 @@ def _shallow(rate: ComplexArray, x: Array, uniaxial: float) -> ComplexArray:
             ]
         )
     slow = np.abs(rate) <= SLOW * np.maximum(1.0, x)
-    some = (np.broadcast_to(each, slow.shape)[slow] for each in (rate, x, root, own, sech_m, ratio))
+    some = (each[slow] for each in (rate, x, root, own, sech_m, ratio))
     parts[:, slow] = _slow(*some)
     slope, risen, base, turned = parts
     # phi' of the base, times cosh x and over x^2, per dilatation of the surface
@@ -181,7 +182,7 @@ def film_creep(poisson: float, octave: int, wide: bool) -> WaveCreep:
         return np.where(infinite, 1.0 / shortest, plain / (1.0 + plain * shortest))
 
     def compliance(s: ComplexArray, x: Array) -> ComplexArray:
-        return drained_waves(slowed(s), x, poisson)
+        return drained_waves(slowed(s)[:, None], x, poisson)
 
     def share(s: ComplexArray) -> Array:
         return np.asarray(np.abs(_over(np.sqrt(slowed(s)))))  # of waves without end

@@ -11,22 +11,27 @@ otherwise, is none: the ratio of the moduli, and with it g, would change in time
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any, ClassVar, cast
 
 import numpy as np
 
 from winkler.checks.number_checks import Advice, Positive
+from winkler.errors import OutsideValidity
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.pair_response import Mode
+from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement
+from winkler.media.offers import PlaneMedium
 from winkler.media.punch_field import BodyField
-from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
+from winkler.media.relaxing.at_rate import both, solid_at
+from winkler.media.relaxing.relaxing_medium import LEE, RelaxingLayers
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_relaxation
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -38,7 +43,7 @@ ElasticMedium = (
 
 
 @value
-class RelaxingInProportion(RelaxingMedium):
+class RelaxingInProportion(RelaxingLayers):
     """An elastic medium all of whose moduli relax by the same function of time, phi(t) = G(t) / shear.
 
     Every part of it that is not rigid relaxes: layers, what carries them, and the other body.
@@ -76,6 +81,8 @@ class RelaxingInProportion(RelaxingMedium):
     (1.0, 5.0)
     """
 
+    described: ClassVar[str] = "Layers, or bodies graded with depth, that relax in proportion,"
+
     medium: ElasticMedium
     solid: ViscoelasticSolid
     shear: Annotated[Positive, Advice("the shear modulus of the solid to which the moduli of the medium belong")]
@@ -91,6 +98,16 @@ class RelaxingInProportion(RelaxingMedium):
         return self.medium
 
     @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m], of layers and gradings."""
+        return float(cast(PlaneMedium, self.medium).thickness)
+
+    @property
+    def second(self) -> Any:
+        """The other body with the moduli that it was given."""
+        return self.medium.second
+
+    @property
     def relaxation(self) -> RelaxationSeries:
         """phi(t) [-]."""
         return self.solid.series.scaled(1.0 / self.shear)
@@ -99,6 +116,24 @@ class RelaxingInProportion(RelaxingMedium):
     def creep(self) -> CreepSeries:
         """What a step of load makes of the compliance [-]."""
         return of_relaxation(self.relaxation)
+
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves, as of `RelaxingMedium.waves`; the medium is no power law."""
+        medium: Any = self.medium
+        if isinstance(medium, GradedHalfSpace):
+            raise OutsideValidity(
+                "RelaxingInProportion: a modulus that follows a power of the depth has no surface whose half-space "
+                "short waves feel; give layers, or a DepthGradedHalfSpace."
+            )
+        xi, s = np.broadcast_arrays(xi, s)
+        layered = not isinstance(medium, HalfSpace | TransverselyIsotropicHalfSpace)
+        first = medium.response.first.top if layered else medium.first
+        whole = np.full(xi.shape, both(part, half_space_compliance(first, part), medium.second))
+        if layered:
+            response = medium.responding(Mode[part.name])
+            finite = np.isfinite(xi)
+            whole[finite] += response.excess(xi[finite]) / response.modulus
+        return np.asarray(whole / solid_at(self.solid, s).shear * self.shear)
 
     @property
     def span(self) -> tuple[float, float]:

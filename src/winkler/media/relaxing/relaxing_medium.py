@@ -15,14 +15,17 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.media.medium import Displacement, Medium, PunchFacts
+from winkler.media.offers import PlaneMedium, offers
 from winkler.media.punch_field import BodyField
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ComplexArray
 from winkler.profiles.profile import Profile
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # layers are loaded with media that have some
+    from winkler.media.layered.wave_constants import Wave
+    from winkler.media.offers import PairWaves
     from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
-__all__ = ["RelaxingMedium"]
+__all__ = ["RelaxingLayers", "RelaxingMedium"]
 
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
 
@@ -56,6 +59,25 @@ class RelaxingMedium(Protocol):
     @property
     def span(self) -> tuple[float, float]:
         """From which time on and up to which the series are the solids [s]."""
+        raise NotImplementedError
+
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves at Laplace's s: compliance times xi / 2 [1/Pa].
+
+        Parameters
+        ----------
+        part : Wave
+            What moves, and what pulls; of `Wave.COUPLING` the first body less the second.
+        xi : ndarray
+            Wave numbers, real and positive [1/m]; infinite for the shortest waves.
+        s : ndarray
+            Rates [1/s], not negative or imaginary, broadcast with xi; infinite for a sudden step of solids.
+
+        Raises
+        ------
+        OutsideValidity
+            If the medium does not know this part.
+        """
         raise NotImplementedError
 
     def timeless(self) -> OutsideValidity:
@@ -107,3 +129,24 @@ class RelaxingMedium(Protocol):
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it."""
         raise NotImplementedError
+
+
+class RelaxingLayers(RelaxingMedium, Protocol):
+    """Layers that relax, as of `PlaneMedium`: what does not change in time; there are no moduli at all times."""
+
+    described: ClassVar[str]
+    """What notes call it, the beginning of a sentence."""
+
+    @property
+    def response(self) -> PairWaves:
+        """Of the elastic layers to a pressure: a wave over the shortest ones; refuse other bodies."""
+        if not offers(self.bodies, PlaneMedium):
+            raise OutsideValidity(
+                f"{type(self).__name__}: a {type(self.bodies).__name__} has no layers that line contacts know; give "
+                "layers or a DepthGradedHalfSpace, or a homogeneous body as LineFoundation(profile, "
+                "ViscoelasticHalfSpace(solid))."
+            )
+        return self.bodies.response
+
+    modulus = along_modulus = property(RelaxingMedium._changing)  # type: ignore[misc]
+    along_response = coupling_response = property(RelaxingMedium._changing)  # type: ignore[misc]

@@ -20,11 +20,13 @@ from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior import subsurface
+from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement, rigid_body
 from winkler.media.punch_field import BodyField
+from winkler.media.relaxing.at_rate import both, half_space_creep, solid_at
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
-from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep, of_relaxation
-from winkler.numerics.types import Array
+from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep
+from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -98,6 +100,12 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
 
     modulus = shear_modulus = torsional_modulus = along_modulus = property(RelaxingMedium._changing)
 
+    def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
+        """What both surfaces answer to waves, as of `RelaxingMedium.waves`: of all lengths the same."""
+        xi, s = np.broadcast_arrays(xi, s)
+        own = half_space_compliance(solid_at(self.first, s), part)
+        return both(part, np.full(xi.shape, own, dtype=complex), solid_at(self.second, s))
+
     notes = (
         Note(
             Assumption.RESPONSE,
@@ -154,10 +162,7 @@ def share_of_creep(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
 def _creep(medium: ViscoelasticHalfSpace) -> CreepSeries:
     total = CreepSeries(0.0, 0.0, np.empty(0), np.empty(0))
     for body in (medium.first, medium.second):
-        if isinstance(body, Elastic):
-            total = total.plus(CreepSeries((1.0 - body.poisson**2) / body.young, 0.0, np.empty(0), np.empty(0)))
-        elif isinstance(body, ViscoelasticSolid):
-            total = total.plus(of_relaxation(body.series).scaled(0.5 * (1.0 - body.poisson)))
+        total = total.plus(half_space_creep(body))
     return total
 
 

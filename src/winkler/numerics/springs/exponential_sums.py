@@ -54,7 +54,10 @@ class RelaxationSeries:
 
     def dynamic(self, frequency: Array) -> ComplexArray:
         """Return the complex modulus [Pa] at angular frequencies [rad/s]."""
-        s = 1j * np.asarray(frequency, dtype=float)
+        return self.at_rate(1j * np.asarray(frequency, dtype=float))
+
+    def at_rate(self, s: ComplexArray) -> ComplexArray:
+        """Return s times Laplace's transform [Pa] at s [1/s], finite."""
         turns = s[..., None] * self.times
         return np.asarray(self.relaxed + s * self.viscosity + (turns / (1.0 + turns)) @ self.moduli)
 

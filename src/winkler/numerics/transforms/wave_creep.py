@@ -24,6 +24,7 @@ from numpy.polynomial.chebyshev import chebvander
 from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
+from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 
@@ -79,6 +80,15 @@ class WaveCreep(NamedTuple):
     edges: Array
     series: Array
     error: float
+
+    def plus(self, creep: CreepSeries) -> WaveCreep:
+        """Return the creep of a pair whose second body is a half-space, which sinks alike under all waves."""
+        times = np.concatenate([self.times, creep.times])
+        order = np.append(0, 1 + np.argsort(times, kind="stable"))
+        local = np.append(self.local, creep.compliances)[order]
+        local[0] += creep.glassy
+        series = np.pad(self.series, ((0, 0), (0, 0), (0, creep.times.size)))
+        return self._replace(times=np.sort(times), local=local, series=np.ascontiguousarray(series[:, :, order]))
 
     def kernels(self, count: int, width: float) -> Array:
         """Return how the load of a hat moves hats at distances 0, width, ..., ``(1 + M, 2 count)``.

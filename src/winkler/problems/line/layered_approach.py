@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import math
 from numbers import Real
+from typing import cast
 
 import numpy as np
 
@@ -69,7 +70,7 @@ def layered_approach(
     second : float, RollerCentre, PlateBase or None
         Depth [m] of the point in the other body, or a finite body; of a rigid one it is not used.
     """
-    medium = bed.medium
+    medium = cast(PlaneMedium, bed.medium)
     below = _first_depth(medium, first) if not isinstance(bed.strained, Rigid) else math.inf
     above, added = math.inf, 0.0
     if not isinstance(medium.second, Rigid):

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.media.layered.wave_constants import Wave
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries, of_creep
 from winkler.numerics.transforms.passing_strip import PassingStrip, passing_strip
-from winkler.numerics.types import Array
+from winkler.numerics.transforms.strips.passing_waves import PassingModes, passing_modes
+from winkler.numerics.types import Array, ComplexArray
+from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed
 
 __all__ = ["Passage", "passage"]
 
@@ -24,6 +27,10 @@ FASTEST = 1e-9
 """Relaxation time over that time, below which it counts as well."""
 MOST_IMMEDIATE = 1e-7
 """Greatest retardation time over that time that may count as none."""
+PLACES_INSIDE, PULL = np.linspace(-0.99, 0.99, 67), 1e-4
+"""Places at which it is examined whether layers pull, over the half-width, and how much may be the error of modes."""
+WIDENED = 1.0
+"""Logarithm of the factor between half-widths on layers that are tried before a search begins."""
 MARGIN = 1e-6
 """By which a half-width may miss those of the glassy and the relaxed bodies, as a logarithm."""
 NEWTON_STEPS = 6
@@ -39,11 +46,11 @@ class Passage(NamedTuple):
     middle
         Middle of the strip, from the lowest point of the cylinder [m].
     level
-        E* ell / (2 R) [Pa] of the relaxed bodies.
+        E* ell / (2 R) [Pa] of the relaxed half-planes; ell / R with modes in 1/Pa on layers.
     strip
         That under a parabola, all lengths over the half-width.
     first, second
-        g_1 and g_2 of `winkler.numerics.transforms.passing_strip`.
+        g_1 and g_2 of `winkler.numerics.transforms.passing_strip`, or of `strips.passing_waves` on layers.
     curvature_radius
         R [m].
     delayed
@@ -53,7 +60,7 @@ class Passage(NamedTuple):
     half_width: float
     middle: float
     level: float
-    strip: PassingStrip
+    strip: PassingStrip | PassingModes
     first: float
     second: float
     curvature_radius: float
@@ -108,13 +115,13 @@ class Passage(NamedTuple):
         return np.sqrt((1.0 - t) * (1.0 + t)) * later
 
 
-def passage(bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure, speed: float) -> Passage:
+def passage(bed: RelaxingBed, load: LineForce | HalfWidth | MeanPressure, speed: float) -> Passage:
     """Return the strip under a positive load at a speed [m/s].
 
     Parameters
     ----------
-    bed : LineFoundation
-        A Paraboloid on a ViscoelasticHalfSpace with finite moduli at all times.
+    bed : LineFoundation or LayeredLineFoundation
+        A Paraboloid on a ViscoelasticHalfSpace or on layers that relax, with finite moduli at all times.
     load : LineForce, HalfWidth or MeanPressure
     speed : float
 
@@ -123,32 +130,69 @@ def passage(bed: LineFoundation, load: LineForce | HalfWidth | MeanPressure, spe
     OutsideValidity
         If the solid relaxes so fast that the contact cannot be resolved.
     """
-    assert isinstance(bed.medium, ViscoelasticHalfSpace)
-    radius, creep = float(bed.size), bed.medium.creep
+    medium: Any = bed.medium
+    radius = float(bed.size)
     if isinstance(load, HalfWidth):
-        return _strip(creep, radius, float(load.half_width), speed)
+        return _strip(medium, radius, float(load.half_width), speed)
     from scipy.optimize import brentq
 
-    soft, stiff = creep.glassy + float(np.sum(creep.compliances)), creep.glassy
     mean = isinstance(load, MeanPressure)
     wanted = float(load.mean_pressure if isinstance(load, MeanPressure) else load.force_per_length)
-    if mean:  # P / (2 ell) = pi ell / (8 R C) of an elastic body
-        ends = (8.0 * radius * wanted * compliance / math.pi for compliance in (stiff, soft))
-    else:
-        ends = (math.sqrt(4.0 * radius * wanted * compliance / math.pi) for compliance in (stiff, soft))
 
     def missing(logarithm: float) -> float:
-        strip = _strip(creep, radius, math.exp(logarithm), speed)
+        strip = _strip(medium, radius, math.exp(logarithm), speed)
         carried = strip.force_per_length / (2.0 * strip.half_width if mean else 1.0)
         return math.log(carried / wanted)
 
-    low, high = (math.log(end) for end in ends)
-    found = brentq(missing, low - MARGIN, high + MARGIN, xtol=1e-15, rtol=8.9e-16)
-    return _strip(creep, radius, math.exp(found), speed)
+    def on_half_planes(compliance: float) -> float:
+        # P / (2 ell) = pi ell / (8 R C) of an elastic body
+        wide = 8.0 * radius * wanted * compliance / math.pi
+        return math.log(wide if mean else math.sqrt(0.5 * wide))
+
+    if isinstance(medium, ViscoelasticHalfSpace):
+        creep = medium.creep
+        low, high = (on_half_planes(each) for each in (creep.glassy, creep.glassy + float(np.sum(creep.compliances))))
+        low, high = low - MARGIN, high + MARGIN
+    else:
+        surface = medium.waves(Wave.NORMAL, np.array([np.inf]), np.zeros(1, dtype=complex))
+        low = high = on_half_planes(float(surface[0].real))
+        while missing(low) > 0.0:
+            low -= WIDENED
+        while missing(high) < 0.0:
+            high += WIDENED
+    found = brentq(missing, low, high, xtol=1e-15, rtol=8.9e-16)
+    return _strip(medium, radius, math.exp(found), speed)
 
 
 @functools.lru_cache(maxsize=256)
-def _strip(creep: CreepSeries, radius: float, half_width: float, speed: float) -> Passage:
+def _strip(medium: RelaxingMedium, radius: float, half_width: float, speed: float) -> Passage:
+    """Return the strip of a half-width."""
+    if isinstance(medium, ViscoelasticHalfSpace):
+        return _on_half_planes(medium.creep, radius, half_width, speed)
+
+    def response(kappa: Array) -> ComplexArray:
+        k = kappa / half_width
+        return np.conj(medium.waves(Wave.NORMAL, k, 1j * speed * k))  # particles come from ahead
+
+    strip = passing_modes(response)
+    if strip is None:
+        raise OutsideValidity(
+            f"LineRollingResistance: at {speed:.6g} m/s, half of the contact passes in {half_width / speed:.3g} s; "
+            "layers relax so much faster, liquid leaves them so much more slowly, or they are so much thinner, that "
+            "the edge is not resolved: take a speed nearer to that of the greatest resistance, or press less."
+        )
+    first, second = strip.waves(2).tolist()
+    found = Passage(half_width, strip.middle * half_width, half_width / radius, strip, first, second, radius, 0.0)
+    pressure = found.pressure(found.middle + half_width * PLACES_INSIDE)
+    if np.min(pressure) < -PULL * np.max(pressure):
+        raise OutsideValidity(
+            f"LineRollingResistance: at {speed:.6g} m/s the layers are pulled inside the strip, so that the contact is "
+            "no single one; press less, or take softer or thicker layers."
+        )
+    return found
+
+
+def _on_half_planes(creep: CreepSeries, radius: float, half_width: float, speed: float) -> Passage:
     """Return the strip of a half-width."""
     soft = creep.glassy + float(np.sum(creep.compliances))
     passing = speed / half_width

@@ -19,21 +19,24 @@ doi:10.1115/1.3641792
 from __future__ import annotations
 
 import dataclasses
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import PositiveQuantity
 from winkler.checks.place_checks import finite_places
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth
-from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.offers import offers
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.line_rolling.passage import passage
 from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round
+from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.one_load import single
@@ -49,9 +52,9 @@ class LineRollingResistance:
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         A Paraboloid on a ViscoelasticHalfSpace that is a solid: neither flows for ever nor resists a step without
-        bound.
+        bound; or on layers of which some relax, alike or each by a law of its own, or a film that loses its liquid.
     load : LineForce, HalfWidth or MeanPressure
         The steady load, one positive number; a half-width is half of the width from edge to edge.
     speed : float or ndarray
@@ -72,6 +75,7 @@ class LineRollingResistance:
     A solid that relaxes to a tenth: its resistance is greatest where it passes the strip in about its relaxation time.
 
     >>> from winkler.materials.spring_and_dashpot import StandardSolid
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> solid = StandardSolid(relaxed_shear=1e6, shear=9e6, relaxation_time=1e-3)
     >>> bed = LineFoundation(Paraboloid(0.1), ViscoelasticHalfSpace(solid))
@@ -86,7 +90,7 @@ class LineRollingResistance:
         speed=("v", "m/s", "speed with which the bodies pass the contact"),
     )
 
-    bed: LineFoundation
+    bed: RelaxingBed
     load: OneLineLoad
     speed: PositiveQuantity
 
@@ -95,13 +99,14 @@ class LineRollingResistance:
 
     def __post_init__(self) -> None:
         refuse_unless_round("LineRollingResistance", self.bed)
-        medium = self.bed.medium
-        if not isinstance(medium, ViscoelasticHalfSpace):
+        medium: object = self.bed.medium
+        if not offers(medium, RelaxingMedium):
             raise InvalidInput(
                 f"LineRollingResistance: the bed stands on a {type(medium).__name__}; give LineFoundation(Paraboloid(R)"
-                ", ViscoelasticHalfSpace(solid)): an elastic body does not resist rolling."
+                ", ViscoelasticHalfSpace(solid)) or a LayeredLineFoundation on layers that relax: an elastic body does "
+                "not resist rolling."
             )
-        if medium.creep.fluidity > 0.0 or medium.creep.glassy == 0.0:
+        if medium.in_proportion and (medium.creep.fluidity > 0.0 or medium.creep.glassy == 0.0):
             which = "flows for ever" if medium.creep.fluidity > 0.0 else "resists a step of strain without bound"
             raise InvalidInput(
                 f"LineRollingResistance: the solid {which}; give one with a relaxed and a glassy modulus, such as "
@@ -228,7 +233,7 @@ class LineRollingResistanceSolution:
         widest = max(float(np.max(np.abs(edge))) for edge in (self.leading_edge, self.trailing_edge))
         return (
             *bed.notes,
-            HUNTER,
+            *((HUNTER,) if isinstance(bed, LineFoundation) else (_on_layers(bed), EXAMINED)),
             steepness_note(widest / bed.size),
             large_body_note(widest / bed.size, strip=True),
             *times_notes(bed, float(np.min(times)), float(np.max(times))),  # type: ignore[arg-type]
@@ -236,6 +241,25 @@ class LineRollingResistanceSolution:
         )
 
 
+def _on_layers(bed: LayeredLineFoundation) -> Note:
+    """Return what is assumed of layers that the contact passes."""
+    medium: Any = bed.medium
+    source = next(note.source for note in reversed(medium.notes) if note.assumption is Assumption.RESPONSE)
+    return Note(
+        Assumption.RESPONSE,
+        bed.layered_body.in_plane[0],
+        f"{medium.described} in plane strain, at a steady speed, without friction and inertia: each wave of pressure "
+        "is answered at the rate with which it passes; both bodies pass the contact with this speed.",
+        source,
+    )
+
+
+EXAMINED = Note(
+    Assumption.SINGLE_CONTACT,
+    Standing.APPROXIMATE,
+    "Nowhere inside is the strip pulled; whether layers bulge beside it and touch there, too, is not examined.",
+    "a-posteriori check of the pressure, at sampled places",
+)
 HUNTER = Note(
     Assumption.RESPONSE,
     Standing.EXACT,

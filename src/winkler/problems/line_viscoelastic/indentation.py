@@ -13,23 +13,26 @@ in the middle bears P; that at the edge bears nothing, which is Ting's rule wher
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import Whole, affordable, between
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.springs import Springs
 from winkler.limits import MOST_NUMBERS, RELAXING_SPRINGS
-from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.offers import offers
+from winkler.media.relaxing.by_waves import RelaxingByWaves
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.line.approach import Place
-from winkler.problems.line.half_width import grows, under_force
+from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line.load_springs import LoadSprings
 from winkler.problems.line_viscoelastic.crept_load import CreptLoad, Spacing
+from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line
 from winkler.problems.line_viscoelastic.path import LineForcePath
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
@@ -43,6 +46,9 @@ __all__ = ["LineViscoelasticIndentation", "LineViscoelasticSolution"]
 
 NO_LOAD = 1e-12
 """Part of the greatest force per length below which there is none."""
+PLACES_INSIDE = np.linspace(0.0, 0.98, 25)
+PULL = 2e-3
+"""Places at which it is examined whether layers pull, over the half-width, and what is rounding of the springs."""
 UNBALANCED = 0.1
 """Error of the load of a dashpot alongside, over the greatest force and the root of the tolerance."""
 
@@ -55,8 +61,9 @@ class LineViscoelasticIndentation:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies, on a `ViscoelasticHalfSpace`: Poisson's ratios do not change in time.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies, on a `ViscoelasticHalfSpace` or on layers that are `RelaxingInProportion`: Poisson's ratios
+        do not change in time.
     path : LineForcePath
         Force per length over time.
     count : int, optional
@@ -67,7 +74,7 @@ class LineViscoelasticIndentation:
     Raises
     ------
     InvalidInput
-        If the bodies do not relax, or a number is out of range.
+        If the bodies do not relax, or layers not in proportion, or a number is out of range.
 
     References
     ----------
@@ -78,7 +85,9 @@ class LineViscoelasticIndentation:
     --------
     A rigid cylinder on a Maxwell fluid with E* = 1 and tau = 1: a^2 = 4 R P (1 + t/tau) / (pi E*).
 
+    >>> from winkler.foundation.line import LineFoundation
     >>> from winkler.materials.spring_and_dashpot import Maxwell
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> fluid = ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0))
     >>> bed = LineFoundation(Paraboloid(1.0), fluid)
@@ -94,7 +103,7 @@ class LineViscoelasticIndentation:
         tolerance=("", None, "error of the load that crept between two moments, over its greatest value"),
     )
 
-    bed: LineFoundation
+    bed: RelaxingBed
     path: LineForcePath
     count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
     tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-6
@@ -103,11 +112,18 @@ class LineViscoelasticIndentation:
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
+        medium: object = self.bed.medium
+        if offers(medium, RelaxingByWaves):
             raise InvalidInput(
-                f"LineViscoelasticIndentation: the bed stands on a {type(self.bed.medium).__name__}; give "
-                "LineFoundation(profile, ViscoelasticHalfSpace(solid)), or LineIndentation for bodies that do not "
-                "relax."
+                f"LineViscoelasticIndentation: {medium.reason} so that a wide strip relaxes otherwise than a narrow "
+                "one and no single function of time stands for all of them, as it must here; give "
+                "LayeredLineFoundation(profile, RelaxingInProportion(medium, solid, shear)) of layers that relax alike."
+            )
+        if not offers(medium, RelaxingMedium):
+            raise InvalidInput(
+                f"LineViscoelasticIndentation: the bed stands on a {type(medium).__name__}; give "
+                "LineFoundation(profile, ViscoelasticHalfSpace(solid)), LayeredLineFoundation(profile, "
+                "RelaxingInProportion(medium, solid, shear)), or LineIndentation for bodies that do not relax."
             )
         affordable("LineViscoelasticIndentation", "numbers", self.total * self.count, MOST_NUMBERS)
 
@@ -125,8 +141,7 @@ class LineViscoelasticIndentation:
             If the bodies are never pressed, the load leads beyond what is known of the profile, the contact is no
             single strip, or the bodies touch beside a dent.
         """
-        medium = self.bed.medium
-        assert isinstance(medium, ViscoelasticHalfSpace)
+        medium: Any = self.bed.medium
         times, forces = self.path.moments, self.path.across
         most = float(np.max(forces))
         if most == 0.0:
@@ -134,32 +149,39 @@ class LineViscoelasticIndentation:
                 "LineViscoelasticIndentation: the force per length is zero all the time; press the bodies together."
             )
         parts, deepest = self._crept(medium)
-        line = LineFoundation(self.bed.profile, medium.elastic)
-        widest = float(under_force(line, np.array([deepest]))[0])
+        line = elastic_line(self.bed)
+        modulus = line.medium.modulus
+        widest = float(under_force(line, np.array([deepest / modulus]))[0])
         if not (line.profile.rising or grows(line, widest)):
             raise OutsideValidity(
                 "LineViscoelasticIndentation: below its greatest load the profile lets the load fall again, so that "
                 "the contact is no strip that grows steadily; give a smoother profile or a smaller load."
             )
+        if not line.single:
+            refuse_unless_strips(line, np.array([widest]))
         bed = LoadSprings(line)
         row = SpringRow(bed, Springs.of(bed, widest, self.count), medium.relaxation)
         ends = np.array([levels[-1] for _, levels in parts])
         before = np.maximum.accumulate([np.max(levels) for _, levels in parts])
-        unbound = np.where(ends >= before, under_force(line, ends), 0.0)  # on ground that was never touched
+        unbound = np.where(ends >= before, under_force(line, ends / modulus), 0.0)  # on ground that was never touched
         for time, force, fresh, (spans, levels) in zip(
             times.tolist(), forces.tolist(), unbound.tolist(), parts, strict=True
         ):
             done = row.march(np.diff(levels, prepend=row.depth), spans)
             if force > NO_LOAD * most:
                 refuse_rings("LineViscoelasticIndentation", np.array([time]), np.any(done.ring, keepdims=True))
-            yield self._state(row, time, force if force > NO_LOAD * most else 0.0, fresh or float(done.radius[-1]))
+            yield self._state(
+                row, modulus, time, force if force > NO_LOAD * most else 0.0, fresh or float(done.radius[-1])
+            )
 
-    def _state(self, row: SpringRow, time: float, force: float, half_width: float) -> LineViscoelasticState:
+    def _state(
+        self, row: SpringRow, modulus: float, time: float, force: float, half_width: float
+    ) -> LineViscoelasticState:
         """Return the state in which the middle spring bears the force; what it lacks all that are pressed lack."""
-        loads, place = row.loads(), row.place.copy()
+        loads, place, depth = row.loads(), row.place / modulus, row.depth / modulus
         if force == 0.0:
             return LineViscoelasticState(
-                self.bed, time, 0.0, 0.0, row.depth, 0.0, row.springs.position, np.zeros(place.size), place
+                self.bed, time, 0.0, 0.0, depth, 0.0, row.springs.position, np.zeros(place.size), place
             )
         missing = force - float(loads[0])
         borne = np.where(row.pressed, np.maximum(loads + missing, 0.0), 0.0)
@@ -172,9 +194,12 @@ class LineViscoelasticIndentation:
         elif row.series.viscosity > 0.0:  # a dashpot bears the rate itself, not its mean
             half_width = _edge(row.springs, borne, half_width)
         position = row.springs.position
-        return LineViscoelasticState(self.bed, time, force, half_width, row.depth, edge_load, position, borne, place)
+        state = LineViscoelasticState(self.bed, time, force, half_width, depth, edge_load, position, borne, place)
+        if isinstance(self.bed, LayeredLineFoundation):
+            _refuse_pulling(state)
+        return state
 
-    def _crept(self, medium: ViscoelasticHalfSpace) -> tuple[list[tuple[Array, Array]], float]:
+    def _crept(self, medium: RelaxingMedium) -> tuple[list[tuple[Array, Array]], float]:
         """Return spans [s] and levels [m] of the load that crept up to every point, and its greatest level."""
         most = float(np.max(self.path.across))
         greatest = max(float(levels[-1]) for _, levels in self._levels(medium, None))
@@ -184,7 +209,7 @@ class LineViscoelasticIndentation:
         affordable("LineViscoelasticIndentation", "moments", sum(levels.size for _, levels in parts), MOST_NUMBERS)
         return parts, max(float(np.max(levels)) for _, levels in parts)
 
-    def _levels(self, medium: ViscoelasticHalfSpace, spacing: Spacing | None) -> Iterator[tuple[Array, Array]]:
+    def _levels(self, medium: RelaxingMedium, spacing: Spacing | None) -> Iterator[tuple[Array, Array]]:
         crept, times, forces = CreptLoad(medium.creep), self.path.moments.tolist(), self.path.across.tolist()
         for i, force in enumerate(forces):
             if i and times[i] > times[i - 1]:
@@ -207,6 +232,16 @@ class LineViscoelasticIndentation:
             As `steps`.
         """
         return self.gathered(self.steps())
+
+
+def _refuse_pulling(state: LineViscoelasticState) -> None:
+    """Refuse a strip that is pulled inside."""
+    pressure = state.pressure(state.half_width * PLACES_INSIDE)
+    if np.min(pressure) < -PULL * np.max(pressure):
+        raise OutsideValidity(
+            f"LineViscoelasticIndentation: at {state.time:.6g} s the layers are pulled inside the strip, so that the "
+            "contact is no single one; end the path before."
+        )
 
 
 def _edge(springs: Springs, borne: Array, half_width: float) -> float:
@@ -257,8 +292,8 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         Parameters
         ----------
         first, second : float, RollerCentre or PlateBase
-            Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
-            left out.
+            Depths of the points below the surfaces of half-planes or layers [m], or finite bodies; that in a rigid
+            body, and below layers on a rigid base, may be left out.
 
         Raises
         ------
@@ -268,10 +303,9 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
             If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
         """
         bed, states = self.problem.bed, self.states
-        assert isinstance(bed.medium, ViscoelasticHalfSpace)
         borne, sunk = (np.array([getattr(state, name) for state in states]) for name in ("line_load", "recess"))
         strips = states[0].position, borne, sunk
-        return approach_of_strips(bed, bed.medium, float(np.max(self.half_width)), strips, (first, second))
+        return approach_of_strips(bed, float(np.max(self.half_width)), strips, (first, second))
 
     def work_per_length(self, first: Place = None, second: Place = None) -> Array:
         """Return what was spent since the beginning, per length [J/m]: the integral of P over the approach.

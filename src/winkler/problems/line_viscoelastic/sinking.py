@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.viscoelastic import ViscoelasticSolid
@@ -19,6 +20,7 @@ from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace, share_of_
 from winkler.numerics.types import Array
 from winkler.problems.line.approach import Place, depth_of, nearing
 from winkler.problems.line.references import PlateBase, RollerCentre
+from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line, layered_approaches
 
 __all__ = ["approach_of_strips"]
 
@@ -26,8 +28,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
 def approach_of_strips(
-    bed: LineFoundation,
-    medium: ViscoelasticHalfSpace,
+    bed: RelaxingBed,
     half_width: float,
     strips: tuple[Array, Array, Array],
     places: tuple[Place, Place],
@@ -36,8 +37,7 @@ def approach_of_strips(
 
     Parameters
     ----------
-    bed : LineFoundation
-    medium : ViscoelasticHalfSpace
+    bed : LineFoundation or LayeredLineFoundation
     half_width : float
         Greatest half-width [m].
     strips : tuple of ndarray
@@ -47,6 +47,11 @@ def approach_of_strips(
         As of `winkler.problems.line.approach.approach`.
     """
     c, borne, sunk = strips
+    medium = bed.medium
+    if isinstance(bed, LayeredLineFoundation):
+        line = elastic_line(bed)
+        return layered_approaches(line, c, line.medium.modulus * sunk, places)
+    assert isinstance(medium, ViscoelasticHalfSpace)
     bodies, total = (medium.first, medium.second), np.zeros(len(borne))
     for body, other, place, name in zip(bodies, bodies[::-1], places, ("first", "second"), strict=True):
         if isinstance(body, Rigid):

@@ -13,13 +13,18 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.checks.place_checks import finite_places
-from winkler.foundation.line import LineFoundation
-from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
 from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line_viscoelastic.layered_strips import (
+    RelaxingBed,
+    elastic_line,
+    layered_pressure,
+    shares_of,
+)
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.values import value, words
 
@@ -35,7 +40,7 @@ class LineViscoelasticState:
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     time : float
         [s].
@@ -60,7 +65,7 @@ class LineViscoelasticState:
         recess=("u", "m", "hereditary integral of creep and what wider strips have borne"),
     )
 
-    bed: LineFoundation
+    bed: RelaxingBed
     time: float
     force_per_length: float
     half_width: float
@@ -99,15 +104,22 @@ class LineViscoelasticState:
         flat, found = places.ravel(), np.zeros(places.size)
         if self.half_width > 0.0:
             edges, borne = self._strips
+            line = elastic_line(self.bed)
+            loads, edge_load, shares = -np.diff(borne), self.edge_load, np.zeros(0)
+            if isinstance(line, LayeredLineFoundation):
+                shares, edge_load = shares_of(line, edges, borne), 0.0
+                loads = line.medium.modulus * shares * np.diff(line.half_plane.load_profile(edges))
             block = max(1, BLOCK // edges.size)
             for start in range(0, flat.size, block):
                 part = slice(start, start + block)
-                found[part] = self._pressure(flat[part], edges, borne)
+                found[part] = self._pressure(flat[part], edges, loads, edge_load)
+                if isinstance(line, LayeredLineFoundation):
+                    found[part] += layered_pressure(line, flat[part], edges, shares, self.edge_load)
         return found.reshape(places.shape)
 
-    def _pressure(self, x: Array, edges: Array, borne: Array) -> Array:
+    def _pressure(self, x: Array, edges: Array, loads: Array, edge_load: float) -> Array:
         """Sum the strips between edges, whose load density is that of the profile times what is left of it."""
-        middle, steep = self._densities(edges, -np.diff(borne))
+        middle, steep = self._densities(edges, loads)
         inside = x[:, None] < edges
         roots = np.where(inside, abel.root_difference(np.maximum(edges, x[:, None]), x[:, None]), 0.0)
         total = np.diff(roots, axis=1) @ steep
@@ -116,15 +128,15 @@ class LineViscoelasticState:
                 logs = np.log(np.maximum(edges, x[:, None]) + roots)
             steps = np.where(middle != 0.0, np.diff(logs, axis=1), 0.0)
             total = total + np.where(middle != 0.0, steps * middle, 0.0).sum(axis=1)
-        if self.edge_load > 0.0:
+        if edge_load > 0.0:
             with np.errstate(divide="ignore"):
-                total = total + np.where(x <= self.half_width, self.edge_load / roots[:, -1], 0.0)
+                total = total + np.where(x <= self.half_width, edge_load / roots[:, -1], 0.0)
         return np.asarray(total / np.pi)
 
     def _densities(self, edges: Array, loads: Array) -> tuple[Array, Array]:
         """Return A [N/m^2] and B [N/m^3] of the load densities A + B c between edges, as straight as w' there."""
         low, high = edges[:-1], edges[1:]
-        rise = self.bed.load_profile_slope(edges)
+        rise = self.bed.half_plane.load_profile_slope(edges)
         known = np.isfinite(rise[:-1]) & np.isfinite(rise[1:]) & (rise[:-1] + rise[1:] > 0.0)
         first, last = np.where(known, rise[:-1], 1.0), np.where(known, rise[1:], 1.0)
         factor = loads / (0.5 * (first + last) * (high - low))
@@ -144,8 +156,8 @@ class LineViscoelasticState:
         Parameters
         ----------
         first, second : float, RollerCentre or PlateBase
-            Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
-            left out.
+            Depths of the points below the surfaces of half-planes or layers [m], or finite bodies; that in a rigid
+            body, and below layers on a rigid base, may be left out.
 
         Raises
         ------
@@ -154,7 +166,5 @@ class LineViscoelasticState:
         OutsideValidity
             If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
         """
-        medium = self.bed.medium
-        assert isinstance(medium, ViscoelasticHalfSpace)
         strips = self.position, self.line_load[None], self.recess[None]
-        return float(approach_of_strips(self.bed, medium, self.half_width, strips, (first, second))[0])
+        return float(approach_of_strips(self.bed, self.half_width, strips, (first, second))[0])

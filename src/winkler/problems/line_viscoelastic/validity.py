@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.line.load_springs import LoadSprings
-from winkler.problems.line.validity import line_notes
+from winkler.problems.line.validity import shape_notes
+from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 
@@ -17,12 +18,12 @@ __all__ = ["relaxing_line_notes"]
 TING = "T. C. T. Ting, J. Appl. Mech. 33 (1966) 845-854, doi:10.1115/1.3625192"
 
 
-def relaxing_line_notes(bed: LineFoundation, time: Array, half_width: float) -> tuple[Note, ...]:
+def relaxing_line_notes(bed: RelaxingBed, time: Array, half_width: float) -> tuple[Note, ...]:
     """Return the notes on bed, contact, times and yield.
 
     Parameters
     ----------
-    bed : LineFoundation
+    bed : LineFoundation or LayeredLineFoundation
     time : ndarray
         Moments of the path [s].
     half_width : float
@@ -30,13 +31,22 @@ def relaxing_line_notes(bed: LineFoundation, time: Array, half_width: float) -> 
     """
     medium = bed.medium
     assert offers(medium, RelaxingMedium)
+    layered = elastic_line(bed).layered_body if isinstance(bed, LayeredLineFoundation) else None
+    bodies = medium.described if layered else "Linear viscoelastic half-planes"  # type: ignore[attr-defined]
     response = Note(
         Assumption.RESPONSE,
-        Standing.EXACT,
-        "Linear viscoelastic half-planes in plane strain with Poisson's ratios that do not change in time, without "
+        layered.in_plane[0] if layered else Standing.EXACT,
+        f"{bodies} in plane strain with Poisson's ratios that do not change in time, without "
         "friction and inertia: while the contact is one strip, the flat strips that make up its pressure relax one by "
         "one; the ends of a body of finite length are not included.",
         TING,
     )
-    own = tuple(note for note in line_notes(bed, half_width) if note.assumption is not Assumption.RESPONSE)
-    return (response, *own, *path_notes(LoadSprings(bed), time), *relaxing_yield(medium))
+    examined = Note(
+        Assumption.SINGLE_CONTACT,
+        Standing.EXACT,
+        "That the contact is one strip was checked: no tension inside at each point of the path, and no overlap "
+        "outside of the widest elastic contact.",
+        "a-posteriori check of pressure and separation, at sampled places",
+    )
+    own = (*shape_notes(bed, half_width, response, examined=False), *((examined,) if layered else ()))
+    return (*own, *path_notes(LoadSprings(bed), time), *relaxing_yield(medium))

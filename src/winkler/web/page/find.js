@@ -1,28 +1,43 @@
-// Search among the options of a list that is open: those without the typed words are hidden, in the browser alone.
+// Search among the options of a list that is open: those that have the typed letters stay, below those that the app
+// says are meant by the words.
 export default {
   template: `<div class="find">
     <input type="search" autocomplete="off" :placeholder="label" :aria-label="label" @input="filter" @keydown="pressed"
       @click.stop />
-    <p v-show="none" role="status">Nothing has these words.</p>
+    <p v-show="none || beyond" role="status">{{ none ? "Nothing has these words." : beyond }}</p>
   </div>`,
   props: { label: String },
-  data: () => ({ none: false }),
+  data: () => ({ none: false, beyond: "" }),
   mounted() {
     this.input = this.$el.querySelector("input");
     if (matchMedia("(hover: hover)").matches) setTimeout(() => this.input?.focus(), 0); // no keyboard over a phone's list
   },
   methods: {
     items() {
-      return [...this.$el.parentElement.querySelectorAll(".q-item")];
+      return [...this.$el.parentElement.querySelectorAll(".q-item")].sort((one, two) => one.style.order - two.style.order);
     },
     shown() {
       return this.items().filter((item) => item.style.display !== "none");
     },
     filter() {
-      const words = this.input.value.toLowerCase().split(/\s+/);
+      const text = this.input.value.trim();
+      this.beyond = "";
+      this.keep(text.toLowerCase().split(/\s+/), []);
+      if (text.length > 1) this.$emit("sought", text);
+    },
+    // what the app found for a text: labels of options, the best first, and a sentence on what is not covered
+    found(text, labels, beyond) {
+      if (text !== this.input?.value.trim()) return; // more was typed by the time
+      this.beyond = beyond;
+      this.keep(beyond ? null : text.toLowerCase().split(/\s+/), labels);
+    },
+    // show options with these labels first, then those with all of these words
+    keep(words, labels) {
       for (const item of this.items()) {
+        const rank = labels.indexOf(item.getAttribute("aria-label"));
         const text = item.textContent.toLowerCase();
-        item.style.display = words.every((word) => text.includes(word)) ? "" : "none";
+        item.style.display = rank >= 0 || words?.every((word) => text.includes(word)) ? "" : "none";
+        item.style.order = rank >= 0 ? rank - labels.length : 0;
       }
       this.none = this.shown().length === 0;
       this.mark(this.input.value ? 0 : -1);

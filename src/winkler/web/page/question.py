@@ -8,6 +8,7 @@ import json
 from nicegui import ui
 
 from winkler.study.chapters.contents import CHAPTERS
+from winkler.study.finding.finding import find
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import summary
 from winkler.study.language.fit_study import FITTED
@@ -38,7 +39,17 @@ def _in_words(kind: str) -> str:
 
 
 class FindField(ui.element, component="find.js"):
-    """The search among the options of an open list."""
+    """The search among the options of an open list, by their letters and by what people call them."""
+
+    def __init__(self, label: str) -> None:
+        super().__init__()
+        self.props["label"] = label
+        self.on("sought", lambda event: self._answer(str(event.args)))
+
+    def _answer(self, text: str) -> None:
+        found = find(text)
+        beyond = f"winkler does not cover {found.beyond.what}; these come nearest." if found.beyond else ""
+        self.run_method("found", text, [_in_words(hit.name) for hit in found.hits], beyond)
 
 
 class Question:
@@ -62,7 +73,7 @@ class Question:
         self.choice.add_slot("option", OPTION.format(safe(labels)))
         self.choice.props["data-choice"] = "problem"
         with self.choice.add_slot("before-options"):
-            FindField().props["label"] = "Find by name or chapter"
+            FindField("Find by name, chapter, word or question")
         self.meaning = ui.label().classes("meaning")
         self.choice.on_value_change(lambda event: entered.choose("problem", event.value) if event.value else None)
         with ui.element("div").classes("carried") as self.carried:

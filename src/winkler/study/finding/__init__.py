@@ -1,0 +1,1 @@
+"""Search among all that a study may name, by what people call it."""

@@ -1,0 +1,263 @@
+"""Which kinds a word or a question means: a ranking over their names and the words of ``words.toml``."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import math
+import re
+import tomllib
+import unicodedata
+from collections import Counter, defaultdict
+from importlib import resources
+from typing import Any, NamedTuple
+
+from winkler.materials.named import material_names
+from winkler.study.language.catalogue import kinds, slot_of
+from winkler.study.language.explain import summary
+
+__all__ = ["Beyond", "Found", "Hit", "find", "known", "neighbours", "words"]
+
+LANGUAGES = ("en", "de", "fr")
+SATURATION, LENGTH = 1.2, 0.3
+"""Of BM25: how soon one more occurrence counts no more, and how far long entries are held back."""
+
+NAME, SAID, MATERIAL = 3.0, 2.0, 1.0
+"""Weight of a word in the name of a kind, in its entry of ``words.toml``, in the name of a material."""
+
+PREFIX, PART, TYPO = 0.7, 0.6, 0.5
+"""Weight of a word that begins another, is a part of it, or is spelled like it."""
+
+SHARE = 0.6
+"""Least share of a word that its beginning has, if it is to stand for it."""
+
+SAME = 0.8
+"""Least similarity, by difflib, of a mistyped word to the known one."""
+
+SHORTEST = 5
+"""Letters of the shortest word that may begin another, be a part of it, or be mistyped."""
+
+COMMON, SELDOM = 1.1, 0.6
+"""Factor of what is meant most often, and of kinds that are mere parts of a study, such as solids and steps."""
+
+ASKED = ("problem", "medium", "profile")
+"""Slots whose kinds people ask for."""
+
+DECIDES = 2.0
+"""Factor of what is not covered, where a typed word belongs to such a neighbour alone."""
+
+PROMISED = 0.45
+"""Share of the best score down to which others are shown."""
+
+ENDINGS = (
+    "ungen", "ations", "ation", "ements", "ement", "ings", "ing", "ung", "ies", "ed", "es", "en", "er", "s", "e", "n",
+    "t", "y",
+)  # fmt: skip
+"""What is cut off a word, the first that fits, if four letters are left."""
+
+
+class Hit(NamedTuple):
+    """What a search found.
+
+    Parameters
+    ----------
+    name
+        A kind, a material, or a task that is no kind: fit, nanoindentation, materials, export, sweep, map.
+    group
+        The slot of the kind; ``task`` or ``material`` otherwise.
+    command
+        What shows it.
+    """
+
+    name: str
+    group: str
+    command: str
+
+    @property
+    def meaning(self) -> str:
+        """What it is, in one sentence."""
+        if self.group == "material":
+            return "A material of the table."
+        task = _table()["task"].get(self.name) if self.group == "task" else None
+        return str(task["meaning"]) if task else summary(kinds()[self.name].cls)
+
+
+class Beyond(NamedTuple):
+    """A neighbour that winkler does not cover.
+
+    Parameters
+    ----------
+    what
+        Its name.
+    nearest
+        Names of the hits that come nearest.
+    """
+
+    what: str
+    nearest: tuple[str, ...]
+
+
+class Found(NamedTuple):
+    """The outcome of a search.
+
+    Parameters
+    ----------
+    hits
+        The best first.
+    beyond
+        What was asked for and is not covered, or None; the hits are then the nearest.
+    """
+
+    hits: tuple[Hit, ...]
+    beyond: Beyond | None
+
+    def table(self) -> dict[str, Any]:
+        """Return it as data for JSON."""
+        return {
+            "not_covered": self.beyond.what if self.beyond else None,
+            "found": [{**hit._asdict(), "meaning": hit.meaning} for hit in self.hits],
+        }
+
+
+@functools.cache
+def _table() -> Any:
+    text = resources.files(__package__).joinpath("words.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def _folded(text: str) -> str:
+    """Return small letters without accents; an umlaut is as good as two letters."""
+    plain = unicodedata.normalize("NFKD", text.lower().replace("ß", "ss").replace("œ", "oe").replace("’", "'"))
+    plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
+    return re.sub(r"([aou])e(?=[a-z])", r"\1", plain)
+
+
+def _stem(word: str) -> str:
+    for ending in ENDINGS:
+        if word.endswith(ending) and len(word) - len(ending) >= 4:
+            return word.removesuffix(ending)
+    return word
+
+
+def _tokens(text: str) -> list[str]:
+    """Return the words of a text and their stems, each once; a word in capitals begins a word of a public name."""
+    found = re.findall(r"[a-z]+[0-9]*|[0-9]+", _folded(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)))
+    idle = _table()["idle"].split()
+    told = [word for word in found if len(word) > 1 and word not in idle]
+    return list(dict.fromkeys(token for word in told for token in (word, _stem(word))))
+
+
+def words(name: str) -> str:
+    """Return all that people call a kind or task, in three languages; empty where nothing is known."""
+    table = _table()
+    entry = table["kind"].get(name) or table["task"].get(name) or {}
+    return " ".join(entry.get(language, "") for language in LANGUAGES)
+
+
+class _Index:
+    """How much each word tells of each entry."""
+
+    def __init__(self) -> None:
+        table = _table()
+        self.hits: dict[str, Hit] = {}
+        self.beyond: dict[str, Beyond] = {}
+        self.titles: dict[str, list[str]] = {}
+        counts: dict[str, Counter[str]] = {}
+
+        def count(name: str, *texts: tuple[str, float]) -> None:
+            counts[name], self.titles[name] = Counter(), _tokens(texts[0][0])
+            for text, weight in texts:
+                counts[name].update(dict.fromkeys(_tokens(text), weight))
+
+        for kind, line in kinds().items():  # their classes are not loaded for this: that takes seconds
+            self.hits[kind] = Hit(kind, slot_of(kind), f"winkler show {kind}")
+            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID))
+        for name, entry in table["task"].items():
+            self.hits[name] = Hit(name, "task", entry["command"])
+            count(name, (name, NAME), (words(name), SAID))
+        for name in material_names():
+            self.hits[name] = Hit(name, "material", f"winkler show {name}")
+            count(name, (name, MATERIAL))
+        for name, entry in table["beyond"].items():
+            self.beyond[name] = Beyond(entry["what"], tuple(entry["nearest"]))
+            count(f"beyond.{name}", (entry["what"], SAID), (" ".join(entry[each] for each in LANGUAGES), SAID))
+        self.favour = {kind: SELDOM for kind in kinds() if slot_of(kind) not in ASKED}
+        self.favour |= dict.fromkeys(table["common"].split(), COMMON)
+        mean = sum(sum(told.values()) for told in counts.values()) / len(counts)
+        holders = Counter(token for told in counts.values() for token in told)
+        self.scores: dict[str, dict[str, float]] = {token: {} for token in holders}
+        for name, held_words in counts.items():
+            held = SATURATION * (1.0 - LENGTH + LENGTH * sum(held_words.values()) / mean)
+            for token, weight in held_words.items():
+                rare = math.log(1.0 + (len(counts) - holders[token] + 0.5) / (holders[token] + 0.5))
+                self.scores[token][name] = rare * weight * (SATURATION + 1.0) / (weight + held)
+
+    def alike(self, token: str) -> dict[str, float]:
+        """Return known words that a typed one may mean, and how surely."""
+        if token in self.scores:
+            return {token: 1.0}
+        found = dict.fromkeys(difflib.get_close_matches(token, self.scores, n=3, cutoff=SAME), TYPO)
+        for known in self.scores:
+            short, long = sorted((token, known), key=len)
+            if len(short) >= SHORTEST and len(short) >= SHARE * len(long) and long.startswith(short):
+                found[known] = PREFIX
+            elif len(short) >= SHORTEST and short in long:
+                found[known] = PART
+        return found
+
+
+@functools.cache
+def _index() -> _Index:
+    return _Index()
+
+
+def known() -> tuple[Hit, ...]:
+    """Return all kinds and tasks of which words are known, in the order of the table."""
+    table = _table()
+    return tuple(_index().hits[name] for name in (*table["kind"], *table["task"]))
+
+
+def neighbours() -> tuple[Beyond, ...]:
+    """Return what is known and not covered."""
+    return tuple(_index().beyond.values())
+
+
+def find(text: str, *, most: int = 5) -> Found:
+    """Return what a word or a question means, the best first.
+
+    Parameters
+    ----------
+    text
+        Words of English, German or French, or a public name of Python.
+    most
+        How many hits are wanted at most.
+
+    Examples
+    --------
+    >>> [hit.name for hit in find("does my gasket leak?").hits][0]
+    'seal'
+    >>> find("oil film thickness").beyond.what
+    'lubricant films'
+    """
+    index = _index()
+    totals: defaultdict[str, float] = defaultdict(float)
+    for token in _tokens(text):
+        best: defaultdict[str, float] = defaultdict(float)
+        for known, sure in index.alike(token).items():
+            for name, score in index.scores[known].items():
+                best[name] = max(best[name], sure * score)
+        decides = token in index.scores and all(name.startswith("beyond.") for name in best)
+        for name, score in best.items():
+            totals[name] += score * (DECIDES if decides else 1.0)
+    if not totals:
+        return Found((), None)
+    for name in totals:
+        totals[name] *= index.favour.get(name, 1.0)
+    ranked = sorted(totals, key=lambda name: -totals[name])
+    if ranked[0].startswith("beyond."):
+        beyond = index.beyond[ranked[0].removeprefix("beyond.")]
+        return Found(tuple(index.hits[name] for name in beyond.nearest), beyond)
+    least = PROMISED * totals[ranked[0]]
+    names = [name for name in ranked if name in index.hits and totals[name] >= least]
+    names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
+    return Found(tuple(index.hits[name] for name in names[:most]), None)

@@ -1,0 +1,115 @@
+"""Words and questions of practitioners, written by people who knew the names of the kinds and nothing of the search."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import winkler as wk
+from winkler.cli import main
+from winkler.study.finding.finding import _table, find
+from winkler.study.language.catalogue import CATALOGUE, kinds
+
+ASKED = json.loads(Path(__file__).with_name("asked.json").read_text(encoding="utf-8"))
+FIRST = 3
+
+
+def answered(one):
+    found = find(one["query"], most=FIRST)
+    if not one["answers"]:
+        return found.beyond is not None and len(found.hits) > 0
+    return found.beyond is None and any(hit.name in one["answers"] for hit in found.hits)
+
+
+@pytest.mark.parametrize(
+    "language, what, share",
+    [("en", "word", 0.95), ("en", "question", 0.9), ("de", "word", 0.95), ("de", "question", 0.9), ("fr", "word", 0.95),
+     ("fr", "question", 0.9)],
+)  # fmt: skip
+def test_words_and_questions_are_among_the_first_three(language, what, share):
+    asked = [one for one in ASKED if one["language"] == language and one["type"] == what]
+    missed = [one["query"] for one in asked if not answered(one)]
+    assert len(asked) >= 20
+    assert len(missed) <= (1.0 - share) * len(asked), missed
+
+
+def test_what_is_not_covered_is_said_with_the_nearest():
+    asked = [one for one in ASKED if one["type"] == "beyond"]
+    missed = [one["query"] for one in asked if not answered(one)]
+    assert len(asked) >= 60
+    assert len(missed) <= 0.1 * len(asked), missed
+
+
+def test_every_problem_is_found_by_its_name_its_class_and_a_word_in_each_language():
+    words = _table()["kind"]
+    for kind, line in CATALOGUE["problem"].items():
+        for text in (kind.replace("_", " "), line.path.split(":")[1]):
+            assert find(text).hits[0].name == kind, text
+        assert set(words[kind]) == {"en", "de", "fr"}, kind
+
+
+def test_the_table_names_what_there_is():
+    table = _table()
+    known = {*kinds(), *table["task"]}
+    assert set(table["kind"]) <= set(kinds())
+    for entry in table["beyond"].values():
+        assert set(entry["nearest"]) <= known
+
+
+@pytest.mark.parametrize(
+    "words, first",
+    [
+        ("hot", "friction_heating joule_heating"),
+        ("leak", "seal"),
+        ("strength", "yield_onset line_yield_onset"),
+        ("Rollwiderstand", "sliding_resistance line_rolling_resistance"),
+        ("Dichtung undicht", "seal"),
+        ("Dichtung undichtt", "seal"),
+        ("fuite d’un joint", "seal"),
+        ("FrictionDamping", "friction_damping"),
+        ("Waelzlager Laufbahn", "elliptic_indentation"),
+        ("hysteresys loop of friction", "tangential friction_damping"),
+    ],
+)
+def test_words_of_the_trade(words, first):
+    assert {hit.name for hit in find(words, most=FIRST).hits} & set(first.split())
+
+
+@pytest.mark.parametrize("nonsense", ["", "   ", "qqqqxx", "?!", "der die das", "\x00", "x" * 10_000])
+def test_nonsense_finds_nothing(nonsense):
+    assert find(nonsense) == ((), None)
+
+
+@pytest.mark.parametrize("word", ["gear", "steel", "wheel-rail", "bolt"])
+def test_no_word_is_taken_for_another_by_its_letters(word, capsys):
+    assert main(["show", word]) == 0
+    out = capsys.readouterr().out
+    assert "Nearest to" in out or "does not cover" in out
+    assert "did you mean" not in out
+
+
+def test_a_question_on_the_command_line(capsys):
+    assert main(["show", "does", "my", "gasket", "leak"]) == 0
+    out = capsys.readouterr().out
+    assert "winkler show seal" in out
+    assert main(["show", "oil", "film", "thickness", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["not_covered"] == "lubricant films"
+    assert {one["name"] for one in told["found"]} <= set(kinds())
+    assert all(one["meaning"] and one["command"].startswith("winkler ") for one in told["found"])
+
+
+def test_a_new_study_is_offered_what_the_word_means(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "leak"]) == 2
+    assert "(did you mean 'seal'?)" in capsys.readouterr().err
+    assert main(["new", "oil film"]) == 2
+    assert "winkler does not cover lubricant films; nearest come indentation" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_public_names_are_words_too():
+    assert wk.Seal.__name__ in {line.path.split(":")[1] for line in kinds().values()}
+    assert find("Seal").hits[0].name == "seal"
