@@ -160,6 +160,6 @@ def test_the_front_page_is_short_and_its_numbers_are_those_of_the_benchmarks():
 
 def test_the_picture_of_the_front_page_can_be_drawn_again():
     """What its script takes from the package is there; the picture itself is checked by eye."""
-    page = ROOT / "docs" / "front_picture.py"
-    assert callable(runpy.run_path(str(page), run_name="front_picture")["main"])
+    page = ROOT / "docs" / "figures" / "draw_front.py"
+    assert callable(runpy.run_path(str(page), run_name="draw_front")["main"])
     assert (ROOT / "docs" / "figures" / "front.png").stat().st_size < 150_000

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler import values
 from winkler.values import frozen_array, value
 
 
@@ -139,3 +140,18 @@ def test_what_is_masked_is_missing():
     """The number that lies below a mask is none; as nan it is refused where finite ones are required."""
     given = np.ma.masked_array([1, 2, 3], mask=[False, True, False])
     np.testing.assert_array_equal(frozen_array(given), [1.0, np.nan, 3.0])
+
+
+def test_contents_are_gathered_once(monkeypatch):
+    """Caches compare equal keys at each hit: their arrays are not written out again."""
+    numbers = np.linspace(0.0, 1.0, 5000)
+    one, other, third = (Sample((Sample(numbers), end)) for end in (1.0, 1.0, 2.0))
+    assert one == other != third
+    gathered = []
+    monkeypatch.setattr(values, "_key", lambda content: gathered.append(content))
+    assert one == other != third
+    assert {one: 1}[other] == 1
+    assert not gathered
+    later = np.where(numbers < 1.0, numbers, 2.0)
+    monkeypatch.undo()
+    assert Sample(numbers) != Sample(later)  # of which the last number differs

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import hashlib
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar, dataclass_transform
@@ -70,10 +71,17 @@ def _frozen(content: Any) -> Any:
     return content
 
 
+LARGE = 4096
+"""Bytes of an array beyond which its digest is kept and compared in place of its numbers."""
+
+
 def _key(content: Any) -> Any:
     """Return something hashable that is equal exactly when `content` is."""
     if isinstance(content, np.ndarray):
-        return content.shape, content.dtype.str, content.tobytes()
+        numbers = content.tobytes()
+        if len(numbers) > LARGE:
+            numbers = hashlib.blake2b(numbers).digest()
+        return content.shape, content.dtype.str, numbers
     if isinstance(content, tuple):
         return tuple(_key(item) for item in content)
     if isinstance(content, dict):
@@ -82,7 +90,12 @@ def _key(content: Any) -> Any:
 
 
 def _content(self: Any) -> tuple[Any, ...]:
-    return tuple(_key(getattr(self, field.name)) for field in dataclasses.fields(self))
+    """Return the contents of a value; they are kept, since caches compare their keys again and again."""
+    kept: tuple[Any, ...] | None = self.__dict__.get("_content")
+    if kept is None:
+        kept = tuple(_key(getattr(self, field.name)) for field in dataclasses.fields(self))
+        object.__setattr__(self, "_content", kept)
+    return kept
 
 
 def _equal(self: Any, other: object) -> bool:

@@ -14,8 +14,8 @@ import numpy as np
 
 import winkler as wk
 from golden import Found, found_in
-from winkler.problems.friction.tangential_march import CURVED_STEP_TOLERANCE
 from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE
+from winkler.problems.row import CURVED_STEP_TOLERANCE
 
 SEEDS, POINTS, MARCHED, KEPT = 20, 6, 3, 1
 """Seeds of a group, points of a path, points of one along which both loads change, and numbers that are stored

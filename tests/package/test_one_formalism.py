@@ -19,6 +19,9 @@ GONE = {
     "StackedBody": "LayerStack",
     "SlidingStack": "StackMedium",
     "is_bonded": "Layer.bonded, StackLayer.bonded",
+    "SlipPath": "SlipRow, under follow",
+    "SlipPoint": "SlipState",
+    "SpringRun": "SingleSprings, under follow",
 }
 """Classes and functions that are no more, and what stands for them."""
 OFFERING = {

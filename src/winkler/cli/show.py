@@ -12,7 +12,7 @@ from winkler.cli.options import completion
 from winkler.cli.streams import until_closed, write_json
 
 if TYPE_CHECKING:
-    from winkler.study.finding.finding import Found
+    from winkler.study.finding.finding import SearchResult
 
 __all__ = ["show"]
 
@@ -147,7 +147,7 @@ def _search(text: str, *, as_json: bool) -> None:
 
 
 @until_closed()
-def _hits(text: str, found: Found) -> None:
+def _hits(text: str, found: SearchResult) -> None:
     from winkler.cli import terminal
 
     out = terminal.console()

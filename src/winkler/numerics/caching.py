@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar, cast
 
-__all__ = ["cached_by_value"]
+__all__ = ["cached_by_value", "rounded"]
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -19,3 +19,8 @@ def cached_by_value(maxsize: int) -> Callable[[Callable[P, R]], Callable[P, R]]:
         return cast(Callable[P, R], functools.lru_cache(maxsize=maxsize)(function))
 
     return kept
+
+
+def rounded(ratio: float) -> float:
+    """Return a ratio to 14 digits, so that the same body in other units is the same value."""
+    return float(f"{ratio:.13e}")

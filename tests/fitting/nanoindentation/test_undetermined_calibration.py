@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 from nano_worlds import Machine, Sample, indentation
-from scipy.stats import binom
+from scipy.stats import binom, norm
 
 from winkler.fitting.nanoindentation.area_fit import ReferenceReadings, fitted_area
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
@@ -161,27 +161,33 @@ def errors_in_worlds(count, worlds, tip_of):
     return apart
 
 
+def hold(apart):
+    """Whether coverage is that of the goal, within the scatter of so many worlds.
+
+    Of errors of a normal distribution 0.98 and 0.92 lie within 1.96 where their rms is 0.84 and 1.12.  Hits alone would
+    hardly exclude wide intervals: a hundred of a hundred are found in 13 % of all tables of a coverage of 0.98.
+    """
+    worlds = len(apart)
+    scatter = 2.58 / np.sqrt(2.0 * worlds)
+    least, most = (norm.ppf(0.975) / norm.ppf(0.5 + 0.5 * covered) for covered in COVERED[::-1])
+    assert np.all(np.count_nonzero(np.abs(apart) < 1.96, axis=0) >= binom.ppf(0.005, worlds, COVERED[0]))
+    size = np.sqrt(np.mean(apart**2, axis=0))
+    assert np.all((least * (1.0 - scatter) < size) & (size < most * (1.0 + scatter)))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 3, 10])
 def test_intervals_hold_in_drawn_worlds(count):
-    """Coverage within the scatter of so many worlds about the goal; errors as large as stated, within a fourth."""
-    worlds = 100
-    apart = errors_in_worlds(count, worlds, drawn_tip)
-    held = np.count_nonzero(np.abs(apart) < 1.96, axis=0)
-    assert np.all(held >= binom.ppf(0.005, worlds, COVERED[0]))
-    assert held.mean() <= binom.ppf(0.995, 3 * worlds, COVERED[1]) / 3.0
-    assert np.all(np.abs(np.sqrt(np.mean(apart**2, axis=0)) - 1.0) < 0.25)
+    """The truth includes the choice of the number of coefficients: tips have two, three or four."""
+    hold(errors_in_worlds(count, 100, drawn_tip))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
 @pytest.mark.parametrize("count", [1, 10])
 def test_intervals_hold_for_two_tips(count, tip):
-    """Bounds at zero leave a range of frames for the blunter tip, which holds more than its share: no upper limit."""
-    worlds = 40
-    apart = errors_in_worlds(count, worlds, lambda _: tip)
-    assert np.all(np.count_nonzero(np.abs(apart) < 1.96, axis=0) >= binom.ppf(0.005, worlds, COVERED[0]))
-    assert np.all(np.sqrt(np.mean(apart**2, axis=0)) > 0.5)
+    """A tip on the bounds of the coefficients, and one within them: the number of coefficients is not known."""
+    hold(errors_in_worlds(count, 60, lambda _: tip))
 
 
 @pytest.mark.slow

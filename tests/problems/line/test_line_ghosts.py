@@ -203,3 +203,40 @@ def refusal(solve, bed):
     with pytest.raises(wk.WinklerError) as caught:
         solve(bed)
     return str(caught.value)
+
+
+RELAXING = wk.RelaxingInProportion(COATED, wk.StandardSolid(0.2, 0.8, 0.5), shear=1.0)
+GEL = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(wk.StandardSolid(0.2, 0.8, 0.5), 0.2)], on=SOLID)
+
+
+@pytest.mark.parametrize("medium", [RELAXING, GEL])
+@pytest.mark.parametrize("name", [name for name in (*PROBLEMS, *ROLLING) if name != "LineViscoelasticIndentation"])
+def test_layers_that_relax_are_not_taken_for_elastic_ones(name, medium):
+    solve, _, _ = (PROBLEMS | ROLLING)[name]
+    with pytest.raises((wk.OutsideValidity, wk.InvalidInput)):
+        solve(wk.LayeredLineFoundation(wk.Paraboloid(1.0), medium))
+
+
+@dataclasses.dataclass(frozen=True)
+class RelaxingGhost:
+    """Layers that relax and belong to no family."""
+
+    of: wk.RelaxingInProportion
+
+
+for member in sorted({name for name in dir(RELAXING) if name[0] != "_"}):
+    setattr(RelaxingGhost, member, delegated(member))
+
+
+def test_layers_that_relax_are_asked_for_what_they_offer():
+    bed, ghost = (wk.LayeredLineFoundation(wk.Paraboloid(1.0), one) for one in (RELAXING, RelaxingGhost(RELAXING)))
+    path = wk.LineForcePath([0.0, 1.0, 2.0], [0.0, 1e-3, 0.5e-3], count=2)
+    for solve, names in (
+        (lambda bed: wk.LineViscoelasticIndentation(bed, path, count=20).solve(), ("half_width", "peak_pressure")),
+        (
+            lambda bed: wk.LineRollingResistance(bed, wk.HalfWidth(0.1), 0.5).solve(),
+            ("force_per_length", "coefficient"),
+        ),
+    ):
+        known, other = (numbers(*names)(solve(each)) for each in (bed, ghost))
+        np.testing.assert_allclose(other, known, rtol=1e-12)

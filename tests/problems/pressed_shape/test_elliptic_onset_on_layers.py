@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import winkler as wk
 from problems.layer_waves import base, crossed
@@ -93,6 +94,43 @@ def test_stresses_in_layers_are_those_of_matrix_exponentials(contrast):
             np.sum(share * np.cos(kx * x) * np.sin(ky * y) * t[:, None] * s),
         ]
         assert inside.stresses(z)[:, i, j] == pytest.approx(expected, abs=1e-3 * fine.peak_pressure)
+
+
+def bodies_of_ratio(ratio):
+    """R_y = 1, and R_x of an ellipse on half-spaces so many times as long as wide."""
+    other = brentq(lambda x: np.divide(*wk.CurvedBodies(x, 1.0).semi_axes(1.0, 1.0)) - ratio, 1.0, 100.0)
+    return wk.CurvedBodies(other, 1.0)
+
+
+def pressure_at_yield_of_a_line(medium):
+    foundation = wk.LineFoundation if isinstance(medium, wk.HalfSpace) else wk.LayeredLineFoundation
+    bed = foundation(wk.Paraboloid(1.0), medium)
+    half_width = wk.LineYieldOnset(bed).solve().half_width
+    return float(wk.LineIndentation(bed, wk.HalfWidth(half_width)).solve().peak_pressure)
+
+
+@pytest.mark.slow
+def test_long_ellipses_on_layers_tend_to_the_line_as_on_the_base():
+    r"""The middle of a long ellipse is a line under the same greatest pressure, but for what the far loads strain.
+
+    They shear the surface by e = (1 - 2 nu) q/(pi G a), with q the load per length in the middle, nu and G of the base:
+    the line load q (1 - x^2/a^2) moves it along by the integral of -(1 - 2 nu) q/(4 pi G (x - x')), whose slope is -e.
+    A bonded layer takes e along and -e across.  So p_0 at yield of a base below a layer, over that of the line, is to
+    first order in b/a the same as without the layer; what is left is of the order of (b/a)^2, with a logarithm.
+    """
+    solid = wk.HalfSpace(SOLID)
+    layers = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(0.25, 0.25), 3e-3)], on=SOLID)
+    line, plain_line = pressure_at_yield_of_a_line(layers), pressure_at_yield_of_a_line(solid)
+    assert line / plain_line > 1.04  # the layer is felt by more than what is left
+    left = []
+    for ratio in (2.0, 4.0):
+        found = wk.EllipticYieldOnset(bodies_of_ratio(ratio), layers).solve()
+        slender = found.lateral_semi_axis / found.longitudinal_semi_axis
+        plain = wk.EllipticYieldOnset(bodies_of_ratio(1.0 / slender), solid).solve()
+        assert plain.peak_pressure / plain_line < 1.0 - 0.2 * slender * (1.0 - slender)
+        left.append(abs(found.peak_pressure / line / (plain.peak_pressure / plain_line) - 1.0))
+        assert left[-1] < 0.05 * slender**2 + found.grid_error / 3.0
+    assert left[1] < 0.4 * left[0]  # (1.84/3.44)^2 is 0.29
 
 
 def test_what_is_refused():

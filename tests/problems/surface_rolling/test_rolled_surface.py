@@ -63,6 +63,13 @@ def test_the_work_hardly_grows_with_the_grid(creepage, finest, monkeypatch):
     assert found[finest] <= 60
 
 
+def test_narrow_tolerances_do_not_wait_for_single_digits():
+    """Single digits leave a misfit of about 1e-10: sixteen steps of Newton were taken, now thirteen."""
+    done = rolled(36, CREEPAGES["spin"], tolerance=1e-12)
+    assert done.misfit <= 1e-12
+    assert done.rounds <= 14
+
+
 def test_a_near_start_needs_no_coarser_grid(monkeypatch):
     grid, bound, _, _ = hertz(72)
     rigid = np.zeros((2, *bound.shape))

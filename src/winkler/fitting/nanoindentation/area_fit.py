@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -16,6 +18,10 @@ COMMON_ZERO = 0.25
 """Part of the variance of the zero points that all curves share: their laws of the first contact fail alike."""
 DEPTH_STEP = 1e-5
 GAUSS_STEPS = 3
+NARROWER = 0.5
+"""Width of what is expected of a coefficient over that of the one before: later ones are corrections of a pyramid."""
+PLACES = 256
+"""Places at which the coefficients of a frame are averaged."""
 COARSE_FRAMES, FINE_FRAMES = 48, 32
 FEWEST_LIKELY = 8
 """Likely frames of a grid that needs no finer one."""
@@ -67,9 +73,10 @@ def fitted_area(
 ) -> AreaFit:
     """Return frame compliance and coefficients as middles of their intervals over frames and numbers of coefficients.
 
-    Each frame and number of coefficients counts by its greatest likelihood; all numbers of coefficients, and all
-    frames from no compliance to nearly the least one measured, are equally probable before.  The noise of a residual
-    belongs to the frame: it is relative to the compliance of the contact, which a soft frame leaves small.
+    Each frame and number of coefficients counts by the probability of the readings, averaged over all coefficients
+    that are not negative.  All numbers of coefficients, and all frames from no compliance to nearly the least one
+    measured, are equally probable before.  The noise of a residual belongs to the frame: it is relative to the
+    compliance of the contact, which a soft frame leaves small.
     """
     frames = _likely_frames(readings, max(counts), shape_factor) if known is None else np.array([known])
     found = _conditional(frames, counts, readings, shape_factor)
@@ -131,8 +138,8 @@ def _conditional(
 ) -> _Conditional:
     most, size = max(counts), readings.force.size
     squares = np.full((frames.size, len(counts)), np.inf)
-    used = np.zeros(squares.shape)
-    means, covariances = np.zeros((*squares.shape, most)), np.zeros((*squares.shape, most, most))
+    freedom = np.ones(squares.shape)
+    lines: dict[tuple[int, int], _LinearArea] = {}
     for place, frame in enumerate(frames.tolist()):
         own = readings.compliance - frame
         contact = readings.depth - frame * readings.force - readings.intercept * readings.force * own
@@ -140,23 +147,41 @@ def _conditional(
             continue
         measured = np.pi * (1.0 / (2.0 * shape_factor * readings.reference * own)) ** 2
         powers = np.stack([contact ** (2.0 ** (1 - n)) for n in range(most)], axis=1)
-        first = _coefficients(powers, measured, np.eye(size))[1]
+        first = _line(powers, measured, np.eye(size)).numbers
         whiten = np.linalg.inv(np.linalg.cholesky(covariance_of(np.array([frame, *first]), readings, shape_factor)))
         for number, count in enumerate(counts):
-            found = _coefficients(powers[:, :count], measured, whiten)
-            squares[place, number], means[place, number, :count], covariances[place, number, :count, :count] = found
-            used[place, number] = np.count_nonzero(found[1])
-    freedom = np.maximum(size - used - (frames.size > 1), 1.0)
+            line = _line(powers[:, :count], measured, whiten)
+            lines[place, number], squares[place, number] = line, float(line.left @ line.left)
+            used = np.count_nonzero(line.numbers) + (frames.size > 1)
+            freedom[place, number] = np.maximum(size - used, 1.0)
     factor = float(np.min(squares / freedom))
     free = max(float(freedom.flat[int(np.argmin(squares / freedom))]), 1.0)
     wide = max(factor, 1.0) * free / max(free - 2.0, 1.0)
-    logarithms = -0.5 * squares / max(factor, 1.0)
+    logarithms = np.full(squares.shape, -np.inf)
+    means, covariances = np.zeros((*squares.shape, most)), np.zeros((*squares.shape, most, most))
+    for (place, number), line in lines.items():
+        count = counts[number]
+        logarithms[place, number], means[place, number, :count], covariances[place, number, :count, :count] = _averaged(
+            line, max(factor, 1.0), wide
+        )
     weights = np.exp(logarithms - logarithms.max())
-    return _Conditional(weights / weights.sum(), means, covariances * wide, factor)
+    return _Conditional(weights / weights.sum(), means, covariances, factor)
 
 
-def _coefficients(powers: Array, measured: Array, whiten: Array) -> tuple[float, Array, Array]:
-    """Return the squared residuals, the coefficients, none below zero, and their covariance for a given frame."""
+class _LinearArea(NamedTuple):
+    """Coefficients, none below zero, residuals of unit variance there, their slopes, and what is expected before.
+
+    Slopes are those by the coefficients over `scale`.
+    """
+
+    numbers: Array
+    left: Array
+    rows: Array
+    scale: Array
+
+
+def _line(powers: Array, measured: Array, whiten: Array) -> _LinearArea:
+    """Return the most likely coefficients of a given frame, and the residuals about them."""
     from scipy.optimize import nnls
 
     area, shift = measured, np.zeros(measured.size)
@@ -166,14 +191,51 @@ def _coefficients(powers: Array, measured: Array, whiten: Array) -> tuple[float,
         numbers = nnls(rows / size, whiten @ (0.5 - shift))[0] / size
         area = np.maximum(powers @ numbers, 1e-3 * measured)
         shift = 0.5 * np.log(area / measured)
-    rows = whiten @ (0.5 * powers / area[:, None])
-    active = np.flatnonzero(numbers > 0.0)
-    size = np.linalg.norm(rows, axis=0)[active]
-    inner = np.linalg.pinv((rows[:, active] / size).T @ (rows[:, active] / size)) / np.outer(size, size)
-    covariance = np.zeros((powers.shape[1], powers.shape[1]))
-    covariance[np.ix_(active, active)] = inner
-    white = whiten @ shift
-    return float(white @ white), numbers, covariance
+    deepest = int(np.argmax(measured))
+    scale = measured[deepest] / powers[deepest] * NARROWER ** np.arange(powers.shape[1])
+    return _LinearArea(numbers, whiten @ shift, whiten @ (0.5 * powers / area[:, None]) * scale, scale)
+
+
+def _averaged(line: _LinearArea, scatter: float, wide: float) -> tuple[float, Array, Array]:
+    """Return the logarithm of the probability of the readings, and mean and covariance of the coefficients.
+
+    Before the readings, the area that a coefficient adds at the deepest of them is half of a normal distribution, as
+    wide as the whole area for the first coefficient, half as wide for each next one.  What is below zero is cut off
+    coefficient by coefficient (Geweke, Hajivassiliou, Keane).
+
+    References
+    ----------
+    V. Hajivassiliou, D. McFadden, P. Ruud, J. Econometrics 72 (1996) 85-134, doi:10.1016/0304-4076(94)01716-6
+    """
+    from scipy.special import log_ndtr, ndtri_exp
+
+    count, share = line.numbers.size, line.numbers / line.scale
+    inverse = np.eye(count) + line.rows.T @ line.rows / scatter
+    covariance = np.linalg.inv(inverse)
+    middle = covariance @ (line.rows.T @ (line.rows @ share - line.left)) / scatter
+    residuals = line.left + line.rows @ (middle - share)
+    lower = np.linalg.cholesky(covariance)
+    uniform = _uniform(count)
+    normal, inside = np.zeros((len(uniform), count)), np.zeros(len(uniform))
+    for k in range(count):
+        end = log_ndtr((middle[k] + normal[:, :k] @ lower[k, :k]) / lower[k, k])
+        normal[:, k] = -ndtri_exp(end + np.log(uniform[:, k]))
+        inside += end
+    weights = np.exp(inside - inside.max())
+    size = float(residuals @ residuals) / scatter + float(middle @ middle)
+    volume = float(np.log(weights.mean()) + inside.max() + np.sum(np.log(lower.diagonal()))) + count * math.log(2.0)
+    weights /= weights.sum()
+    shares = middle + normal @ lower.T
+    mean = weights @ shares
+    apart = (shares - mean) * np.sqrt(weights * wide / scatter)[:, None] * line.scale
+    return volume - 0.5 * size, mean * line.scale, apart.T @ apart
+
+
+@functools.cache
+def _uniform(count: int) -> Array:
+    """Return places that fill a cube evenly, none on its faces: parts of multiples of irrational numbers."""
+    roots = np.sqrt([2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0])[:count]
+    return np.asarray(np.modf(np.arange(1, PLACES + 1)[:, None] * roots)[0])
 
 
 def slope_of(numbers: Array, place: int, scale: float, readings: ReferenceReadings, shape_factor: float) -> Array:

@@ -11,7 +11,8 @@ Residuals in the logarithm of the contact's compliance have the covariance of no
 curve being correlated, times a factor by which the scatter exceeds it.  The covariance belongs to each frame: the
 noise of c is larger in parts of a smaller c - C_f, and one covariance for all frames prefers stiff ones.  Frame
 compliance and coefficients are middles of central intervals of 95 % over all frames and numbers of coefficients, each
-by its greatest likelihood; their covariance has the widths of these intervals, and contains how coefficients differ.
+by the probability of the readings, averaged over all coefficients that are not negative; their covariance has the
+widths of these intervals, and contains how coefficients differ.
 
 References
 ----------

@@ -9,6 +9,7 @@ others.  Deeper layers lie at least h below the load and need no such help.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -132,14 +133,8 @@ def wave_states(
         Whether the traction on the surface is not a pressure but along the wave.
     """
     layers, on, bottoms = body.layers, body.on, body.bottoms
-    supports = [support for support, _ in climbed(layers, on, xi)]
+    supports, arrived = _arrived(body, xi.tobytes(), dragged)
     tops = np.concatenate([[0.0], bottoms])
-    surface = np.zeros((xi.size, 2))
-    surface[:, 0 if dragged else 1] = -1.0
-    arrived = [surface]
-    for layer, support in zip(layers, supports, strict=True):
-        x = xi * layer.thickness
-        arrived.append(_applied(crossing(constants_of(layer.solid), support, x, x).loaded, arrived[-1], 1)[0])
     index_of = np.searchsorted(bottoms, depths)
     for index in np.unique(index_of):
         (members,) = np.nonzero(index_of == index)
@@ -167,6 +162,20 @@ def wave_states(
             for depth, moves, loads in zip(part, displacement, traction, strict=True):
                 (end,) = reaching(body, np.array([depth]), xi)
                 yield float(depth), WaveState(moves / constants.shear, loads, solid), end
+
+
+@functools.lru_cache(maxsize=4)
+def _arrived(body: StackBody, wave_numbers: bytes, dragged: bool) -> tuple[list[Support], list[Array]]:
+    """Return what lies below each layer, and the tractions on its upper face and on the base per traction of 1."""
+    xi = np.frombuffer(wave_numbers)
+    supports = [support for support, _ in climbed(body.layers, body.on, xi)]
+    surface = np.zeros((xi.size, 2))
+    surface[:, 0 if dragged else 1] = -1.0
+    arrived = [surface]
+    for layer, support in zip(body.layers, supports, strict=True):
+        x = xi * layer.thickness
+        arrived.append(_applied(crossing(constants_of(layer.solid), support, x, x).loaded, arrived[-1], 1)[0])
+    return supports, arrived
 
 
 def reaching(body: StackBody, depths: Array, xi: Array) -> list[int]:

@@ -15,7 +15,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.chunks import chunks, wave_sums
+from winkler.numerics.chunks import wave_sums
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, NODES, wave_numbers
 from winkler.numerics.types import Array
@@ -33,8 +33,10 @@ __all__ = [
     "waves_of",
 ]
 
-LARGEST_PHASE = 10.0
-"""Largest phase of a wave over one panel of the quadrature."""
+LARGEST_PHASE = 24.0
+"""Largest phase of a wave over one panel of the quadrature: its 24 nodes err by (e/8)^48, 1e-22."""
+TURNED_TOGETHER = 32
+"""Panels of equal width whose waves differ from those of the first by the same turns."""
 LEAST_REACH = 1.25
 """Distance from the axis up to which waves are resolved at least, in contact radii."""
 MOST_PAIRS = 1e9
@@ -123,7 +125,11 @@ def _cosines(xi: Array, x: Array, load: Array) -> Array:
     alike = np.abs(rows[:, -1] - rows[:, 0] - beside[-1]) < 1e-9 * beside[-1]
     found = np.empty(rows.shape)
     found[~alike] = wave_sums(np.cos, rows[~alike], x, load)
-    within, places = np.exp(1j * np.outer(x, beside)), np.flatnonzero(alike)
-    for part in (places[some] for some in chunks(places.size, x.size)):
-        found[part] = np.real((np.exp(1j * np.outer(rows[part, 0], x)) * load) @ within)
+    within, starts = np.exp(1j * np.outer(x, beside)), rows[alike, 0]
+    turned = np.exp(1j * np.outer(starts[:TURNED_TOGETHER] - starts[0], x))
+    blocks = []
+    for i in range(0, starts.size, TURNED_TOGETHER):
+        turning = load * np.exp(1j * (starts[i] * x))
+        blocks.append(np.real((turned[: starts.size - i] * turning) @ within))
+    found[alike] = np.concatenate(blocks)
     return found.ravel()

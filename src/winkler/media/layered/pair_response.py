@@ -17,8 +17,9 @@ import functools
 import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic
-from winkler.media.layered.stack import Layered, StackBody, rounded
+from winkler.media.layered.stack import Layered, StackBody
 from winkler.media.layered.wave_constants import Body, Wave, half_space_compliance
+from winkler.numerics.caching import rounded
 from winkler.numerics.types import ComplexArray
 from winkler.values import value, words
 

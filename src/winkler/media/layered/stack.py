@@ -20,11 +20,12 @@ from winkler.media.layered.wave_constants import (
     in_plane_share,
     stiffness_scale,
 )
+from winkler.numerics.caching import rounded
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
-__all__ = ["Layered", "StackBody", "rounded", "stack_waves"]
+__all__ = ["Layered", "StackBody", "stack_waves"]
 
 
 class Layered(Protocol):
@@ -140,11 +141,6 @@ def stack_waves(layers: tuple[Any, ...], on: Any, part: Wave, xi: ComplexArray) 
     if part is Wave.ACROSS:
         return np.asarray(0.5 * climbed_across(layers, on, xi)[0])
     return in_plane_share(part, climbed(layers, on, xi)[0][1])
-
-
-def rounded(ratio: float) -> float:
-    """Return a ratio to 14 digits, so that the same stack in other units is the same value."""
-    return float(f"{ratio:.13e}")
 
 
 def _in_units(solid: Elastic | TransverselyIsotropic, unit: float) -> Elastic | TransverselyIsotropic:

@@ -120,15 +120,19 @@ class WaveConstants(NamedTuple):
 
     def decay(self, x: ComplexArray) -> Four:
         """Return exp(-L x): tractions x below those of 1 that decay downward."""
+        half = 0.5 * self.total
+        if self.split == 0.0:  # as of isotropic solids: one exponent, twice
+            even = np.exp(-(self.product / half) * x)
+            odd = even * x
+            return even - half * odd, self.product * odd, -odd, even + half * odd
         single = cmath.sqrt(self.split)
         # the functions are even in the root: of both signs the one whose exponentials do not grow along a turned path
         root = np.where(np.real(single * x) < 0.0, -single, single)
-        slow = np.exp(-(self.product / (0.5 * self.total + root)) * x)
+        slow = np.exp(-(self.product / (half + root)) * x)
         even = 0.5 * slow * (1.0 + np.exp(-2.0 * root * x))
-        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root) if single else x)
+        odd = slow * (-np.expm1(-2.0 * root * x) / (2.0 * root))
         if not np.iscomplexobj(x):
             even, odd = np.real(even), np.real(odd)
-        half = 0.5 * self.total
         return even - half * odd, self.product * odd, -odd, even + half * odd
 
     def propagator(self, x: ComplexArray) -> tuple[Four, Four, Four, Four]:

@@ -25,7 +25,7 @@ from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.pair_response import Mode
 from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement
-from winkler.media.offers import PlaneMedium
+from winkler.media.offers import PlaneMedium, PowerOfDepth, offers
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.at_rate import both, solid_at
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingLayers
@@ -120,7 +120,7 @@ class RelaxingInProportion(RelaxingLayers):
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
         """What both surfaces answer to waves, as of `RelaxingMedium.waves`; the medium is no power law."""
         medium: Any = self.medium
-        if isinstance(medium, GradedHalfSpace):
+        if offers(medium, PowerOfDepth):
             raise OutsideValidity(
                 "RelaxingInProportion: a modulus that follows a power of the depth has no surface whose half-space "
                 "short waves feel; give layers, or a DepthGradedHalfSpace."

@@ -8,6 +8,7 @@ nodes stand for the polynomial through them, panel by panel: it is evaluated, an
 from __future__ import annotations
 
 import bisect
+import functools
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
@@ -38,10 +39,16 @@ MOST_HALVINGS = 10
 RESOLUTION_TOLERANCE = 1e-11
 """Part of the largest value that the last coefficients of a panel may have."""
 
+HIT = 1e-40
+"""Distance for which a place that is a node is taken: there the function is the value of the node."""
+
 Indices = NDArray[np.intp]
 LOCAL_NODES = 2.0 * gauss_legendre(NODES_PER_PANEL)[0] - 1.0
 WEIGHTS = gauss_legendre(NODES_PER_PANEL)[1]
 TO_COEFFICIENTS: Array = np.linalg.inv(np.polynomial.legendre.legvander(LOCAL_NODES, NODES_PER_PANEL - 1))
+_APART = LOCAL_NODES[:, None] - LOCAL_NODES + np.eye(NODES_PER_PANEL)
+BARYCENTRIC: Array = (-1.0) ** np.arange(NODES_PER_PANEL) / np.abs(np.prod(_APART, axis=1))
+"""Weights of the polynomial through the nodes in its second barycentric form."""
 DERIVATIVE: Array = np.pad(np.polynomial.legendre.legder(np.eye(NODES_PER_PANEL)).T, ((0, 0), (0, 1)))
 """Coefficients of the derivative, from the left."""
 
@@ -66,20 +73,20 @@ class Stretches:
         """Of an integral over x."""
         self.edges: Array = np.append(np.hypot(base, low), np.hypot(base[-1], high[-1]))
         """Ends of the panels [m], ``(panels + 1,)``."""
+        self._inner = self.edges[1:-1]
 
     def panel(self, x: Array) -> Indices:
         """Return the panel in which each x lies."""
-        return np.asarray(np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, self.base.size - 1))
+        return np.asarray(self._inner.searchsorted(x, side="right"))
 
     def _local(self, x: Array, panel: Indices) -> Array:
-        y = np.sqrt(np.maximum((x - self.base[panel]) * (x + self.base[panel]), 0.0))
-        return np.asarray(np.clip((y - self.low[panel]) / self.half[panel] - 1.0, -1.0, 1.0))
+        base = self.base[panel]
+        y = np.sqrt(np.maximum((x - base) * (x + base), 0.0))
+        return np.asarray(np.minimum(np.maximum((y - self.low[panel]) / self.half[panel] - 1.0, -1.0), 1.0))
 
     def reading(self, x: Array, panel: Indices) -> Array:
         """Return weights ``(..., COUNT)`` that read a function at x in these panels from its values at the nodes."""
-        return np.asarray(
-            np.polynomial.legendre.legvander(self._local(x, panel), NODES_PER_PANEL - 1) @ TO_COEFFICIENTS
-        )
+        return _read_at(self._local(x, panel))
 
     def value(self, values: Array, x: Array) -> Array:
         """Return, at places x, a function given at the nodes ``(panels, COUNT)``."""
@@ -116,20 +123,24 @@ class Stretches:
 
     def part(self, x: Array, panel: Indices) -> Array:
         """Return weights ``(..., COUNT)`` of the integral over y from the lower end of the panel to x."""
-        vander = np.polynomial.legendre.legvander(self._local(x, panel), NODES_PER_PANEL)
-        order = np.arange(1, NODES_PER_PANEL)
-        rises = np.empty((*vander.shape[:-1], NODES_PER_PANEL))
-        rises[..., 0] = vander[..., 1] + 1.0
-        rises[..., 1:] = (vander[..., 2:] - vander[..., : NODES_PER_PANEL - 1]) / (2 * order + 1)
-        return np.asarray(rises @ TO_COEFFICIENTS * self.half[panel][..., None])
+        far = self._local(x, panel) + 1.0
+        rises = far[..., None] * (WEIGHTS @ _read_at(0.5 * (LOCAL_NODES + 1.0) * far[..., None] - 1.0))
+        return np.asarray(rises * self.half[panel][..., None])
 
     def integral(self, values: Array, ends: Array) -> Array:
         """Return the integrals over x from zero to `ends` of a function given at the nodes ``(panels, COUNT)``."""
-        whole = np.concatenate([[0.0], np.cumsum(np.sum(self.weights * values, axis=1))])
-        panel = self.panel(ends)
-        part = np.sum(self.part(ends, panel) * (values * self.stretch)[panel], axis=-1)
-        return np.asarray(whole[panel] + part)
+        whole = [0.0, *np.cumsum((self.weights * values).sum(1)).tolist()]
+        parts = map(self._up_to, np.asarray(ends).ravel().tolist())
+        return np.reshape([whole[panel] + float(part @ values[panel]) for panel, part in parts], np.shape(ends))
 
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - as `sample`
+    def _up_to(self, end: float) -> tuple[int, Array]:
+        """Return the panel of a place, and weights ``(COUNT,)`` of the integral over x from its lower end on."""
+        place = np.array([end])
+        panel = self.panel(place)
+        return int(panel[0]), self.part(place, panel)[0] * self.stretch[panel[0]]
+
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - stretches are few, and kept by what is cached by value
     def sample(self, low: float, high: float) -> Sample:
         """Return places between `low` and `high`, `NODES_PER_PANEL` in every panel that lies there or partly there."""
         ends = np.array([low, high])
@@ -149,6 +160,15 @@ class Stretches:
                 weights[row - first] = (end - start) * WEIGHTS * y / x[row - first]
                 readings.append((row - first, self.reading(x[row - first], np.full(NODES_PER_PANEL, row))))
         return Sample(x, weights, first, tuple(readings))
+
+
+def _read_at(at: Array) -> Array:
+    """Return weights ``(..., COUNT)`` of the values at the nodes, at places from -1 to 1 of a panel."""
+    away = at[..., None] - LOCAL_NODES
+    if not away.all():
+        away = np.where(away == 0.0, HIT, away)
+    parts = BARYCENTRIC / away
+    return np.asarray(parts / parts.sum(-1, keepdims=True))
 
 
 class Sample(NamedTuple):

@@ -37,6 +37,8 @@ MOST_ITERATIONS = 60
 """Generalised minimal residuals of one step of Newton."""
 INNER_RATIO = 0.1
 """To what part of its residual a step of Newton is solved."""
+SINGLE_MISFIT = 1e-9
+"""Misfit from which on steps take numbers of double digits: with single ones it stays at about 1e-10."""
 ALONG_SLIP = 0.5
 """Change of a traction over its slip, in a step along it."""
 OWN_RESPONSE = 1.0
@@ -120,7 +122,7 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
         if (count and misfit <= tolerance) or scale == 0.0:
             return RolledSurface(traction, slip, slipping, misfit, count)
         stiffer = np.divide(outward, bound, out=np.zeros_like(bound), where=slipping)
-        digits = light if count <= USUAL_ROUNDS else grid
+        digits = light if count <= USUAL_ROUNDS and misfit > SINGLE_MISFIT else grid
         traction = traction + _change(digits, inside & ~slipping, slipping, normal, stiffer, slip)
         size = np.hypot(traction[0], traction[1])
         onto = np.divide(bound, size, out=np.ones_like(bound), where=slipping & (size > 0.0))

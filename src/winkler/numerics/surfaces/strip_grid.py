@@ -17,9 +17,11 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["StripStep", "first_to_stick", "strip_compliance", "strip_step"]
+__all__ = ["StripStep", "StuckStrip", "first_to_stick", "strip_compliance", "strip_step"]
 
 MOST_ITERATIONS = 2000
+FEW_CHANGED, MOST_CHANGED = 4, 32
+"""Nodes that begin to stick or to slip before a solution is improved, and before the matrix is factorised anew."""
 ALL_AT_ONCE = 30
 """Iterations in which all nodes change that are wrong."""
 
@@ -52,42 +54,149 @@ class StripStep(NamedTuple):
         -1, 0 or 1 where it slips backwards, sticks, slips forwards.
     shift : float
         W [m].
+    moved : ndarray, (n,)
+        Displacement of the nodes by the tractions [m].
     """
 
     traction: Array
     slips: Array
     shift: float
+    moved: Array
+
+
+class StuckStrip:
+    """The nodes of a strip: what sticks on it is solved again and again, while few nodes begin to stick or to slip.
+
+    The matrix of some nodes is factorised, and those that stick are these but for a few: added ones border the system,
+    and a force of its own on each that is taken away keeps its traction zero.
+
+    Parameters
+    ----------
+    compliance : ndarray, (n, n)
+        Displacement of nodes by tractions over E* [m].
+    weights : ndarray, (n,), optional
+        Of the nodes in the sum of tractions, such as their widths; equal without them.
+    """
+
+    def __init__(self, compliance: Array, weights: Array | None = None) -> None:
+        self.compliance = compliance
+        self.weights: Array = np.ones(len(compliance)) if weights is None else weights
+        self._held = np.zeros(len(compliance), dtype=bool)
+        self._rows, self._place = np.zeros(0, dtype=int), np.zeros(len(compliance), dtype=int)
+        self._factors: tuple[Array, Array] = (np.zeros((0, 0)), np.zeros(0))
+        self._even, self._columns = np.zeros(0), dict[int, Array]()
+
+    def stuck(self, sticks: Array, wanted: Array, total: float | None) -> tuple[Array, float]:
+        """Return tractions that displace what sticks as wanted, and a shift of it at which they have a given sum.
+
+        Parameters
+        ----------
+        sticks : ndarray of bool, (n,)
+            At least one.
+        wanted : ndarray, (n,)
+            Displacements [m], which count where it sticks.
+        total : float, optional
+            The weighted sum; without it nothing is shifted.
+
+        Returns
+        -------
+        ndarray, (n,)
+            Zero where nothing sticks.
+        float
+            The shift [m].
+        """
+        changed = np.flatnonzero(sticks != self._held)
+        if changed.size > MOST_CHANGED:
+            self._hold(sticks)
+            changed = changed[:0]
+        came, gone = changed[sticks[changed]], changed[~sticks[changed]]
+        self._solve_for(changed)
+        summed, rows = int(total is not None), self._rows
+        columns = [self._columns[index] for index in (*came.tolist(), *gone.tolist())]
+        border = np.stack([*columns, *[-self._even] * summed], axis=1) if columns or summed else None
+        across, weights = self.compliance[came], self.weights
+        sides = np.zeros((changed.size + summed, rows.size))  # equations of what has changed, and of the sum
+        sides[: came.size] = across[:, rows]
+        sides[np.arange(came.size, changed.size), self._place[gone]] = 1.0
+        corner = np.zeros((len(sides), len(sides)))
+        corner[: came.size, : came.size] = across[:, came]
+        if summed:
+            sides[-1], corner[-1, : came.size], corner[: came.size, -1] = weights[rows], weights[came], -1.0
+        inverse = None if border is None else np.linalg.inv(corner - sides @ border)
+
+        def solved(wanted: Array, total: float) -> tuple[Array, float]:
+            traction, own = np.zeros(len(sticks)), self._solved(np.where(sticks, wanted, 0.0)[rows])
+            if border is None or inverse is None:
+                traction[rows] = own
+                return traction, 0.0
+            right = np.concatenate([wanted[came], np.zeros(gone.size), [total] * summed])
+            beside = inverse @ (right - sides @ own)
+            traction[rows] = own - border @ beside
+            traction[came], traction[gone] = beside[: came.size], 0.0
+            return traction, float(beside[-1]) if summed else 0.0
+
+        traction, shift = solved(wanted, total or 0.0)
+        if changed.size > FEW_CHANGED:  # the border costs digits: once more for what is left
+            missing = wanted + shift - self.compliance @ traction
+            further, more = solved(missing, (total or 0.0) - float(weights @ traction))
+            traction, shift = traction + further, shift + more
+        return traction, shift
+
+    def _hold(self, sticks: Array) -> None:
+        """Factorise the matrix of what sticks."""
+        from scipy.linalg import lu_factor
+
+        self._held, self._rows = sticks.copy(), np.flatnonzero(sticks)
+        self._place[self._rows] = np.arange(self._rows.size)
+        self._factors = lu_factor(self.compliance[np.ix_(sticks, sticks)], overwrite_a=True, check_finite=False)
+        self._columns.clear()
+        self._even = self._solved(np.ones(self._rows.size))
+
+    def _solve_for(self, changed: Array) -> None:
+        """Solve for the columns of nodes that have changed, where that is not done."""
+        missing = [index for index in changed.tolist() if index not in self._columns]
+        if missing:
+            right = np.zeros((self._rows.size, len(missing)))
+            for column, index in enumerate(missing):
+                if self._held[index]:
+                    right[self._place[index], column] = 1.0
+                else:
+                    right[:, column] = self.compliance[self._rows, index]
+            self._columns.update(zip(missing, self._solved(right).T, strict=True))
+
+    def _solved(self, right: Array) -> Array:
+        from scipy.linalg import lu_solve
+
+        if not self._rows.size:
+            return right
+        return np.asarray(lu_solve(self._factors, right, check_finite=False))
 
 
 def strip_step(
-    compliance: Array,
+    grid: StuckStrip,
     before: Array,
     bound: Array,
     slips: Array,
     *,
     shift: float = 0.0,
     total: float | None = None,
-    weights: Array | None = None,
     rounding: float = 0.0,
 ) -> StripStep:
     """Return the strip after a step of a given shift, or one that brings its tractions to a given sum.
 
     Parameters
     ----------
-    compliance : ndarray, (n, n)
-        Displacement of nodes by tractions over E* [m].
+    grid : StuckStrip
     before : ndarray, (n,)
         u_0 [m].
     bound : ndarray, (n,)
-        Greatest traction over E* [-].
+        Greatest traction over E* [-]; zero where nothing touches.
     slips : ndarray, (n,)
         Of the step before, from which the search begins.
     shift : float
         W [m], if no sum is given.
     total : float, optional
-        Sum of the tractions over E* [-], or of their products with the weights.
-    weights : ndarray, (n,), optional
-        Of the nodes in the sum, such as their widths; equal without them.
+        Weighted sum of the tractions over E* [-].
     rounding : float, optional
         Part of the bound, and of the displacements, by which a node may miss its condition.
 
@@ -96,29 +205,28 @@ def strip_step(
     NotConverged
         If the zones of stick and slip are not found.
     """
-    parts = np.ones(bound.size) if weights is None else weights
+    compliance, parts, touches = grid.compliance, grid.weights, bound > 0.0
     for iteration in range(MOST_ITERATIONS):
-        sticks = slips == 0
-        if total is not None and not sticks.any():
-            sticks[first_to_stick(slips, before - compliance @ (slips * bound), parts @ (slips * bound) - total)] = True
+        sticks = (slips == 0) & touches
         traction = np.where(sticks, 0.0, slips * bound)
-        inner = compliance[np.ix_(sticks, sticks)]
-        wanted = before[sticks] - compliance[np.ix_(sticks, ~sticks)] @ traction[~sticks]
-        if total is None:
-            traction[sticks] = np.linalg.solve(inner, shift + wanted) if sticks.any() else 0.0
-        else:
-            edge, row = np.ones((len(wanted), 1)), parts[sticks][None, :]
-            system = np.block([[inner, -edge], [row, np.zeros((1, 1))]])
-            found = np.linalg.solve(system, np.append(wanted, total - float(parts @ traction)))
-            traction[sticks], shift = found[:-1], float(found[-1])
         moved = compliance @ traction
+        if total is not None and not sticks.any():
+            surplus = float(parts @ traction) - total
+            sticks[first_to_stick(np.where(touches, slips, 0.0), before - moved, surplus)] = True
+            traction = np.where(sticks, 0.0, traction)
+            moved = compliance @ traction
+        if sticks.any():
+            left = None if total is None else total - float(parts @ traction)
+            held, found = grid.stuck(sticks, before - moved + (shift if total is None else 0.0), left)
+            shift = shift if total is None else found
+            traction, moved = traction + held, moved + compliance @ held
         slip = shift + before - moved
-        least = rounding * float(np.max(np.abs(moved))) if rounding else 0.0
+        least = rounding * float(np.max(np.abs(moved[touches]), initial=0.0)) if rounding else 0.0
         over = np.where(np.abs(traction) > bound * (1.0 + rounding), np.sign(traction), 0.0)
         better = np.where(sticks, over, np.where(slips * slip < -least, 0.0, slips))
-        wrong = np.flatnonzero(better != np.where(sticks, 0.0, slips))
+        wrong = np.flatnonzero(touches & (better != np.where(sticks, 0.0, slips)))
         if wrong.size == 0:
-            return StripStep(traction, np.where(sticks, 0.0, slips), shift)
+            return StripStep(traction, np.where(sticks, 0.0, slips), shift, moved)
         changed = wrong if iteration < ALL_AT_ONCE else wrong[-1:]  # one at a time, the last, does not run in circles
         slips = np.where(sticks, 0.0, slips)
         slips[changed] = better[changed]

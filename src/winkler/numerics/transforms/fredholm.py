@@ -26,6 +26,7 @@ References
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -228,6 +229,12 @@ def _both(series: Array, s: Array, place: Array, derivatives: bool) -> Array:
     value = np.einsum("ij,ij->i", rows, basis)
     if not derivatives:
         return np.asarray(value[None])
-    by_s = np.einsum("ij,ij->i", radial[:, :-1] @ cheb.chebder(series, axis=0), basis)
-    by_place = np.einsum("ij,ij->i", radial @ cheb.chebder(series, axis=1), basis[:, :-1])
+    by_s = np.einsum("ij,ij->i", radial[:, :-1] @ (_derivative(len(series)) @ series), basis)
+    by_place = np.einsum("ij,ij->i", rows @ _derivative(series.shape[1]).T, basis[:, :-1])
     return np.array([value, by_s, by_place])
+
+
+@functools.cache
+def _derivative(count: int) -> Array:
+    """Return the matrix that makes so many coefficients of a Chebyshev series those of its derivative."""
+    return np.polynomial.chebyshev.chebder(np.eye(count))

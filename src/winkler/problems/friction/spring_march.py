@@ -11,13 +11,14 @@ the springs agree with it to second order in their distance.
 
 from __future__ import annotations
 
+import collections
 from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import Whole
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import ShearForce, Shift
 from winkler.numerics.types import Array
@@ -26,7 +27,7 @@ from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_run import SpringRun, pressed_along, row_of
+from winkler.problems.friction.spring_run import SingleSprings, pressed_along, springs_under
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
@@ -121,6 +122,10 @@ class SpringMarch:
             )
         refuse_plane("SpringMarch", self.bed, self.path)
 
+    @property
+    def _row(self) -> SingleSprings:
+        return SingleSprings("SpringMarch", self.bed, self.law, self.path, self.count)
+
     def steps(self) -> Iterator[SpringState]:
         """Yield the springs at every point of the path.
 
@@ -131,13 +136,7 @@ class SpringMarch:
         NotConverged
             If a shear force in the plane is not met.
         """
-        run = SpringRun(self)
-        lost = work = 0.0
-        for index in range(self.path.time.size):
-            before, slips = run.u.T.copy(), run.slips.copy()
-            force, stored, waste = run.advance(index, index + 1)
-            lost, work = lost + float(waste[0]), work + run.work(index, before, slips)
-            yield run.state(index, force[0], work, float(stored[0]), lost)
+        yield from self._row.states()
 
     def solve(self) -> SpringTrace:
         """Return what the springs bear and lose; the same as from `steps`, faster.
@@ -147,9 +146,12 @@ class SpringMarch:
         OutsideValidity, NotConverged
             As `steps` does.
         """
-        run = SpringRun(self)
-        size = self.path.time.size
-        parts = [run.advance(start, min(start + BLOCK, size)) for start in range(0, size, BLOCK)]
+        run, size = self._row, self.path.time.size
+        try:
+            parts = [run.advance(start, min(start + BLOCK, size)) for start in range(0, size, BLOCK)]
+        except (OutsideValidity, NotConverged):
+            collections.deque(self.steps(), maxlen=0)  # says at which point
+            raise
         force, stored, waste = (np.concatenate([part[k] for part in parts]) for k in range(3))
         return SpringTrace(
             self,
@@ -165,7 +167,8 @@ class SpringMarch:
     @property
     def validity(self) -> tuple[Note, ...]:
         """What is assumed of shape and medium, how exact the springs are, and how exact the rule is."""
-        springs = row_of(self, float(np.max(pressed_along(self)[2], initial=0.0)))
+        radius = float(np.max(pressed_along(self.bed, self.path)[2], initial=0.0))
+        springs = springs_under(self.bed, radius, self.count)
         return (
             *self.bed.notes,
             sticking_note(self.bed.medium, coefficient_of(self.law)),

@@ -1,8 +1,9 @@
-"""The march of a row of springs along a path: how far each is displaced, and what drives it."""
+"""Springs one by one as a row: how far each is displaced along a path, and what drives it."""
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,8 +20,9 @@ from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.row import Reached, Row, follow
 
-__all__ = ["RowProblem", "SpringRun", "pressed_along", "row_of"]
+__all__ = ["SingleSprings", "SpringPlaces", "pressed_along", "springs_under"]
 
 UNREACHABLE_BOUND = 1e100
 """Instead of an infinite bound: so far no spring is ever displaced, and its square is still a number."""
@@ -32,89 +34,102 @@ BOUND_TOLERANCE = 1e-9
 """A spring this close to its bound, in parts of it, slips."""
 
 
-class RowProblem(Protocol):
-    """What `SpringRun` needs of a problem: bed, friction law and path, and the number of springs."""
-
-    @property
-    def bed(self) -> Bed:
-        """The springs."""
-        ...
-
-    @property
-    def law(self) -> SpringLaw:
-        """The friction."""
-        ...
-
-    @property
-    def path(self) -> Path:
-        """The motion."""
-        ...
-
-    @property
-    def count(self) -> int:
-        """How many springs."""
-        ...
-
-
-def pressed_along(problem: RowProblem) -> tuple[Array, Array, Array]:
+def pressed_along(bed: Bed, path: Path) -> tuple[Array, Array, Array]:
     """Return depth, force and radius at every point; equal points are solved once."""
-    distinct, where = np.unique(problem.path.across, return_inverse=True)
-    load = Depth(distinct) if isinstance(problem.path.normal, Depth) else Force(distinct)
-    contact = Indentation(problem.bed, load).solve()
+    distinct, where = np.unique(path.across, return_inverse=True)
+    load = Depth(distinct) if isinstance(path.normal, Depth) else Force(distinct)
+    contact = Indentation(bed, load).solve()
     depth, force, radius = (np.asarray(q)[where] for q in (contact.depth, contact.force, contact.radius))
     return depth, force, radius
 
 
-def row_of(problem: RowProblem, radius: float) -> Springs:
+def springs_under(bed: Bed, radius: float, count: int) -> Springs:
     """Return springs up to a radius; none if nothing touches."""
     if radius == 0.0:
         return Springs(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0))
-    return Springs.of(slipping_springs(problem.bed), radius, problem.count)
+    return Springs.of(slipping_springs(bed), radius, count)
 
 
-class SpringRun:
-    """The march itself: the springs' displacement and what drives them.
+class SpringPlaces(NamedTuple):
+    """What springs remember: u_t [m] ``(2, n)``, whether they slip, and the shift of the bodies [m] ``(2,)``.
 
-    One direction with Coulomb friction runs in a kernel of its own; everything else as motion in the plane.
+    `force` and `stored` are what they bear [N] and store [J].
     """
 
-    def __init__(self, problem: RowProblem) -> None:
-        self.problem = problem
-        self.depth, self.force, self.radius = pressed_along(problem)
-        self.springs = springs = row_of(problem, float(np.max(self.radius)))
+    u: Array
+    slips: Array
+    shift: Array
+    force: Quantity
+    stored: float
+
+
+class SingleSprings(Row[int, SpringPlaces]):
+    """The springs under a path one by one: how far each is displaced, and what drives them.
+
+    Goals are the points of the path: a step between two of them is straight, and never halved.  One direction with
+    Coulomb friction runs in a kernel of its own; everything else as motion in the plane.
+
+    Parameters
+    ----------
+    owner : str
+        Kind of problem, for messages.
+    bed : Bed
+    law : Coulomb, StaticKinetic or OwnLaw
+    path : Path
+    count : int
+        Of springs.
+    """
+
+    def __init__(self, owner: str, bed: Bed, law: SpringLaw, path: Path, count: int) -> None:
+        self.owner, self.bed, self.law, self.path = owner, bed, law, path
+        self.depth, self.force, self.radius = pressed_along(bed, path)
+        self.springs = springs = springs_under(bed, float(np.max(self.radius)), count)
         # the springs' own depth, at which they bear the true force: so friction sums to the coefficient times it
         own = np.where(self.force > 0.0, springs.depth(self.force), self.depth) if springs.gap.size else self.depth
         self.own = np.concatenate([own[:1], own])
         # writable copies: a kernel is compiled anew for arrays of another kind
         self.gap, self.stiffness = springs.gap.copy(), springs.tangential_stiffness
-        self.line = not problem.path.in_plane
-        self.driven = isinstance(problem.path.lateral, Shift)
-        along = problem.path.along
+        self.line = not path.in_plane
+        self.driven = isinstance(path.lateral, Shift)
+        along = path.along
         self.along = np.column_stack([along, np.zeros(along.size)]) if self.line else along
         self.shift = np.zeros((self.along.shape[0] + 1, 2))
         if self.driven:
             self.shift[1:] = self.along
         self.slope, self.hold = np.zeros(springs.gap.size), 1.0
-        match problem.law:
+        match law:
             case Coulomb(coefficient):
                 self.slope = min(coefficient, UNREACHABLE_BOUND) / springs.mindlin_ratio
             case StaticKinetic(static, kinetic):
                 self.slope, self.hold = kinetic / springs.mindlin_ratio, static / kinetic
-        self.plain = self.line and self.hold == 1.0 and isinstance(problem.law, Coulomb | StaticKinetic)
+        self.plain = self.line and self.hold == 1.0 and isinstance(law, Coulomb | StaticKinetic)
         self.u = np.zeros((2, springs.gap.size))
         self.slips = np.zeros(springs.gap.size, dtype=bool)
+
+    def begin(self, goal: int) -> Reached[SpringPlaces]:
+        """Return the springs at the first point, pressed straight down and moved after."""
+        return self.step(SpringPlaces(np.zeros_like(self.u), np.zeros_like(self.slips), np.zeros(2), 0.0, 0.0), goal)
+
+    def step(self, state: SpringPlaces, goal: int) -> Reached[SpringPlaces]:
+        """Return the springs at the next point."""
+        self.u[:], self.slips[:], self.shift[goal] = state.u, state.slips, state.shift
+        force, stored, lost = self.advance(goal, goal + 1)
+        work = self._work(goal, state.u.T, state.slips)
+        shift = self.shift[goal + 1].copy()
+        places = SpringPlaces(self.u.copy(), self.slips.copy(), shift, force[0], float(stored[0]))
+        return Reached(places, work, float(lost[0]))
 
     def bound(self, start: int, end: int) -> Array:
         """Return how far slipping springs are displaced at the ends of steps, (end - start, n)."""
         pressed = np.maximum(self.own[start:end, np.newaxis] - self.gap, 0.0)
-        law = self.problem.law
+        law = self.law
         if isinstance(law, Coulomb | StaticKinetic):
             return np.asarray(self.slope * pressed)
-        density = self.springs.density(slipping_springs(self.problem.bed))
+        density = self.springs.density(slipping_springs(self.bed))
         borne = np.asarray(law.shear_bound(density * pressed), dtype=float)
         if borne.shape != pressed.shape or not np.all(np.isfinite(borne)) or np.any(borne < 0.0):
             raise InvalidInput(
-                f"SpringMarch: {type(law).__name__}.shear_bound must return finite loads, not negative, in the "
+                f"{self.owner}: {type(law).__name__}.shear_bound must return finite loads, not negative, in the "
                 "shape of those it is given."
             )
         return np.where(pressed > 0.0, borne / (density * self.springs.mindlin_ratio), 0.0)
@@ -157,7 +172,7 @@ class SpringRun:
         shear = float(np.linalg.norm(self.along[index]))
         most = self.hold * float(self.stiffness @ self.bound(index + 1, index + 2)[0])
         raise OutsideValidity(
-            f"shear force {shear:.6g} N at index {index} is more than friction bears there, {most:.6g} N: the bodies "
+            f"a shear force of {shear:.6g} N is prescribed where friction bears {most:.6g} N at most, and the bodies "
             "would slide away; give a smaller one, or a Shift."
         )
 
@@ -201,43 +216,42 @@ class SpringRun:
             change = left - after - rise @ step
             at, left, rise = at + step, after, rise + np.outer(change, step) / float(step @ step)
         raise NotConverged(
-            f"SpringMarch: the shear force at index {index} is missed by {np.linalg.norm(left):.3g} N; give more "
-            "points on the path, or a Shift."
+            f"a shear force of {size:.6g} N is missed by {np.linalg.norm(left):.3g} N; give more points, or a Shift."
         )
 
-    def work(self, index: int, u: Array, slips: Array) -> float:
+    def _work(self, index: int, u: Array, slips: Array) -> float:
         """Return the work on springs that were at u, on the path to point `index` [J]."""
         depths, move = self.own[index : index + 2].tolist(), self.shift[index + 1] - self.shift[index]
         bounds = self.bound(index, index + 2)
         return float(self.stiffness @ work_on_springs(u, slips, self.gap, bounds, self.hold, tuple(depths), move))
 
-    def state(self, index: int, force: Quantity, work: float, stored: float, lost: float) -> SpringState:
-        """Return the springs as they stand after point `index`."""
-        shift = self.shift[index + 1]
-        line = self.line
-        return SpringState(
-            self.problem.bed,
-            self.springs,
-            float(self.problem.path.time[index]),
-            float(self.depth[index]),
-            float(self.force[index]),
-            float(self.radius[index]),
-            float(shift[0]) if line else shift.copy(),
-            float(force) if line else force,
-            self._stick_radius(index),
-            work,
-            stored,
-            lost,
-            self.u[0].copy() if line else self.u.T.copy(),
-        )
+    def states(self) -> Iterator[SpringState]:
+        """Yield the springs as they stand at every point."""
+        for index, (places, work, lost) in enumerate(follow(self, range(self.path.time.size))):
+            line = self.line
+            yield SpringState(
+                self.bed,
+                self.springs,
+                float(self.path.time[index]),
+                float(self.depth[index]),
+                float(self.force[index]),
+                float(self.radius[index]),
+                float(places.shift[0]) if line else places.shift,
+                float(places.force) if line else places.force,
+                self._stick_radius(index, places),
+                work,
+                places.stored,
+                lost,
+                places.u[0] if line else places.u.T.copy(),
+            )
 
-    def _stick_radius(self, index: int) -> float:
+    def _stick_radius(self, index: int, places: SpringPlaces) -> float:
         """Return the place from which on springs slip: where what is left to the bound, drawn on, ends."""
         bound = self.bound(index + 1, index + 2)[0]
-        size = np.hypot(*self.u)
+        size = np.hypot(*places.u)
         touching = int(np.count_nonzero(bound > 0.0))
         left = (bound - size)[:touching]
-        slip = self.slips[:touching] if self.hold > 1.0 else left <= BOUND_TOLERANCE * bound[:touching]
+        slip = places.slips[:touching] if self.hold > 1.0 else left <= BOUND_TOLERANCE * bound[:touching]
         free = np.flatnonzero(slip)
         if not free.size:
             return float(self.radius[index])

@@ -7,7 +7,7 @@ more.  In one direction the springs are not needed one by one: distinguished by 
 .. math:: F_x = \frac{G^*}{E^*}\int u_t\,\mathrm dK, \qquad U_t = \frac{G^*}{2E^*}\int u_t^2\,\mathrm dK .
 
 Where a prescribed force bends the step between two points it is refined.  In the plane, under other laws of friction
-and on layered media the springs march one by one (`winkler.problems.friction.spring_march`).
+and on layered media the springs march one by one (`winkler.problems.friction.spring_run`).
 """
 
 from __future__ import annotations
@@ -27,17 +27,22 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_march import SpringMarch
+from winkler.problems.friction.spring_run import SingleSprings
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
-from winkler.problems.friction.tangential_march import SlipPath
+from winkler.problems.friction.tangential_march import SlipRow
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
+from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.one_load import OfPath
+from winkler.problems.row import follow
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["Tangential", "TangentialSolution"]
+
+SPRINGS = 400
+"""How many springs there are where they are followed one by one."""
 
 
 @value
@@ -118,21 +123,19 @@ class Tangential:
         widest = float(np.max(contact.radius, initial=0.0))
         ratios = stiffness_ratios(bed, widest) if widest > 0.0 else (1.0, 1.0)
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
-            yield from SpringMarch(self.bed, self.law, self.path).steps()
+            yield from SingleSprings("Tangential", self.bed, self.law, self.path, SPRINGS).states()
             return
         moved = dataclasses.replace(
             contact, depth=slipping_depth(self.bed, np.asarray(contact.depth), np.asarray(contact.radius))
         )
-        steps_ = SlipPath(bed, self.law.coefficient, ratios[1], self.path, moved)
+        row = SlipRow(bed, self.law.coefficient, ratios[1], self.path, moved)
         pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
         points = zip(self.path.time.tolist(), *pressed, strict=True)
-        lost = work = 0.0
-        for (time, depth, force, radius), end in zip(points, steps_.points_reached(), strict=True):
-            lost, work = lost + end.lost, work + end.spent
-            stored = steps_.stored(end.memory)
+        for (time, depth, force, radius), (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
+            memory, shift = state
             yield TangentialState(
-                self.bed, self.law, ratios[1], time, depth, force, radius, end.shift, end.shear_force, work, stored,
-                lost, end.memory,
+                self.bed, self.law, ratios[1], time, depth, force, radius, shift, row.shear_force(memory), work,
+                row.stored(memory), lost, memory,
             )  # fmt: skip
 
     def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
@@ -156,7 +159,7 @@ class Tangential:
 
 
 @value
-class TangentialSolution(OfPath[TangentialState | SpringState]):
+class TangentialSolution(Looped, OfPath[TangentialState | SpringState]):
     """The solution of a `Tangential` problem, point by point.
 
     Parameters
@@ -199,9 +202,15 @@ class TangentialSolution(OfPath[TangentialState | SpringState]):
         return np.array([state.work for state in self.states])
 
     @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, its loss and its amplitudes."""
+        path = self.problem.path
+        return cycle_of("Tangential", (path.across, path.along), self.dissipation, self.shift, self.shear_force)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         notes = friction_notes(
             self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
         )
-        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
+        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation), *self._cycle_notes)

@@ -18,10 +18,10 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
-from winkler.problems.friction.tangential_march import CURVED_STEP_TOLERANCE
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
+from winkler.problems.row import CURVED_STEP_TOLERANCE
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 

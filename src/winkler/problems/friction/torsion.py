@@ -29,11 +29,12 @@ from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
+from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
 from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values import value, words
 
 __all__ = ["Torsion", "TorsionSolution"]
 
@@ -154,7 +155,7 @@ class Torsion:
 
 
 @value
-class TorsionSolution(OfPath[TorsionState]):
+class TorsionSolution(Looped, OfPath[TorsionState]):
     """The solution of a `Torsion`, point by point.
 
     Parameters
@@ -179,7 +180,10 @@ class TorsionSolution(OfPath[TorsionState]):
         One by one, with the springs from which fields are restored.
     """
 
-    __words__ = TorsionState.__words__
+    __words__ = words(
+        work=TorsionState.__words__["work"],
+        secant_stiffness=("k_s", "N m/rad", "amplitude of the torque over that of the angle"),
+    )
 
     problem: Torsion
     time: Array
@@ -197,6 +201,12 @@ class TorsionSolution(OfPath[TorsionState]):
     states: tuple[TorsionState, ...]
 
     @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, its loss and its amplitudes."""
+        path = self.problem.path
+        return cycle_of("Torsion", (path.across, path.along), self.dissipation, self.angle, self.torque)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
@@ -207,4 +217,5 @@ class TorsionSolution(OfPath[TorsionState]):
             *contact,
             *torsion_notes(bed, problem.law, self.states, by_torque),
             energy_note(self.work, self.stored_energy, self.dissipation),
+            *self._cycle_notes,
         )

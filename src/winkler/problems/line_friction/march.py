@@ -29,7 +29,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.surfaces.strip_grid import strip_step
+from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.elements import elements_for, pressed_elements
@@ -91,6 +91,7 @@ class LineMarch:
         self.points = np.stack([path.across * per_force, path.along * per_force, strains], axis=1)
         self.most = friction * float(np.max(self.points[:, 0]))
         self.bulk = path.bulk
+        self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
         self.traction, self.bound, self.ahead, self.slips, self.rubbed = np.zeros((5, self.elements.x.size))
         self.shift = self.lost = 0.0
         self.half_width = self.force = 0.0
@@ -160,34 +161,27 @@ class LineMarch:
         self.half_width_before, self.half_width = self.half_width, self.half_widths[force]
         mean = (self.bound + 4.0 * middle + bound) / 6.0
         self.force = force
-        rows = np.flatnonzero(bound)
-        whole, widths = rows.size == bound.size, elements.widths[rows]
-        compliance = elements.compliance if whole else elements.compliance[np.ix_(rows, rows)]
-        before = -self.ahead[rows] - strain * elements.x[rows]
+        before = -self.ahead - strain * elements.x
         if abs(shear) >= self.friction * force * (1.0 - ROUNDING):
-            slips = np.full(rows.size, math.copysign(1.0, shear))
-            traction = slips * bound[rows]
-            shift = float(slips[0] * np.max(slips * (compliance @ traction - before)))
+            side, touches = math.copysign(1.0, shear), bound > 0.0
+            traction, slips = side * bound, side * touches
+            moved = elements.compliance @ traction
+            shift = float(side * np.max(side * (moved - before), where=touches, initial=-math.inf))
         else:
-            found = strip_step(
-                compliance,
-                before,
-                bound[rows],
-                self.slips[rows],
-                total=shear,
-                weights=widths,
-                rounding=ROUNDING,
+            traction, slips, shift, moved = strip_step(
+                self.grid, before, bound, self.slips, total=shear, rounding=ROUNDING
             )
-            traction, slips, shift = found
-            share = float(np.sum(widths[slips == 0.0])) / (2.0 * self.half_width)
+            stuck = float(elements.widths @ ((slips == 0.0) & (bound > 0.0)))
             near = abs(shear) > SLIDING_SHARE * self.friction * force or self.half_width < LEAST_WIDTH
-            if share < LEAST_STUCK and not near and self.bulk.any():
+            if stuck < LEAST_STUCK * 2.0 * self.half_width and not near and self.bulk.any():
                 raise OutsideValidity(
                     f"LineTangential: before index {index} of the path the bulk stress, of {self.bulk[index]:.6g} Pa "
                     "there, makes all of the contact slip outwards or inwards but for less than a hundredth of it; "
                     "give a smaller one."
                 )
-        self._keep(rows, bound, mean, traction, slips, shift, strain)
+        ahead = shift - strain * elements.x - moved
+        self._keep(bound, mean, traction, slips, ahead)
+        self.shift = shift
 
     def _meet(self, came: Array) -> None:
         """Let elements that come into contact be ahead as they are when the edge reaches their middle.
@@ -201,23 +195,16 @@ class LineMarch:
         gone = np.maximum(away - self.half_width_before, 0.0) ** 1.5 - left
         self.ahead[came] += self.step[came] * left / gone
 
-    def _keep(
-        self, rows: Array, bound: Array, mean: Array, traction: Array, slips: Array, shift: float, strain: float
-    ) -> None:
-        """Take over what a step has found for the elements that touch."""
-        elements = self.elements
-        borne = np.zeros(elements.x.size)
-        borne[rows] = traction
-        ahead = shift - strain * elements.x - elements.compliance @ borne
-        slipped = np.where(bound == 0.0, np.abs(ahead - self.ahead), 0.0)  # what parts slips before
-        slipped[rows] = np.where(slips == 0.0, 0.0, np.maximum(slips * (ahead[rows] - self.ahead[rows]), 0.0))
+    def _keep(self, bound: Array, mean: Array, traction: Array, slips: Array, ahead: Array) -> None:
+        """Take over what a step has found."""
+        touches = bound > 0.0
+        moved = ahead - self.ahead
+        slipped = np.where(touches, np.maximum(slips * moved, 0.0), np.abs(moved))  # what parts slips before
         rubbed = mean * slipped
         self.rubbed += rubbed
-        self.lost += float(rubbed @ elements.widths)
-        ahead[rows] = np.where(slips == 0.0, self.ahead[rows], ahead[rows])
-        self.ahead, self.shift, self.bound = ahead, shift, bound
-        self.traction, self.slips = borne, np.zeros(elements.x.size)
-        self.slips[rows] = slips
+        self.lost += float(rubbed @ self.elements.widths)
+        self.ahead = np.where(touches & (slips == 0.0), self.ahead, ahead)
+        self.bound, self.traction, self.slips = bound, traction, slips
 
     def _row(self, point: Array) -> MarchedRow:
         rows, scale, modulus = np.flatnonzero(self.bound), self.elements.scale, self.bed.medium.modulus

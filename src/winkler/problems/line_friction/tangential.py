@@ -30,6 +30,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
+from winkler.problems.last_cycle import LastCycle, cycle_of
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
 from winkler.problems.line_friction.march import LineMarch
@@ -221,6 +222,10 @@ class LineTangentialSolution(OfPath["LineTangentialState | LineMarchedState"]):
         The states themselves, which have traction, slip and stresses; the latter where the path was marched along.
     """
 
+    __words__ = words(
+        loss_per_cycle_per_length=("W", "J/m", "energy per length lost in the last cycle of the path"),
+    )
+
     problem: LineTangential
     force_per_length: Array
     half_width: Array
@@ -266,6 +271,24 @@ class LineTangentialSolution(OfPath["LineTangentialState | LineMarchedState"]):
         spread = np.zeros(x.shape)
         spread[inside] = total
         return spread
+
+    @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, and its loss per length; motions are those beyond what Q causes."""
+        path, shear = self.problem.path, self.shear_force_per_length
+        given = path.across, path.along, path.bulk
+        return cycle_of("LineTangential", given, self.dissipation_per_length, self.slip_shift, shear)
+
+    @property
+    def loss_per_cycle_per_length(self) -> float:
+        """Energy lost in the last cycle of the path, per length [J/m].
+
+        Raises
+        ------
+        OutsideValidity
+            If the path closes no cycle.
+        """
+        return self.last_cycle.loss
 
     @property
     def validity(self) -> tuple[Note, ...]:

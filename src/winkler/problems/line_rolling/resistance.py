@@ -36,7 +36,6 @@ from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.line_rolling.passage import passage
 from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round
-from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.one_load import single
@@ -90,7 +89,7 @@ class LineRollingResistance:
         speed=("v", "m/s", "speed with which the bodies pass the contact"),
     )
 
-    bed: RelaxingBed
+    bed: LineFoundation | LayeredLineFoundation
     load: OneLineLoad
     speed: PositiveQuantity
 

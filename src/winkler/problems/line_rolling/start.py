@@ -34,7 +34,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading import LineShearForce
-from winkler.numerics.surfaces.strip_grid import StripStep, strip_step
+from winkler.numerics.surfaces.strip_grid import StripStep, StuckStrip, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.coupling import sliding_note
@@ -188,7 +188,8 @@ class LineRollingStart:
         most = self.friction.coefficient * float(contact.force_per_length)
         bound = contact.pressure(x)
         bound *= most / (modulus * apart * float(np.sum(bound)))
-        step = StripStep(np.zeros(x.size), np.zeros(x.size), 0.0)
+        nothing = np.zeros(x.size)
+        step = StripStep(nothing, nothing, 0.0, nothing)
         total: float | None = None
         shift = 0.0
         if isinstance(drive, LineShearForce):
@@ -203,15 +204,15 @@ class LineRollingStart:
             shift = float(drive.longitudinal) * apart
         near = self.bed.hat_compliance(x.size, apart, reference)
         away = np.arange(x.size)
-        compliance, earlier = near[np.abs(away[:, None] - away)], near[np.abs(away[:, None] + 1 - away)]
+        grid, earlier = StuckStrip(near[np.abs(away[:, None] - away)]), near[np.abs(away[:, None] + 1 - away)]
         drawn = self.bed.drawn(np.append(x, x[-1] + apart), a)
         if total is not None or np.any(drawn):
-            step = strip_step(compliance, -drawn[:-1], bound, step.slips, total=total or 0.0)
+            step = strip_step(grid, -drawn[:-1], bound, step.slips, total=total or 0.0)
         passed = np.diff(drawn)
         yield rolled_state(0.0, step._replace(shift=0.0), apart, modulus, x)
         after = {int(n) for n in np.unique(np.round(np.linspace(0.0, travel, self.points + 1)))}
         for number in range(1, travel + 1):
-            step = strip_step(compliance, earlier @ step.traction + passed, bound, step.slips, shift=shift, total=total)
+            step = strip_step(grid, earlier @ step.traction + passed, bound, step.slips, shift=shift, total=total)
             if number in after:
                 yield rolled_state(number * apart, step, apart, modulus, x)
 

@@ -20,6 +20,7 @@ import numpy as np
 from winkler.checks.number_checks import Whole, affordable, between
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.foundation.line import LineFoundation
 from winkler.foundation.springs import Springs
 from winkler.limits import MOST_NUMBERS, RELAXING_SPRINGS
 from winkler.media.offers import offers
@@ -32,7 +33,7 @@ from winkler.problems.line.approach import Place
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line.load_springs import LoadSprings
 from winkler.problems.line_viscoelastic.crept_load import CreptLoad, Spacing
-from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line
+from winkler.problems.line_viscoelastic.layered_strips import elastic_line
 from winkler.problems.line_viscoelastic.path import LineForcePath
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
@@ -85,7 +86,6 @@ class LineViscoelasticIndentation:
     --------
     A rigid cylinder on a Maxwell fluid with E* = 1 and tau = 1: a^2 = 4 R P (1 + t/tau) / (pi E*).
 
-    >>> from winkler.foundation.line import LineFoundation
     >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
     >>> from winkler.profiles.power import Paraboloid
@@ -103,7 +103,7 @@ class LineViscoelasticIndentation:
         tolerance=("", None, "error of the load that crept between two moments, over its greatest value"),
     )
 
-    bed: RelaxingBed
+    bed: LineFoundation | LayeredLineFoundation
     path: LineForcePath
     count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
     tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-6

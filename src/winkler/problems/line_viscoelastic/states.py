@@ -14,13 +14,13 @@ import numpy as np
 
 from winkler.checks.place_checks import finite_places
 from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.foundation.line import LineFoundation
 from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line_viscoelastic.layered_strips import (
-    RelaxingBed,
     elastic_line,
     layered_pressure,
     shares_of,
@@ -65,7 +65,7 @@ class LineViscoelasticState:
         recess=("u", "m", "hereditary integral of creep and what wider strips have borne"),
     )
 
-    bed: RelaxingBed
+    bed: LineFoundation | LayeredLineFoundation
     time: float
     force_per_length: float
     half_width: float

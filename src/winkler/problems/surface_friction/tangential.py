@@ -24,6 +24,7 @@ from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.mapped_medium import homogeneous
@@ -200,7 +201,7 @@ class SurfaceTangential:
 
 
 @value
-class SurfaceTangentialSolution(LastMap):
+class SurfaceTangentialSolution(Looped, LastMap):
     """The solution of a `SurfaceTangential` problem, point by point.
 
     Parameters
@@ -277,6 +278,12 @@ class SurfaceTangentialSolution(LastMap):
         return homogeneous("SurfaceTangentialSolution", "the stress below the surface", self.problem.medium)
 
     @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, its loss and its amplitudes."""
+        path, who = self.problem.path, "SurfaceTangential"
+        return cycle_of(who, (path.across, path.along), self.dissipation, self.shift, self.shear_force)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
@@ -289,4 +296,4 @@ class SurfaceTangentialSolution(LastMap):
             stated.topography, stated.medium, stated.law, blurred, self.force,
             self.penetration, self.misfit,
         )  # fmt: skip
-        return (*notes, *yielded)
+        return (*notes, *yielded, *self._cycle_notes)

@@ -46,11 +46,14 @@ STALLED_ROLLS = 20
 friction does not bear them it hardly changes."""
 FORCE_TOLERANCE = 1e-9
 """Least bound on the distance from a given force, over what friction bears."""
-INNER_RATIO, FALLING_RATIO, LEAST_INNER = 1e-5, 0.01, 1e-12
-"""Tolerance of a roll over that of the forces, which err like the root of its energy; the same where friction falls and
-forces err with its coefficients; and the least one."""
+INNER_RATIO, LEAST_INNER = 0.01, 1e-12
+"""Tolerance of a roll over that of the forces, which err by up to three times its misfit; and the least one."""
+AHEAD_OF_FORCES = 1e-3
+"""Part of the distance from given forces to which a roll on the way to them is exact: a step seldom gains more."""
 STICKING_RATIO = 1e9
 """Coefficient of friction under which all sticks."""
+FIRST_TOLERANCE = 1e-4
+"""Of the first rolls: of a patch on which all sticks, whose stiffness begins, and far from given forces."""
 SMALL_CREEPAGE = 1e-6
 """Creepage of a patch on which all sticks; forces are proportional to it."""
 SLIDING = 1.0 - 1e-9
@@ -119,9 +122,9 @@ class CreepSearch:
     ):
         self.patch, self.by_force, self.tolerance = patch, by_force, tolerance
         self.friction, self.speed, self.coefficient = friction, speed, greatest_coefficient(friction)
-        falls = isinstance(friction, FallingFriction) and friction.kinetic_coefficient < friction.static_coefficient
-        ratio = FALLING_RATIO if falls else INNER_RATIO
-        self.inner = max(ratio * tolerance, LEAST_INNER) if np.any(by_force) else tolerance
+        self.falls = isinstance(friction, FallingFriction) and friction.kinetic_coefficient < self.coefficient
+        self.inner = max(INNER_RATIO * tolerance, LEAST_INNER) if np.any(by_force) else tolerance
+        self.first = max(FIRST_TOLERANCE, self.inner)
         p, self.shift = patch.pressure, AHEAD * patch.pixel[0]
         arm = float(np.sqrt(np.sum(p * patch.arms**2) / np.sum(p)))
         self.lengths = np.array([1.0, 1.0, arm])
@@ -162,7 +165,7 @@ class CreepSearch:
         self.drawn[:, :-1] = drawn[:, 1:] - drawn[:, :-1]
         forces = np.where(self.by_force, given, 0.0)
         refuse_beyond(float(np.hypot(forces[0], forces[1])), float(forces[2]), borne, self.patch.arms)
-        self.last = self._sought(given, start) if np.any(self.by_force) else self._rolled(given, start)
+        self.last = self._sought(given, start) if np.any(self.by_force) else self._rolled(given, start, self.inner)
         return self.last
 
     def _sought(self, given: Array, start: Array) -> CreptPatch:
@@ -176,24 +179,31 @@ class CreepSearch:
         missing, allowed = np.inf, max(self.tolerance, FORCE_TOLERANCE)
         guess = np.where(self.by_force, self.last.creeps, given)
         behind = self._behind(given, self.last) - self.stiffness @ ((guess - self.last.creeps) * self.lengths)
-        best = self._rolled(guess + self._step(behind), start)
-        length, measured, rolls, earlier = 1.0, False, 0, np.inf
+        coarse = not self.falls  # rolls on the way to the forces are no more exact than they are near
+        best = self._rolled(guess + self._step(behind), start, self.first if coarse else self.inner)
+        length, lost, measured, rolls, earlier = 1.0, False, False, 0, np.inf
         for rolls in range(1, MOST_ROLLS + 1):
             missing = float(np.max(np.abs((given - best.forces) / self.most)[self.by_force]))
-            if missing <= allowed:
+            if missing <= allowed and not coarse:
                 return best._replace(missing=missing)
+            if coarse and (lost or missing <= allowed):  # is it so once the roll is exact?
+                coarse, best = False, self._rolled(best.creeps, best.traction, self.inner)
+                continue
+            exact = min(max(AHEAD_OF_FORCES * missing, self.inner), self.first) if coarse else self.inner
             if rolls % STALLED_ROLLS == 1:
                 if missing > 0.5 * earlier and not self._slides(best):
                     break
                 earlier = missing
             behind, slid = self._behind(given, best), self._slides(best)
             step = np.where(self.by_force, -0.5 * best.creeps, 0.0) if slid else length * self._step(behind, best)
-            tried = self._rolled(best.creeps + step, best.traction)
+            tried = self._rolled(best.creeps + step, best.traction, exact)
             left = np.where(self.by_force, behind - self._evened(tried.forces) + self._evened(best.forces), 0.0)
             if slid or (np.linalg.norm(left) < np.linalg.norm(behind) and not self._slides(tried)):
                 moved, grown = self._between(best, tried)
                 self.stiffness = self.stiffness + np.outer(grown - self.stiffness @ moved, moved) / (moved @ moved)
                 best, length, measured = tried, 1.0, False
+            elif coarse:
+                lost = True
             elif measured:
                 length *= SHORTENED
             else:
@@ -229,10 +239,10 @@ class CreepSearch:
             step *= min(1.0, longest / max(float(np.linalg.norm(step)), longest))
         return np.asarray(step / self.lengths)
 
-    def _rolled(self, creeps: Array, start: Array) -> CreptPatch:
+    def _rolled(self, creeps: Array, start: Array, tolerance: float) -> CreptPatch:
         rigid = np.tensordot(creeps, self.modes, 1) + self.drawn
         surface = roll_under(
-            self.friction, self.speed, self.patch.grid, self.pressure, rigid, start, tolerance=self.inner
+            self.friction, self.speed, self.patch.grid, self.pressure, rigid, start, tolerance=tolerance
         )
         resistance = self.patch.unit * float(np.sum(surface.traction * self.stretch))
         return CreptPatch(creeps, self._forces(surface), surface, 0.0, resistance)
@@ -260,7 +270,7 @@ class CreepSearch:
         bound, columns = STICKING_RATIO * self.pressure, []
         for mode, length in zip(self.modes, self.lengths, strict=True):
             rigid = SMALL_CREEPAGE / length * mode
-            surface = roll(self.patch.grid, bound, rigid, np.zeros_like(rigid), tolerance=self.tolerance)
+            surface = roll(self.patch.grid, bound, rigid, np.zeros_like(rigid), tolerance=FIRST_TOLERANCE)
             columns.append(self._forces(surface) / self.most / SMALL_CREEPAGE)
         return np.stack(columns, axis=1)
 
@@ -270,5 +280,5 @@ class CreepSearch:
         for axis in np.flatnonzero(self.by_force):
             creeps = at.creeps.copy()
             creeps[axis] += CHANGE_RATIO * size / self.lengths[axis]
-            moved, grown = self._between(at, self._rolled(creeps, at.traction))
+            moved, grown = self._between(at, self._rolled(creeps, at.traction, self.inner))
             self.stiffness[:, axis] = grown / moved[axis]

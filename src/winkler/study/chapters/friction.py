@@ -132,7 +132,7 @@ FRICTION = Chapter(
     answers={
         "tangential": answer(
             "winkler.problems.friction.tangential:Tangential",
-            headline=("dissipation", "shear_force", "shift", "stick_radius"),
+            headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
             path={"kind": "program", "steps": OSCILLATION},
             picture=Caption(
                 "tangential",
@@ -168,7 +168,7 @@ FRICTION = Chapter(
         ),
         "torsion": answer(
             "winkler.problems.friction.torsion:Torsion",
-            headline=("dissipation", "torque", "angle", "stick_radius"),
+            headline=("dissipation", "torque", "angle", "stick_radius", "loss_per_cycle"),
             path={"kind": "program", "steps": TWIST},
             picture=Caption(
                 "torsion",

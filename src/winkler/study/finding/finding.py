@@ -16,7 +16,7 @@ from winkler.materials.named import material_names
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
-__all__ = ["Beyond", "Found", "Hit", "find", "known", "neighbours", "words"]
+__all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "neighbours", "words"]
 
 LANGUAGES = ("en", "de", "fr")
 SATURATION, LENGTH = 1.2, 0.3
@@ -97,7 +97,7 @@ class Beyond(NamedTuple):
     nearest: tuple[str, ...]
 
 
-class Found(NamedTuple):
+class SearchResult(NamedTuple):
     """The outcome of a search.
 
     Parameters
@@ -222,7 +222,7 @@ def neighbours() -> tuple[Beyond, ...]:
     return tuple(_index().beyond.values())
 
 
-def find(text: str, *, most: int = 5) -> Found:
+def find(text: str, *, most: int = 5) -> SearchResult:
     """Return what a word or a question means, the best first.
 
     Parameters
@@ -250,14 +250,14 @@ def find(text: str, *, most: int = 5) -> Found:
         for name, score in best.items():
             totals[name] += score * (DECIDES if decides else 1.0)
     if not totals:
-        return Found((), None)
+        return SearchResult((), None)
     for name in totals:
         totals[name] *= index.favour.get(name, 1.0)
     ranked = sorted(totals, key=lambda name: -totals[name])
     if ranked[0].startswith("beyond."):
         beyond = index.beyond[ranked[0].removeprefix("beyond.")]
-        return Found(tuple(index.hits[name] for name in beyond.nearest), beyond)
+        return SearchResult(tuple(index.hits[name] for name in beyond.nearest), beyond)
     least = PROMISED * totals[ranked[0]]
     names = [name for name in ranked if name in index.hits and totals[name] >= least]
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
-    return Found(tuple(index.hits[name] for name in names[:most]), None)
+    return SearchResult(tuple(index.hits[name] for name in names[:most]), None)

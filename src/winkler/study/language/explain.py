@@ -19,8 +19,8 @@ __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_sy
 
 GREEK = {
     "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ", "nu": "ν", "phi": "φ", "sigma": "σ", "tau": "τ",
-    "alpha": "α", "gamma": "γ", "rho": "ρ", "beta": "β", "eta": "η", "kappa": "κ", "omega": "ω", "varphi": "φ",
-    "psi": "ψ", "ell": "ℓ", "Delta": "Δ", "delta": "δ", "Lambda": "Λ", "xi": "ξ",
+    "alpha": "α", "gamma": "γ", "rho": "ρ", "beta": "β", "eta": "η", "zeta": "ζ", "kappa": "κ", "omega": "ω",
+    "varphi": "φ", "psi": "ψ", "ell": "ℓ", "Delta": "Δ", "delta": "δ", "Lambda": "Λ", "xi": "ξ",
     "infty": "∞", "tan": "tan ", "int": "∫",
 }  # fmt: skip
 

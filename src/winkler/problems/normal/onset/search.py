@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -23,8 +23,12 @@ __all__ = ["greatest_in", "onset_in"]
 MOST_STEPS, OCTAVES = 40, 500
 ROUGH_MISS = 0.02
 """Logarithm of stress over strength below which stresses in layers are sought finely."""
-LAST_MISS, LAST_MISS_IN_LAYERS = 0.0, 1e-5
-"""Logarithm of stress over strength whose square is the error of one more secant."""
+LAST_MISS, LAST_MISS_IN_LAYERS = 0.0, 2e-6
+"""Logarithm of stress over strength from which one more step, by stresses sought less finely too, errs by 1e-9."""
+POINTS_INTERPOLATED, MOST_BENT = 4, 0.5
+"""Points through which the expected radius goes, and by how much less one more must move it than that before."""
+LONGEST_STEP = 20.0
+"""Greatest logarithm of the ratio of two radii of which the second is expected by the first."""
 SEEN_DISTANCE = 0.15
 """Part of the contact radius at the onset within which the stress at a smaller radius need not be sought again."""
 BEYOND_ONSET, NEARER_STEPS = 6.0, 4
@@ -62,17 +66,25 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
 
     with np.errstate(divide="ignore", invalid="ignore"):
         vertical = not math.isfinite(float(bed.gap_slope(np.array([end]))[0]))  # as the equator of a ball
-    below: tuple[float, float] | None = None
+    known: list[tuple[float, float]] = []
+    fine, wider = False, end
     if end == widest < math.inf:
-        while (share := stress(a, fine=False).value / strength) < 1.0:
+        while (share := stress(a, fine).value / strength) < 1.0:
             if a == end:
                 return _too_wide(part, widest)
-            below = (math.log(a - flat), math.log(share)) if share > 0.0 else None
+            if fine and share > 1.0 - ROUGH_MISS:
+                end = wider
+                break
+            if share > 0.0:
+                known.append((math.log(share), math.log(a - flat)))
             wider, bent = _before_bending(bed, a, min(flat + 2.0 * (a - flat), end))
             if bent is not None and wider == a:
                 raise bent
-            a = wider
-        end = a
+            expected = _at_strength(known)
+            fine = len(known) > 2 and math.log(a - flat) < expected < math.log(wider - flat)
+            a = flat + math.exp(expected) if fine else wider
+        else:
+            end = a
     elif isinstance(bed.medium, HalfSpace) and math.isfinite(end) and stress(a).value >= strength:
         end = a  # what happens at the end of the profile does not matter
     elif end in sharp or (math.isfinite(at_end(bed)[0]) and not vertical):
@@ -97,7 +109,7 @@ def onset_in(bed: Bed, part: StrongPart, mu: float) -> tuple[float, GreatestStre
             )
     homogeneous = isinstance(bed.medium, HalfSpace)
     near = LAST_MISS if homogeneous else LAST_MISS_IN_LAYERS
-    found = _crossing(stress, strength, flat, end, a, near, below)
+    found = _crossing(stress, strength, flat, end, a, near, known, fine)
     if isinstance(found, str) or homogeneous:
         return found
     for share in RADIUS_SHARES[:-1]:  # in layers the stress need not grow with the load
@@ -116,14 +128,15 @@ def _crossing(
     end: float,
     a: float,
     near: float,
-    last: tuple[float, float] | None = None,
+    known: Sequence[tuple[float, float]] = (),
+    fine: bool = False,
 ) -> tuple[float, GreatestStress] | str:
     """Return where the stress reaches the strength between two radii [m], from one of them on; or why it does not.
 
-    `near` is the logarithm of stress over strength from which one more secant, without a look, suffices; `last` is the
-    logarithm of a smaller radius over `flat`, and that of the stress there over the strength.
+    `near` is the logarithm of stress over strength from which one more step, without a look, suffices; `known` are
+    logarithms of the stress over the strength, and of the radii over `flat` at which it is found.
     """
-    low, high, fine = flat, end, False
+    low, high, points = flat, end, list(known)
     for _ in range(MOST_STEPS):
         place = stress(a, fine)
         miss = math.log(place.value / strength)
@@ -132,22 +145,46 @@ def _crossing(
             miss = math.log(place.value / strength)
         if abs(miss) < 1e-10:
             return a, place
-        if fine and abs(miss) < near and last is not None:
-            power = (miss - last[1]) / (math.log(a - flat) - last[0])
-            return flat + (a - flat) * math.exp(-miss / power), place
-        if last is not None and abs(miss - last[1]) < 1e-8 * abs(math.log(a - flat) - last[0]):
+        if points and abs(miss - points[-1][0]) < 1e-8 * abs(math.log(a - flat) - points[-1][1]):
             return _the_same(place.value, strength)
         low, high = (a, high) if miss < 0.0 else (low, a)
-        # secant in logarithms: exact for power laws, whose stress is a power of the radius
-        power = 1.0 if last is None else (miss - last[1]) / (math.log(a - flat) - last[0])
-        last = (math.log(a - flat), miss)
-        new = flat + (a - flat) * math.exp(max(-20.0, min(20.0, -miss / power))) if power > 0.0 else math.nan
+        points.append((miss, math.log(a - flat)))
+        expected, last = _at_strength(points), points[-1][1]
+        new = flat + math.exp(min(max(expected, last - LONGEST_STEP), last + LONGEST_STEP))
+        if fine and abs(miss) < near and math.isfinite(new):
+            return new, place
+        fine = fine or abs(expected - last) < ROUGH_MISS
         if not low < new < high:
             new = 0.5 * (low + high) if math.isfinite(high) else 2.0 * a
         if abs(new - a) <= 1e-14 * a:
             return a, place
         a = new
     raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {MOST_STEPS} steps.")
+
+
+def _at_strength(known: Sequence[tuple[float, float]]) -> float:
+    """Return the logarithm of the radius at which the strength is expected; nan where the stress does not grow.
+
+    A polynomial of the logarithm of the stress goes through the nearest points: of power laws it is a straight line.
+    Through a single point the stress is taken to grow like the radius.
+    """
+    points = sorted(known, key=lambda point: abs(point[0]))[:POINTS_INTERPOLATED]
+    if not points:
+        return math.nan
+    if len(points) == 1:
+        points.append((points[0][0] - 1.0, points[0][1] - 1.0))
+    misses, radii = np.array(points).T
+    if np.unique(misses).size < radii.size or (radii[0] > radii[1]) != (misses[0] > misses[1]):
+        return math.nan
+    expected, product, change = float(radii[0]), 1.0, math.nan
+    for order in range(1, radii.size):
+        radii = (radii[1:] - radii[:-1]) / (misses[order:] - misses[:-order])
+        product *= -float(misses[order - 1])
+        before, change = change, abs(product * float(radii[0]))
+        if change > MOST_BENT * before:  # the points are too far apart for one more
+            break
+        expected += product * float(radii[0])
+    return expected
 
 
 def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float) -> GreatestStress:

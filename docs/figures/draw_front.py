@@ -2,7 +2,7 @@
 
 ::
 
-    python docs/front_picture.py
+    python docs/figures/draw_front.py
 
 computes the contact and writes docs/figures/front.png.
 """
@@ -23,7 +23,7 @@ from winkler.plot.picture import styled
 from winkler.plot.render import render
 
 HERE = Path(__file__).resolve().parent
-TIP = HERE.parent / "examples" / "data" / "measured_tip.csv"
+TIP = HERE.parents[1] / "examples" / "data" / "measured_tip.csv"
 EXTENT = 45e-9  # m, from the axis
 
 TITLES = ("a measured tip in silica", "its springs on a line", "the pressure under the tip")
@@ -54,7 +54,7 @@ def main() -> None:
             )
             figure.add_artist(arrow)
             figure.text(0.5 * (left.x1 + right.x0), 0.92, text, ha="center", va="bottom", color=style.RED)
-        figure.savefig(HERE / "figures" / "front.png", dpi=105)
+        figure.savefig(HERE / "front.png", dpi=105)
 
 
 if __name__ == "__main__":

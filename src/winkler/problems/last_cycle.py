@@ -1,0 +1,206 @@
+r"""The last cycle of a path, and what a linear spring with a damper would have in its place.
+
+A path that comes back to loads that it had, in the direction in which it had them, or to its beginning, has run
+through a cycle.  With
+the energy W that the cycle loses and the amplitudes U and F of motion and load, half of their ranges,
+
+.. math:: k_s = \frac FU ,\qquad \zeta = \frac W{2\pi FU}
+
+are the stiffness of the equivalent spring and its damping ratio, half of the loss factor.  A cycle of bodies that are
+moved for the first time begins without slip and does not end so: its loop is open, and a note names it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of"]
+
+SAME = 1e-9
+"""Part of the range of a load within which two of its values are the same."""
+CLOSED = 1e-3
+"""Part of its range by which motion or load may miss its beginning at the end of a closed loop; boundary elements err
+by as much."""
+
+
+class LastCycle(NamedTuple):
+    """The last cycle of a path.
+
+    Parameters
+    ----------
+    first, last
+        The points of the path between which it runs.
+    loss
+        Energy that it loses [J], of lines per length [J/m].
+    motion, load
+        Amplitudes: half of the ranges, zero of what has none.
+    gap
+        By how much motion or load misses its beginning, over its range [-].
+    """
+
+    first: int
+    last: int
+    loss: float
+    motion: float
+    load: float
+    gap: float
+
+
+def cycle_ends(prescribed: Sequence[Array]) -> tuple[int, int] | None:
+    """Return the points between which the last cycle of a path runs; None if it has none.
+
+    Parameters
+    ----------
+    prescribed : sequence of ndarray, (points,) or (points, 2)
+        The loads that are prescribed.
+
+    Examples
+    --------
+    >>> cycle_ends([np.array([0.0, 1.0, 0.0, -1.0, 0.0])])  # the second zero is met on the way back
+    (0, 4)
+    >>> cycle_ends([np.array([0.0, 1.0, -1.0, 1.0])])
+    (1, 3)
+    """
+    columns = np.column_stack([np.reshape(load, (len(load), -1)) for load in prescribed])
+    ranges = np.ptp(columns, axis=0)
+    columns = (columns / np.where(ranges > 0.0, ranges, 1.0))[:, ranges > 0.0]
+    changes = np.diff(columns, axis=0)
+    moving = np.flatnonzero(np.any(np.abs(changes) > SAME, axis=1))
+    if not moving.size:
+        return None
+    end, arrived = len(columns) - 1, changes[moving[-1]]
+    alike = np.flatnonzero(np.all(np.abs(columns - columns[end]) <= SAME, axis=1))
+    for first in alike[alike <= moving[-1]][::-1].tolist():
+        before = moving[moving < first]
+        if not before.size or np.all(changes[before[-1]] * arrived >= -SAME):  # none is met on its way back
+            return first, end
+    return None
+
+
+def cycle_of(who: str, prescribed: Sequence[Array], lost: Array, motion: Array, load: Array) -> LastCycle:
+    """Return the last cycle of a path.
+
+    Parameters
+    ----------
+    who : str
+        Name of the problem, for messages.
+    prescribed : sequence of ndarray, (points,)
+        The loads that are prescribed.
+    lost : ndarray, (steps,)
+        Energy lost since the beginning [J], at the points that were reached.
+    motion, load : ndarray, (steps,) or (steps, 2)
+        What moves, and what it takes.
+
+    Raises
+    ------
+    OutsideValidity
+        If the path closes no cycle, or a planar motion is not along a line.
+    """
+    ends = cycle_ends([column[: lost.size] for column in prescribed]) if lost.size else None
+    if ends is None:
+        raise OutsideValidity(
+            f"{who}: the path of {lost.size} points closes no cycle, since it does not come back to the loads of an "
+            "earlier point in the same direction; let it end where a cycle began, as Path.oscillation(...) does."
+        )
+    first, last = ends
+    along = [_along_line(who, column[first : last + 1]) for column in (motion, load)]
+    ranges = [float(np.ptp(row)) for row in along]
+    missed = (abs(float(row[-1] - row[0])) / reach for row, reach in zip(along, ranges, strict=True) if reach > 0.0)
+    return LastCycle(
+        first, last, float(lost[last] - lost[first]), 0.5 * ranges[0], 0.5 * ranges[1], max(missed, default=0.0)
+    )
+
+
+def _along_line(who: str, column: Array) -> Array:
+    """Return a row that runs along a line, as numbers; refuse one that runs through a plane."""
+    if column.ndim == 1:
+        return column
+    away = column - np.mean(column, axis=0)
+    sizes, axes = np.linalg.svd(away, full_matrices=False)[1:]
+    if sizes[1] > CLOSED * sizes[0]:
+        raise OutsideValidity(
+            f"{who}: the cycle runs through the plane, not along a line, and has no single amplitude; its loss is the "
+            "difference of dissipation between its ends."
+        )
+    return np.asarray(column @ axes[0])
+
+
+def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
+    """Return the note that names a loop that does not close; nothing where it closes."""
+    if cycle.gap <= CLOSED:
+        return ()
+    statement = (
+        f"The last cycle of the path, from point {cycle.first} to point {cycle.last}, is not closed: motion or load "
+        f"ends {100.0 * cycle.gap:.2g} per cent of its range from where it began. Its loss holds for this cycle only; "
+        "append cycles until it closes."
+    )
+    return (Note(Assumption.SLIP, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
+
+
+class Looped:
+    """The part of a solution that has the numbers of the last cycle of its path."""
+
+    @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle runs, its loss, its amplitudes, and by how much it is open."""
+        raise NotImplementedError
+
+    @property
+    def loss_per_cycle(self) -> float:
+        """Energy lost in the last cycle of the path [J].
+
+        Raises
+        ------
+        OutsideValidity
+            If the path closes no cycle.
+        """
+        return self.last_cycle.loss
+
+    @property
+    def secant_stiffness(self) -> float:
+        """Amplitude of the load over that of the motion in the last cycle of the path [N/m], of a twist [N m/rad].
+
+        Raises
+        ------
+        OutsideValidity
+            If the path closes no cycle, or nothing moves in it.
+        """
+        return self._moving.load / self._moving.motion
+
+    @property
+    def damping_ratio(self) -> float:
+        """W / (2 pi F U) of the last cycle of the path [-], 2/pi if all slides throughout; half of the loss factor.
+
+        Raises
+        ------
+        OutsideValidity
+            If the path closes no cycle, or nothing moves in it.
+        """
+        cycle = self._moving
+        return cycle.loss / (2.0 * math.pi * cycle.motion * cycle.load)
+
+    @property
+    def _cycle_notes(self) -> tuple[Note, ...]:
+        """Whether the last cycle is open; nothing where it is closed, or there is none."""
+        try:
+            return cycle_notes(self.last_cycle)
+        except OutsideValidity:
+            return ()
+
+    @property
+    def _moving(self) -> LastCycle:
+        cycle = self.last_cycle
+        if cycle.motion == 0.0 or cycle.load == 0.0:
+            raise OutsideValidity(
+                f"{type(self).__name__}: between the points {cycle.first} and {cycle.last} nothing is moved along the "
+                "surface, so that the cycle has no stiffness and no damping; let the lateral load oscillate."
+            )
+        return cycle
