@@ -9,7 +9,6 @@ from winkler.media.layered import (
     depth_response,
     flat_punch,
     punch_facts,
-    smooth_moments,
 )
 from winkler.numerics.transforms import cosine_transform, fredholm, kernel_matrix, punch_tables
 from winkler.problems.normal import greatest_stress, single_contact
@@ -19,7 +18,6 @@ PAGES = (
     fredholm,
     kernel_matrix,
     punch_tables,
-    smooth_moments,
     flat_punch,
     punch_facts,
     coated_interior,

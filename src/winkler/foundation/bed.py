@@ -25,88 +25,69 @@ class Bed(Protocol):
 
     def __hash__(self) -> int:
         """Beds are values: equal content, equal hash."""
-        ...
 
     @property
     def medium(self) -> Medium:
         """The transforms between springs and body."""
-        ...
 
     @property
     def footprint(self) -> Footprint:
         """The outline of the contact: problems that need a disc are refused on a bed without one."""
-        ...
 
     @property
     def reach(self) -> float:
         """The greatest x for which the bed is defined [m]."""
-        ...
 
     @property
     def rim(self) -> float:
         """Where the contact is pinned [m]; infinite if nowhere."""
-        ...
 
     @property
     def size(self) -> float:
         """Radius of the body [m]; infinite if unknown."""
-        ...
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2), or as `Medium.kinks` states."""
-        ...
 
     @property
     def rising(self) -> bool:
         """Whether the body, on a homogeneous half-space, is known to have a g that never falls."""
-        ...
 
     @property
     def certain(self) -> bool:
         """Whether every contact is known to be one disc, so that none need be checked."""
-        ...
 
     @property
     def notes(self) -> tuple[Note, ...]:
         """What must be stated about shape and medium."""
-        ...
 
     def height(self, r: Array) -> Array:
         """f(r) [m], the body of revolution that stands above the bed."""
-        ...
 
     def slope(self, r: Array) -> Array:
         """f'(r) [-]."""
-        ...
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
-        ...
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
-        ...
 
     def gap_load(self, radius: Array) -> Array:
         """The integral of k'(x) g(x) from 0 to `radius` [N]."""
-        ...
 
     def stiffness(self, radius: Array) -> Array:
         """k(a) [N/m]."""
-        ...
 
     def normal_stiffness(self, x: Array) -> Array:
         """c_N(x) [Pa]."""
-        ...
 
     def normal_stiffness_slope(self, x: Array) -> Array:
         """c_N'(x) [Pa/m], for x > 0."""
-        ...
 
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""
-        ...
 
 
 def slipping_springs(bed: Bed) -> Bed:

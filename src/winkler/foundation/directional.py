@@ -105,9 +105,7 @@ class DirectionalBed(MeasuredBed):
     @property
     def turned(self) -> DirectionalBed:
         """The same springs sheared along y."""
-        return DirectionalBed(
-            **_stated(self) | {"ratios_along": self.ratios_across, "ratios_across": self.ratios_along}
-        )
+        return dataclasses.replace(self, ratios_along=self.ratios_across, ratios_across=self.ratios_along)
 
     @property
     def pressed(self) -> MeasuredBed:
@@ -131,11 +129,6 @@ class DirectionalBed(MeasuredBed):
         """c_T(x) [Pa] of a shear along x."""
         ratio, rise = _ratio(self, np.asarray(x, dtype=float))
         return np.asarray(ratio * self.normal_stiffness(x) + 0.5 * rise * self.stiffness(x))
-
-
-def _stated(bed: DirectionalBed) -> dict[str, Any]:
-    """Return what a bed was made of."""
-    return {field.name: getattr(bed, field.name) for field in dataclasses.fields(DirectionalBed)}
 
 
 def _ratio(bed: DirectionalBed, x: Array) -> tuple[Array, Array]:

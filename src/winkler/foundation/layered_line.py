@@ -18,27 +18,30 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Callable
 from typing import Annotated, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, Positive
+from winkler.checks.number_checks import Advice, Positive
 from winkler.errors import OutsideValidity
-from winkler.foundation.line import ZONE_WORDS, LineFoundation, ZonedBed
-from winkler.foundation.line_bed import LineBed
+from winkler.foundation.line import LineFoundation, ZonedBed
+from winkler.foundation.line_bed import LineBed, Zone
 from winkler.foundation.periodic import from_line
-from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, turns, twists
+from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, risen, turns, twists
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import GradedBody
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, PlaneWaves, plane_waves
+from winkler.media.layered.plane_interior import PlaneWaves, plane_waves
 from winkler.media.layered.stack import Layered
 from winkler.media.layered.wave_constants import Body, Wave
+from winkler.media.offers import LayerStack, PlaneMedium
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.poroelastic import PoroelasticFilm
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
@@ -74,7 +77,6 @@ __all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 RelaxingKinds = RelaxingInProportion | ViscoelasticCoatedHalfSpace | PoroelasticFilm
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
-PAIRS_PER_CHUNK = 1_000_000
 MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
 """Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
 LEAST_NODES = 12
@@ -170,6 +172,7 @@ class LayeredLineFoundation(LineBed):
     punches_push: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
+        LineBed.__post_init__(self)
         _ = self.half_plane
 
     @property
@@ -181,10 +184,11 @@ class LayeredLineFoundation(LineBed):
     @property
     def layered_body(self) -> Layered:
         """The layered body, as what it answers to waves."""
-        return cast(PlaneMedium, self.medium).response.first
+        body: Layered = self.medium.response.first
+        return body
 
     @property
-    def layered(self) -> PlaneLayers:
+    def layered(self) -> LayerStack:
         """The medium, if it has layers.
 
         Raises
@@ -195,7 +199,7 @@ class LayeredLineFoundation(LineBed):
         self._refuse_grading(
             "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading"
         )
-        return cast(PlaneLayers, self.medium)
+        return cast(LayerStack, self.medium)
 
     def _refuse_grading(self, why: str) -> None:
         if isinstance(self.layered_body, GradedBody):
@@ -214,10 +218,6 @@ class LayeredLineFoundation(LineBed):
     def own_transforms(self, half_width: Array, k: Array) -> Array:
         """Return the transforms of the half-planes' pressures over E* [m] at wave numbers k [1/m] ``(a, k)``."""
         return transforms(self.half_plane, half_width, k)
-
-    def beside(self, half_width: float) -> tuple[Array, Array]:
-        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
-        return np.zeros(0), np.zeros(0)
 
     def repeated(self, profile: Profile, pitch: float) -> PeriodicLayers:
         """Return the bed of strips at a pitch [m], as of `LineFoundation.repeated`."""
@@ -269,33 +269,23 @@ class LayeredLineFoundation(LineBed):
 
     def load_profile(self, half_width: Array) -> Array:
         """Return the load per length over E* of the uppermost layer [m]."""
-        half_width = np.asarray(half_width, dtype=float)
-        result = self.half_plane.load_profile(half_width)
-        touching = half_width > 0.0
-        if touching.any():
-            result[touching] += _responses(self, half_width[touching]).closing[:, 0]
-        return result
+        own = self.half_plane.load_profile(half_width)
+        return _touching(half_width, own, lambda a, own: own + _responses(self, a).closing[:, 0])
 
     def load_profile_slope(self, half_width: Array) -> Array:
         """Return its derivative by the half-width [-]."""
-        half_width = np.asarray(half_width, dtype=float)
-        result = self.half_plane.load_profile_slope(half_width)
-        touching = half_width > 0.0
-        if touching.any():
-            found = _responses(self, half_width[touching])
-            order = np.arange(found.closing.shape[1])
-            inner = 2.0 / half_width[touching] * (found.closing @ order**2)
-            result[touching] = (result[touching] - inner) / np.sum(found.punch, axis=1)
-        return result
+
+        def widened(a: Array, own: Array) -> Array:
+            found = _responses(self, a)
+            return np.asarray((own - _edge_fall(found.closing, a)) / np.sum(found.punch, axis=1))
+
+        return _touching(half_width, self.half_plane.load_profile_slope(half_width), widened)
 
     def edge_share(self, half_width: Array) -> Array:
         """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
         self._refuse_sticking_grading()
-        half_width = np.asarray(half_width, dtype=float)
-        result, touching = np.ones(half_width.shape), half_width > 0.0
-        if touching.any():
-            result[touching] = np.sum(_responses(self, half_width[touching]).punch, axis=1)
-        return result
+        ones = np.ones(np.shape(half_width))
+        return _touching(half_width, ones, lambda a, _: np.sum(_responses(self, a).punch, axis=1))
 
     def edge_share_slope(self, half_width: Array) -> Array:
         """Return its derivative by the half-width [1/m].
@@ -304,11 +294,15 @@ class LayeredLineFoundation(LineBed):
         half-plane's, -k J_1(ka), the layers take away what closes at the edge.
         """
         self._refuse_sticking_grading()
-        half_width = np.asarray(half_width, dtype=float)
-        result, touching = np.zeros(half_width.shape), half_width > 0.0
-        if touching.any():
-            result[touching] = _edge_slopes(self, half_width[touching])
-        return result
+        from scipy.special import j1
+
+        def widened(a: Array, _: Array) -> Array:
+            punch = _responses(self, a).punch
+            none = np.zeros(a.size)  # the waves of no grading, which alone ask for slopes
+            added = strip_responses(self.medium.response, a, lambda a, k: -k * j1(a[:, None] * k), none)
+            return np.asarray(_edge_fall(punch, a) - np.sum(punch, axis=1) ** 2 * added.closing[:, 0])
+
+        return _touching(half_width, np.zeros(np.shape(half_width)), widened)
 
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedLayers:
         """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
@@ -394,9 +388,7 @@ class LayeredLineFoundation(LineBed):
         found = waves(response, int(octaves(response, away[-1:])[0]))
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
         near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
-        step = max(1, PAIRS_PER_CHUNK // found.k.size)
-        half = [np.sin(0.5 * np.outer(away[i : i + step], found.k)) for i in range(0, away.size, step)]
-        felt = near - np.concatenate([part**2 @ (2.0 * found.weights * evened) for part in half])
+        felt = near - wave_sums(risen, away, found.k, found.weights * evened)
         plain = LineBed.hat_compliance(self, count, spacing, reference)
         return np.asarray(plain + 2.0 / np.pi * self.along_share * spacing * felt)
 
@@ -509,10 +501,13 @@ class LayeredLineFoundation(LineBed):
         x = half_width + (end - half_width) * PLACES_BESIDE
         return x, self.separation(x, half_width, 0.0)
 
+    def mode_transforms(self, half_width: float, count: int, k: Array) -> Array:
+        """Return the cosine transforms of so many modes that each bear one, at wave numbers k [1/m] ``(n, k)``."""
+        return np.asarray(signs(count)[:, None] * bessel_rows(k * half_width, count))
+
     def transform(self, k: Array, carried: Carried) -> Array:
         """Return the cosine transform of a pressure over E* [m] at wave numbers k [1/m]."""
-        rows = bessel_rows(k * carried.half_width, carried.modes.size)
-        found = (carried.modes * signs(carried.modes.size)) @ rows
+        found = carried.modes @ self.mode_transforms(carried.half_width, carried.modes.size, k)
         if carried.own is None:
             found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
         return np.asarray(found)
@@ -524,9 +519,7 @@ class LayeredLineFoundation(LineBed):
         found = waves(response, int(octaves(response, extent)[0]))
         weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
         at_edge = float(np.cos(found.k * carried.half_width) @ weights)
-        step = max(1, PAIRS_PER_CHUNK // found.k.size)
-        parts = [np.cos(np.outer(x[i : i + step], found.k)) @ weights for i in range(0, x.size, step)]
-        return np.asarray(at_edge - np.concatenate(parts))
+        return at_edge - wave_sums(np.cos, x, found.k, weights)
 
 
 @value
@@ -602,7 +595,6 @@ class PeriodicLayers(LayeredLineFoundation):
         """Return what the layers add under strips [m]."""
         found = self.discrete
         whole = found.k.size + 1 + TAIL  # no wave has more modes
-        step = max(1, PAIRS_PER_CHUNK // whole)
 
         def settled(a: Array) -> StripResponse:
             octave = max(0.0, float(np.log2(np.max(a) / self.medium.response.length)))
@@ -615,7 +607,7 @@ class PeriodicLayers(LayeredLineFoundation):
             strips = Strips(from_line(a, self.pitch), np.abs(pressed[:, 0]), equation)
             return settled_strips(strips, first, rounding, whole)
 
-        parts = [settled(half_width[i : i + step]) for i in range(0, half_width.size, step)]
+        parts = [settled(half_width[some]) for some in chunks(half_width.size, whole)]
         most = max(part.closing.shape[1] for part in parts)
         return StripResponse(
             *(
@@ -624,13 +616,9 @@ class PeriodicLayers(LayeredLineFoundation):
             )
         )
 
-    def transform(self, k: Array, carried: Carried) -> Array:
-        """Return the transform of a pressure over E* [m] at the waves `discrete`."""
-        rows = self.rows(np.array([carried.half_width]), carried.modes.size, k.size)[0]
-        found = carried.modes @ rows
-        if carried.own is None:
-            found = found + self.own_transforms(np.array([carried.half_width]), k)[0]
-        return np.asarray(found)
+    def mode_transforms(self, half_width: float, count: int, k: Array) -> Array:
+        """Return the transforms of so many modes that each bear one, at the waves `discrete`."""
+        return np.asarray(self.rows(np.array([half_width]), count, k.size)[0])
 
     def sunk(self, x: Array, carried: Carried) -> Array:
         """Return by how much less the layers below let the surface sink at places u >= a [m] than at the edge."""
@@ -652,22 +640,8 @@ class PeriodicLayers(LayeredLineFoundation):
 
 
 @value
-class ZonedLayers(LayeredLineFoundation):
-    """A line contact on layers, and the attraction beside one strip of it.
-
-    Parameters
-    ----------
-    strength : float
-        The stress sigma_0 [Pa].
-    contact, outer : float
-        a and c [m].
-    """
-
-    __words__ = ZONE_WORDS
-
-    strength: Positive
-    contact: NonNegative
-    outer: Positive
+class ZonedLayers(Zone, LayeredLineFoundation):
+    """A line contact on layers, and the attraction beside one strip of it."""
 
     def __post_init__(self) -> None:
         LayeredLineFoundation.__post_init__(self)
@@ -697,8 +671,7 @@ def _of_punches(widths: Array, loads: Array, k: Array) -> Array:
     """Return the transforms of flat punches that bear loads ``(a, n)`` [m] at wave numbers ``(a, k)``."""
     from scipy.special import j0
 
-    step = max(1, PAIRS_PER_CHUNK // (widths.shape[1] * k.size))
-    parts = (slice(start, start + step) for start in range(0, widths.shape[0], step))
+    parts = chunks(widths.shape[0], widths.shape[1] * k.size)
     return np.concatenate([np.einsum("akn,an->ak", j0(widths[i, None, :] * k[:, None]), loads[i]) for i in parts])
 
 
@@ -725,12 +698,10 @@ def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength:
     (strips,) = np.nonzero(half_width > 0.0)
     if strips.size:
         found = strip_responses(response, half_width[strips], pressed, np.zeros(strips.size))
-        order = np.arange(found.closing.shape[1])
-        added = np.zeros((2, half_width.size, order.size))
+        added = np.zeros((2, half_width.size, found.closing.shape[1]))
         added[:, strips] = found
         load = load + added[0, :, 0]
-        inner = 2.0 / half_width[strips] * (found.closing @ order**2)
-        edge[strips] = (edge[strips] - inner) / np.sum(found.punch, axis=1)
+        edge[strips] = (edge[strips] - _edge_fall(found.closing, half_width[strips])) / np.sum(found.punch, axis=1)
         for i in strips:
             gap[i] -= lowered(added[0, i], float(half_width[i]), outer[i : i + 1])[0]
             closing[i] += lowered(added[1, i], float(half_width[i]), outer[i : i + 1])[0]
@@ -746,14 +717,17 @@ def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength:
     return EndedZones(gap, load, edge, closing)
 
 
-def _edge_slopes(bed: LayeredLineFoundation, half_width: Array) -> Array:
-    from scipy.special import j1
+def _touching(half_width: Array, alone: Array, found: Callable[[Array, Array], Array]) -> Array:
+    """Return `alone`, and where strips have a width [m] what is found of that and of `alone`."""
+    there, result = half_width > 0.0, np.array(alone)
+    if there.any():
+        result[there] = found(half_width[there], result[there])
+    return result
 
-    punch = _responses(bed, half_width).punch
-    share, order = np.sum(punch, axis=1), np.arange(punch.shape[1])
-    none = np.zeros(half_width.size)  # the waves of no grading, which alone ask for slopes
-    widened = strip_responses(bed.medium.response, half_width, lambda a, k: -k * j1(a[:, None] * k), none)
-    return np.asarray(2.0 / half_width * (punch @ order**2) - share**2 * widened.closing[:, 0])
+
+def _edge_fall(modes: Array, half_width: Array) -> Array:
+    """Return how steeply loads of modes ``(a, n)`` fall at the edges of strips, over a flat punch of one [1/m]."""
+    return np.asarray(2.0 / half_width * (modes @ np.arange(modes.shape[1]) ** 2))
 
 
 @functools.lru_cache(maxsize=16)

@@ -30,14 +30,14 @@ from __future__ import annotations
 import functools
 import math
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, Positive
-from winkler.errors import InvalidInput
-from winkler.foundation.line_bed import LineBed
+from winkler.checks.number_checks import Advice
+from winkler.foundation.line_bed import LineBed, Zone
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.wave_constants import Body
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -46,14 +46,13 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.transforms.abel_intervals import noise
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array, Curve
-from winkler.profiles.area import AreaFunction
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
-from winkler.values import value, words
+from winkler.values import value
 
-__all__ = ["ZONE_WORDS", "LineFoundation", "ZonedBed"]
+__all__ = ["LineFoundation", "ZonedBed"]
 
 DENSITY_TOLERANCE = 1e-13
 """Error of w' over its greatest value, where the stresses below are computed from it."""
@@ -62,12 +61,6 @@ NODES, PIECE = 16, 1.5
 """Nodes on each piece of the integral over arcosh(c/s)."""
 FARTHEST = 40.0
 """Greatest arcosh(c/s): nearer to the middle nothing is left of the integral."""
-
-ZONE_WORDS = words(
-    strength=(r"\sigma_0", "Pa", "stress with which the surfaces attract each other"),
-    contact=("a", "m", "half-width of the contact"),
-    outer=("c", "m", "where the attraction ends"),
-)
 
 
 @value
@@ -99,13 +92,6 @@ class LineFoundation(LineBed):
         Advice("layers go into a LayeredLineFoundation, and the half-plane of a line contact is known on no other"),
     ]
 
-    def __post_init__(self) -> None:
-        if isinstance(self.profile, AreaFunction):
-            raise InvalidInput(
-                "LineFoundation: an AreaFunction states the round cross-sections of a tip; give the profile of a cross-"
-                "section along the strip, such as Paraboloid, RoundedPunch or Measured."
-            )
-
     sheared_as_pressed: ClassVar[bool] = True
 
     @property
@@ -120,14 +106,14 @@ class LineFoundation(LineBed):
         return shape.curvature_radius if isinstance(shape, Paraboloid) else math.inf
 
     @property
-    def surfaces(self) -> tuple[Any, Any]:
+    def surfaces(self) -> tuple[Body, Body]:
         """The two bodies."""
-        return self.medium.first, self.medium.second  # type: ignore[attr-defined]
+        return self.medium.first, self.medium.second
 
     @property
-    def strained(self) -> Any:
+    def strained(self) -> Body:
         """The first body, which a bulk stress strains."""
-        return self.medium.first  # type: ignore[attr-defined]
+        return self.surfaces[0]
 
     def half_width(self, load: Array) -> Array | None:
         """Return the half-widths [m] under loads per length over E* [m], of a parabolic cylinder."""
@@ -183,10 +169,6 @@ class LineFoundation(LineBed):
         whole = np.hypot(a, span) * closing - a * opening + factor * a * _log_ratio(a, span)
         span_slope = whole / ((opening + factor * by_end) * span)
         return np.asarray(growth - 2.0 * strength / self.medium.modulus * span_slope)
-
-    def beside(self, half_width: float) -> tuple[Array, Array]:
-        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
-        return np.zeros(0), np.zeros(0)
 
     def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the pressure of a contact.
@@ -381,32 +363,13 @@ def _log_ratio(a: Array, span: Array) -> Array:
 
 
 @value
-class ZonedBed(LineFoundation):
-    """A line contact and the attraction beside one strip of it.
-
-    Parameters
-    ----------
-    strength : float
-        The stress sigma_0 [Pa].
-    contact, outer : float
-        a and c [m].
-    """
-
-    __words__ = ZONE_WORDS
-
-    strength: Positive
-    contact: NonNegative
-    outer: Positive
+class ZonedBed(Zone, LineFoundation):
+    """A line contact and the attraction beside one strip of it."""
 
     @property
     def hertz_radius(self) -> float:
         """Infinite: the attraction alters the pressure."""
         return math.inf
-
-    @property
-    def span(self) -> float:
-        """l = sqrt(c^2 - a^2) [m]."""
-        return math.sqrt((self.outer - self.contact) * (self.outer + self.contact))
 
     def beside(self, half_width: float) -> tuple[Array, Array]:
         """Return half-widths [m] of the flat punches beside the strip, and their loads over E* [m]."""

@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative, Positive
+from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.wave_constants import Body, Wave, constants_of, half_space_compliance
 from winkler.numerics.surfaces.strip_elements import element_compliance, hats, linear_slope
 from winkler.numerics.surfaces.strip_grid import strip_compliance
 from winkler.numerics.transforms.grid_transforms import GridTransforms
 from winkler.numerics.types import Array
+from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
+from winkler.values import value, words
 
-__all__ = ["LineBed", "PressedPair"]
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.media.layered.plane_interior import PlaneWaves
+    from winkler.media.offers import LayerStack
+
+__all__ = ["LineBed", "PressedPair", "Zone"]
 
 
 SIMILAR = 1e-12
@@ -34,12 +42,38 @@ class PressedPair(Protocol):
     @property
     def modulus(self) -> float:
         """E* of both surfaces [Pa]."""
-        ...
 
     @property
     def along_modulus(self) -> float:
         """m_L of both surfaces [Pa], of shear along the strip's width; refused where shear does not reach the base."""
-        ...
+
+
+@value
+class Zone:
+    """A constant attraction beside one strip.
+
+    Parameters
+    ----------
+    strength : float
+        The stress sigma_0 [Pa].
+    contact, outer : float
+        a and c [m].
+    """
+
+    __words__ = words(
+        strength=(r"\sigma_0", "Pa", "stress with which the surfaces attract each other"),
+        contact=("a", "m", "half-width of the contact"),
+        outer=("c", "m", "where the attraction ends"),
+    )
+
+    strength: Positive
+    contact: NonNegative
+    outer: Positive
+
+    @property
+    def span(self) -> float:
+        """l = sqrt(c^2 - a^2) [m]."""
+        return math.sqrt((self.outer - self.contact) * (self.outer + self.contact))
 
 
 class LineBed:
@@ -60,8 +94,15 @@ class LineBed:
     sheared_as_pressed: ClassVar[bool] = False
     """Whether tractions move the surfaces along as pressures sink them, but for the factor `along_share`."""
 
+    def __post_init__(self) -> None:
+        if isinstance(self.profile, AreaFunction):
+            raise InvalidInput(
+                f"{type(self).__name__}: an AreaFunction states the round cross-sections of a tip; give the profile of "
+                "a cross-section along the strip, such as Paraboloid, RoundedPunch or Measured."
+            )
+
     @property
-    def half_plane(self) -> Any:
+    def half_plane(self) -> LineBed:
         """The same profile on half-planes of what carries the surface: a bed of which all is known in closed form."""
         raise NotImplementedError
 
@@ -220,6 +261,10 @@ class LineBed:
         """
         return self.along_share * element_compliance(edges / edges[-1])
 
+    def beside(self, half_width: float) -> tuple[Array, Array]:
+        """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]: none."""
+        return np.zeros(0), np.zeros(0)
+
     def edge_share(self, half_width: Array) -> Array:
         """Return the tension at the edges of a flat punch that is pulled, over that on half-planes [-]."""
         return np.ones(np.shape(half_width))
@@ -238,6 +283,10 @@ class LineBed:
         Its `load_profile` is still that of the profile alone, on half-planes.
         """
         raise NotImplementedError
+
+    def zone_start(self, half_width: Array, reach: float, strength: float) -> Array:
+        """Return at least how far an attraction with a range `reach` [m] goes on beside strips, the span l [m]."""
+        return self.half_plane.zone_start(half_width, reach, strength)
 
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
         """Return the distance of the surfaces [m] where a constant attraction beside strips ends, and its slope.
@@ -321,11 +370,11 @@ class LineBed:
         return -2.0 / math.pi * self.along_share * math.log(0.5 * half_width / unit)
 
     @property
-    def layered(self) -> Any:
+    def layered(self) -> LayerStack:
         """The medium, if it has layers."""
         raise NotImplementedError
 
-    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> Any:
+    def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
         """Return the pressure of a strip as waves that layers feel, for places up to a distance [m]."""
         raise NotImplementedError
 

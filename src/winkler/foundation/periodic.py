@@ -20,18 +20,22 @@ H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import Positive
-from winkler.foundation.line_bed import LineBed
+from winkler.foundation.line_bed import LineBed, PressedPair
 from winkler.numerics.types import Array
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile, Shape, Sum
 from winkler.profiles.wavy import Wavy
 from winkler.values import value, words
+
+if TYPE_CHECKING:  # numerics of layers are loaded with layers
+    from winkler.media.layered.plane_interior import PlaneWaves
+    from winkler.media.offers import LayerStack
 
 __all__ = ["PeriodicBed", "as_high", "from_line", "in_closed_form", "to_line", "unrolled"]
 
@@ -225,7 +229,7 @@ class PeriodicBed:
         return self.line.profile
 
     @property
-    def medium(self) -> Any:
+    def medium(self) -> PressedPair:
         """Both bodies."""
         return self.line.medium
 
@@ -235,7 +239,7 @@ class PeriodicBed:
         return tuple((float(from_line(np.array(b), self.pitch)), strength) for b, strength in self.line.kinks)
 
     @property
-    def layered(self) -> Any:
+    def layered(self) -> LayerStack:
         """The medium, if it has layers."""
         return self.line.layered
 
@@ -247,7 +251,7 @@ class PeriodicBed:
         """Refuse friction [-] where a layer slides on what lies below it."""
         self.line.refuse_dragged(friction)
 
-    def waves_below(self, half_width: float, extra: float, farthest: float) -> Any:
+    def waves_below(self, half_width: float, extra: float, farthest: float) -> PlaneWaves:
         """Return the pressure as waves that layers feel."""
         return self.line.waves_below(float(to_line(np.array(half_width), self.pitch)), extra, farthest)
 

@@ -32,7 +32,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
 from winkler.numerics.types import Array
-from winkler.profiles.area import AreaFunction
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
 from winkler.values import value
@@ -77,13 +76,6 @@ class PowerLawLineFoundation(LineBed):
     ]
 
     search_step: ClassVar[float] = 4.0
-
-    def __post_init__(self) -> None:
-        if isinstance(self.profile, AreaFunction):
-            raise InvalidInput(
-                "PowerLawLineFoundation: an AreaFunction states the round cross-sections of a tip; give the profile of "
-                "a cross-section along the strip, such as Paraboloid, RoundedPunch or Measured."
-            )
 
     @property
     def exponent(self) -> float:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.chunks import wave_sums
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.strips.strip_equation import Waves, waves
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["KERNEL_TOLERANCE", "bends", "turns", "twists"]
+__all__ = ["KERNEL_TOLERANCE", "bends", "risen", "turns", "twists"]
 
-PAIRS_PER_CHUNK = 1_000_000
 KERNEL_TOLERANCE = 1e-12
 """Error of what the layers add to the displacement of an element, over its greatest value."""
 SUMMED = 2e-15
@@ -21,9 +21,8 @@ SUMMED = 2e-15
 
 def turns(found: Waves, x: Array) -> Array:
     """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
-    step, flat = max(1, PAIRS_PER_CHUNK // found.k.size), x.ravel()
-    rows = [np.sin(np.outer(flat[i : i + step], found.k)) @ (found.weights / found.k) for i in range(0, x.size, step)]
-    return np.concatenate(rows).reshape(x.shape) - x * float(np.sum(found.weights) + np.sum(found.shares))
+    sines = wave_sums(np.sin, x, found.k, found.weights / found.k)
+    return sines - x * float(np.sum(found.weights) + np.sum(found.shares))
 
 
 @cached_by_value(64)
@@ -39,11 +38,14 @@ def bends(response: WaveResponse, octave: int) -> Panels:
     found, unit = waves(response, octave), response.length * 2.0**octave
 
     def bent(t: Array) -> Array:
-        flat, step = unit * t.ravel(), max(1, PAIRS_PER_CHUNK // found.k.size)
-        half = [np.sin(0.5 * np.outer(flat[i : i + step], found.k)) for i in range(0, flat.size, step)]
-        return np.concatenate([part**2 @ (2.0 * found.weights / found.k) for part in half]).reshape(t.shape) / unit
+        return wave_sums(risen, unit * t, found.k, found.weights / found.k) / unit
 
     return _panels(bent, found)
+
+
+def risen(phase: Array) -> Array:
+    """Return 1 - cos without cancellation."""
+    return np.asarray(2.0 * np.sin(0.5 * phase) ** 2)
 
 
 def _panels(function: Curve, found: Waves) -> Panels:

@@ -18,6 +18,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
+from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.strips.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array, Curve
@@ -72,9 +73,7 @@ def transforms(bed: LineFoundation, half_width: Array, k: Array) -> Array:
     if modes is not None:
         used = 1 + int(np.max(np.nonzero(np.any(modes != 0.0, axis=0))[0], initial=0))
         pushed, found = modes[:, :used] * signs(used), np.empty((half_width.size, k.size))
-        step = max(1, ENTRIES // (used * k.size))
-        for start in range(0, half_width.size, step):
-            part = slice(start, start + step)
+        for part in chunks(half_width.size, used * k.size, ENTRIES):
             found[part] = np.einsum("an,nak->ak", pushed[part], bessel_rows(half_width[part, None] * k, used))
         return found
     from scipy.special import j0
@@ -87,9 +86,7 @@ def transforms(bed: LineFoundation, half_width: Array, k: Array) -> Array:
                 f"A strip of the half-width {a:.6g} m is too wide for the uppermost layer under a profile with a tip, "
                 "a kink or a fractional power; press less, give a thicker layer, or a smooth profile."
             )
-        step = max(1, 1_000_000 // widths.size)
-        for start in range(0, k.size, step):
-            result[place, start : start + step] = j0(np.outer(k[start : start + step], widths)) @ loads
+        result[place] = wave_sums(j0, k, widths, loads)
     return result
 
 

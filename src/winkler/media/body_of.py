@@ -40,20 +40,16 @@ class EquivalentProfile(Protocol):
 
     def __hash__(self) -> int:
         """A key of caches."""
-        ...
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """``(x, strength)`` where g is not smooth, ascending."""
-        ...
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
-        ...
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
-        ...
 
 
 @value

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import functools
 import math
+from typing import Any
 
 import numpy as np
 
 from winkler.checks.contract import offered
 from winkler.errors import InvalidInput
-from winkler.materials.elastic import RIGID, Elastic, Solid
+from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
@@ -33,25 +34,39 @@ GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 class HomogeneousMedium:
     """What every homogeneous pair of half-spaces shares, once its two effective moduli are known."""
 
-    @property
+    first: Any
+    second: Any
+    """The bodies: this class knows the moduli of elastic ones, isotropic or transversely isotropic, and rigid ones."""
+
+    def _compliance(self, part: str) -> float:
+        """Return what both answer to waves of a name, times xi / 2 [1/Pa]."""
+        from winkler.media.layered.wave_constants import Wave, half_space_compliance  # not loaded for isotropic bodies
+
+        return sum(half_space_compliance(body, Wave[part]) for body in (self.first, self.second))
+
+    def _refuse_rigid(self, elastic: str) -> None:
+        if isinstance(self.first, Rigid) and isinstance(self.second, Rigid):
+            raise InvalidInput(f"{type(self).__name__}: both bodies are rigid; at least one must be {elastic}.")
+
+    @functools.cached_property
     def modulus(self) -> float:
         """E* [Pa]."""
-        raise NotImplementedError
+        return 1.0 / self._compliance("NORMAL")
 
-    @property
+    @functools.cached_property
     def shear_modulus(self) -> float:
         """G* [Pa]."""
-        raise NotImplementedError
+        return 2.0 / (self._compliance("ALONG") + self._compliance("ACROSS"))
 
-    @property
+    @functools.cached_property
     def torsional_modulus(self) -> float:
-        """G_t [Pa]."""
-        raise NotImplementedError
+        """G_t [Pa], 1/G_t = sum of 1/sqrt(C44 C66)."""
+        return 0.5 / self._compliance("ACROSS")
 
-    @property
+    @functools.cached_property
     def along_modulus(self) -> float:
         """m_L [Pa] of shear along a wave, as in plane strain."""
-        raise NotImplementedError
+        return 1.0 / self._compliance("ALONG")
 
     @property
     def notes(self) -> tuple[Note, ...]:
@@ -145,8 +160,7 @@ class HalfSpace(HomogeneousMedium):
     second: Solid = RIGID
 
     def __post_init__(self) -> None:
-        if not self._elastic:
-            raise InvalidInput("HalfSpace: both bodies are rigid; at least one must be Elastic(young, poisson).")
+        self._refuse_rigid("Elastic(young, poisson)")
 
     @classmethod
     def between(cls, first: Solid, second: Solid = RIGID) -> HalfSpace:
@@ -172,7 +186,7 @@ class HalfSpace(HomogeneousMedium):
         """G_t [Pa], 1/G_t = sum of 1/G."""
         return 1.0 / sum(1.0 / body.shear for body in self._elastic)
 
-    @property
+    @functools.cached_property
     def along_modulus(self) -> float:
         """m_L [Pa]: E*."""
         return self.modulus
@@ -180,12 +194,11 @@ class HalfSpace(HomogeneousMedium):
     @property
     def mismatch(self) -> float:
         """Dundurs' second constant beta [-]; zero for elastically similar bodies."""
-        normal = sum(2.0 * (1.0 - body.poisson) / body.shear for body in self._elastic)
         first, second = (
             (1.0 - 2.0 * body.poisson) / body.shear if isinstance(body, Elastic) else 0.0
             for body in (self.first, self.second)
         )
-        return (first - second) / normal
+        return self.modulus * 0.25 * (first - second)
 
     notes = (
         Note(

@@ -53,25 +53,20 @@ class Displacement(Protocol):
     @property
     def radius(self) -> float:
         """Contact radius a [m]."""
-        ...
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """``(x, strength)`` of every non-smooth point inside the contact, ascending."""
-        ...
 
     @property
     def edge(self) -> float:
         """u(a-) [m], the jump at the edge of the contact; zero where the contact closes smoothly."""
-        ...
 
     def value(self, x: Array) -> Array:
         """u(x) [m] for x <= a."""
-        ...
 
     def slope(self, x: Array) -> Array:
         """u'(x) [-] for x <= a."""
-        ...
 
 
 @offered("a medium, such as HalfSpace(first, second)")
@@ -84,11 +79,9 @@ class Medium(Protocol):
 
     def gap(self, profile: Profile, x: Array) -> Array:
         """g(x) [m], the equivalent plane profile of `profile` in this medium."""
-        ...
 
     def gap_slope(self, profile: Profile, x: Array) -> Array:
         """g'(x) [-]."""
-        ...
 
     def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
         """``(x, strength)`` of every place where g of this profile is not smooth, ascending.
@@ -96,52 +89,40 @@ class Medium(Protocol):
         Above a jump of f' at b, g' diverges like strength / sqrt(x^2 - b^2).  Power-law media have another power
         there, x^-k (x^2 - b^2)^((k-1)/2), and the factor of that is the strength.
         """
-        ...
 
     def gap_load(self, profile: Profile, radius: Array) -> Array:
         """The integral of k'(x) g(x) from 0 to `radius` [N]."""
-        ...
 
     def punch_stiffness(self, radius: Array) -> Array:
         """k(a) [N/m], the stiffness of a flat cylindrical punch."""
-        ...
 
     def punch_pressure(self, r: Array, radius: Array) -> Array:
         """p1(r; a) [Pa/m], the pressure of a flat punch at unit depth; r and radii of one shape, r < a."""
-        ...
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """What is known of all flat punches up to this radius [m]."""
-        ...
 
     def normal_stiffness(self, x: Array) -> Array:
         """c_N(x) = k'(x)/2 [Pa], the stiffness of the springs per length."""
-        ...
 
     def normal_stiffness_slope(self, x: Array) -> Array:
         """c_N'(x) [Pa/m], for x > 0: what decides whether an adhesive edge is stable."""
-        ...
 
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa], the same for tangential motion."""
-        ...
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa], the superposition of flat punches that belongs to the springs' displacement."""
-        ...
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:
         """The normal displacement of the surface [m], inside and outside the contact, sum over both bodies."""
-        ...
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
 
         Raises `OutsideValidity` where they are not known, or the body is rigid.
         """
-        ...
 
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is assumed about the medium."""
-        ...

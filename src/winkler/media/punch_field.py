@@ -115,7 +115,7 @@ def punch_below(r: Array, z: Array, t: Array, excess: Array | None = None) -> Po
     )
 
 
-def punch_surface(r: Array, t: Array, excess: Array | None = None) -> Potentials:
+def punch_surface(r: Array, t: Array) -> Potentials:
     """Return the potentials of a flat punch on the surface, the limit ``z -> 0`` at fixed ``r``.
 
     Below the punch ``V = pi`` and ``V_z = -2 / sqrt(t^2 - r^2)``; beside it ``V_z = 0``; exactly at its edge V_z is
@@ -125,17 +125,14 @@ def punch_surface(r: Array, t: Array, excess: Array | None = None) -> Potentials
     ----------
     r, t : ndarray
         Distance from the axis and radius of the punch [m], of shapes that broadcast; ``r >= 0``, ``t > 0``.
-    excess : ndarray, optional
-        ``t - r`` [m], where it is known better than by subtraction.
 
     Returns
     -------
     Potentials
         For a line load of 1 N/m on ``|x| < t``.
     """
-    beyond = t - r if excess is None else excess
-    inside = beyond >= 0.0
-    root = np.sqrt(np.abs(beyond) * (r + t))
+    inside = t >= r
+    root = np.sqrt(np.abs(t - r) * (r + t))
     with np.errstate(divide="ignore"):
         v_z = np.where(inside, -2.0 / root, 0.0)
     outside = np.where(inside, 1.0, r)  # never zero, also where it is not used

@@ -15,14 +15,14 @@ pressure is split into a uniform one, known in closed form, and one that vanishe
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.media.body_of import exponent_of, surface_slope
+from winkler.media.layered.coated_load import settled_sums
 from winkler.media.medium import Medium
 from winkler.media.offers import PressedWaves, offers
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -40,11 +40,10 @@ SHARE_TOLERANCE = 1e-11
 """Error of K phi, relative to the deepest spring."""
 PRESSURE_NODES = 200
 """Nodes of the integral over that pressure, of which only a cubic spline is known."""
-RULE_NODES = (16, 32, 64)
 SETTLED_TOLERANCE, LAST_TOLERANCE = 1e-12, 1e-9
+RESTLESS = "The sinking of the layers under the pressure still moves by {:.1e}; give a smoother pressure."
 FIRST_DISTANCE = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
-PAIRS_PER_CHUNK = 400_000
 
 
 @value
@@ -170,10 +169,9 @@ def _share(response: WaveResponse, bare: PressureIndentation) -> Panels:
 
     def sums(count: int, x: Array) -> Array:
         nodes, weights = gauss_legendre(count)
-        result = np.empty(x.size)
-        width = max(1, PAIRS_PER_CHUNK // (count * (2 * steps.size + 2)))
-        for start in range(0, x.size, width):
-            part = x[start : start + width, None]
+        result = np.empty((1, x.size))
+        for rows in chunks(x.size, count * (2 * steps.size + 2)):
+            part = x[rows, None]
             ends = np.full(part.shape, a)
             cuts = np.clip(np.concatenate([-ends, part - steps[::-1], part, part + steps, ends], axis=1), -a, a)
             angle = np.arcsin(cuts / a)  # t = a sin(angle): phi starts with a square root at the edge
@@ -181,28 +179,13 @@ def _share(response: WaveResponse, bare: PressureIndentation) -> Panels:
             places = low + (high - low) * nodes
             t = a * np.sin(places)
             load = bare.springs(np.abs(t)) * a * np.cos(places) * (high - low) * weights
-            result[start : start + width] = 0.5 * np.sum(load * kernel(np.abs(part[..., None] - t)), axis=(1, 2))
+            result[0, rows] = 0.5 * np.sum(load * kernel(np.abs(part[..., None] - t)), axis=(1, 2))
         return result
 
-    return fit_panels(_settling(sums, size), np.linspace(0.0, a, 5), SHARE_TOLERANCE * size)
-
-
-def _settling(sums: Callable[[int, Array], Array], size: float) -> Callable[[Array], Array]:
-    """Return the sums by rules fine enough."""
-
     def settled(x: Array) -> Array:
-        flat = np.ravel(x)
-        last, change = sums(RULE_NODES[0], flat), math.inf
-        for count in RULE_NODES[1:]:
-            current = sums(count, flat)
-            change = float(np.max(np.abs(current - last))) / max(size, float(np.max(np.abs(current))))
-            last = current
-            if change <= SETTLED_TOLERANCE:
-                break
-        if change > LAST_TOLERANCE:
-            raise NotConverged(
-                f"The sinking of the layers under the pressure still moves by {change:.1e}; give a smoother pressure."
-            )
-        return np.asarray(last.reshape(np.shape(x)))
+        found = settled_sums(
+            lambda count: sums(count, x.ravel()), np.array([size]), SETTLED_TOLERANCE, LAST_TOLERANCE, RESTLESS
+        )
+        return found.reshape(x.shape)
 
-    return settled
+    return fit_panels(settled, np.linspace(0.0, a, 5), SHARE_TOLERANCE * size)

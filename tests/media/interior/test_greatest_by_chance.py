@@ -15,8 +15,7 @@ import pytest
 import winkler as wk
 from winkler.foundation.sheared import ShearedSprings
 from winkler.media.interior import tensor
-from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
-from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
+from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.numerics.equations.highest import highest, highest_of_curve

@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
-from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
+from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.media.interior.periodic_map_field import PeriodicMapField

@@ -159,7 +159,7 @@ def test_stresses_inside_by_elasticity_in_one_wave():
     for wave in (0.2, 2.0):
         _, _, states = surface(wave, parts, on, depths=depths.tolist())
         own = constants_of(GLASS).decay(np.array([wave * 0.4]))
-        found = list(wave_states(layers, on, np.array([1.0, 1.5]), depths, np.array([wave])))
+        found = list(wave_states(StackBody(layers, on), depths, np.array([wave])))
         for (_, state, _), wanted in zip(found[2:], states[2:], strict=True):
             assert np.concatenate([state.moved[0], state.loaded[0]]) == pytest.approx(wanted, rel=1e-10)
         # in the uppermost layer without what a half-space of it has

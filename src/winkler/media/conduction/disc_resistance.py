@@ -15,6 +15,7 @@ a rod constricts less (`winkler.numerics.fields.flux_tube`), and a film spreads 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -124,26 +125,19 @@ class PlatedResponse:
     compressed = math.inf
     """Limit of (1 + M) / xi for long waves: the bodies have no end."""
 
+    def _summed(self, part: Callable[[Any, Any, Any], Any], xi: ComplexArray) -> ComplexArray:
+        """Return what echoes of both bodies make, each by its share of the resistivity."""
+        first, second = (resistivity_of(surface_of(body)) for body in (self.first, self.second))
+        own, other = (part(*_echo(body, xi)) for body in (self.first, self.second))
+        return np.asarray((first * own + second * other) / (first + second))
+
     def whole(self, xi: Array) -> Array:
         """1 + M(xi) [-] at wave numbers (m,) [1/m]."""
-        parts = [(resistivity_of(surface_of(body)), body) for body in (self.first, self.second)]
-        both = sum(rho for rho, _ in parts)
-        whole_sum = np.zeros(np.shape(xi))
-        for rho, body in parts:
-            _, less, more = _echo(body, xi)
-            whole_sum = whole_sum + rho / both * more / less
-        return np.asarray(whole_sum)
+        return self._summed(lambda _, less, more: more / less, xi)
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        parts = [(resistivity_of(surface_of(body)), body) for body in (self.first, self.second)]
-        whole = sum(rho for rho, _ in parts)
-        excess_sum = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
-        for rho, body in parts:
-            if isinstance(body, Plated):
-                echo, less, _ = _echo(body, xi)
-                excess_sum = excess_sum + rho / whole * 2.0 * echo / less
-        return np.asarray(excess_sum)
+        return self._summed(lambda echo, less, _: 2.0 * echo / less, xi)
 
 
 def _echo(body: ConductingBody, xi: ComplexArray) -> tuple[Any, Any, Any]:

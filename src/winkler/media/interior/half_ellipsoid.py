@@ -39,15 +39,18 @@ K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 3.2 and 3.6, doi:10.1017/
 
 from __future__ import annotations
 
+import functools
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.media.interior.confocal import Confocal, confocal, rule
-from winkler.media.interior.tensor import Tensor
+from winkler.media.interior.peak import StressSpot, greatest_around
+from winkler.media.interior.tensor import Measure, Tensor
+from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
 
-__all__ = ["PLACES_AT_ONCE", "half_ellipsoid_stresses", "third_moments"]
+__all__ = ["PLACES_AT_ONCE", "greatest_in_half_ellipsoid", "half_ellipsoid_stresses", "third_moments"]
 
 PLACES_AT_ONCE = 512
 
@@ -74,8 +77,7 @@ def half_ellipsoid_stresses(
         return Tensor(turned.yy, turned.xx, turned.zz, turned.xy, turned.yz, turned.xz)
     places = np.stack([np.ravel(part) / a for part in (x, y, z)])
     out = np.empty((6, places.shape[1]))
-    for start in range(0, places.shape[1], PLACES_AT_ONCE):
-        at = slice(start, start + PLACES_AT_ONCE)
+    for at in chunks(places.shape[1], 1, PLACES_AT_ONCE):
         out[:, at] = _stresses(places[:, at], b / a, poisson, traction)
     return Tensor(*(part.reshape(np.shape(x)) for part in out))
 
@@ -208,3 +210,28 @@ def third_moments(at: Confocal, b: float) -> tuple[Array, Array]:
     over_alpha, over_beta = 1.0 / (1.0 + rest.squared), 1.0 / (b * b + rest.squared)
     part = 2.0 * rest.weights * rest.squared * over_alpha * np.sqrt(over_alpha * over_beta)
     return (part * over_alpha).sum(axis=1), (part * over_beta).sum(axis=1)
+
+
+@functools.lru_cache(maxsize=512)
+def greatest_in_half_ellipsoid(
+    measure: Measure, ratio: float, poisson: float, traction: tuple[float, float] = (0.0, 0.0)
+) -> StressSpot:
+    """Return the greatest of a stress over the greatest pressure, and its place over a, b, and the smaller of both.
+
+    Parameters
+    ----------
+    measure
+        Takes the tensor, returns what is compared.
+    ratio : float
+        b / a, of the semi-axes along y and x.
+    poisson : float
+    traction : tuple of float
+        What drags the surface along x and y, over the pressure [-].
+    """
+
+    def values(x: Array, y: Array, z: Array) -> Array:
+        return measure(half_ellipsoid_stresses(x, y, z, (1.0, ratio), poisson, traction))
+
+    even = (traction[0] == 0.0, traction[1] == 0.0)
+    spot = greatest_around(values, ratio=ratio, even=even)
+    return StressSpot(spot.value, spot.x, spot.y / ratio, spot.z / min(1.0, ratio))

@@ -20,6 +20,7 @@ import numpy as np
 
 from winkler.media.interior.confocal import confocal, rule
 from winkler.media.interior.half_ellipsoid import PLACES_AT_ONCE, third_moments
+from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
 
 __all__ = ["half_ellipsoid_displacements"]
@@ -41,8 +42,7 @@ def half_ellipsoid_displacements(
         return along, across, down
     places = np.stack([np.ravel(part) / a for part in (x, y, z)])
     out = np.empty_like(places)
-    for start in range(0, places.shape[1], PLACES_AT_ONCE):
-        at = slice(start, start + PLACES_AT_ONCE)
+    for at in chunks(places.shape[1], 1, PLACES_AT_ONCE):
         out[:, at] = _displacements(places[:, at], b / a, poisson, traction)
     return tuple(a * part.reshape(np.shape(x)) for part in out)
 

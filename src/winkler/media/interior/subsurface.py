@@ -21,11 +21,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from winkler.errors import InvalidInput
-from winkler.media.interior.point_rules import PAIRS_PER_CHUNK, POINTS_PER_BLOCK, Indices, point_groups
-from winkler.media.interior.surface_limit import superposed_on
+from winkler.media.interior.surface_limit import PAIRS_PER_CHUNK, POINTS_PER_BLOCK, Indices, point_groups, superposed_on
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField, Potentials, combine, punch_below
 from winkler.media.punch_superposition import CLUSTER_DISTANCE, LoadPanel, PunchCluster, punch_superposition
+from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
 
 __all__ = ["field", "superposed_below"]
@@ -109,10 +109,7 @@ def superposed_below(displacement: Displacement, r: Array, z: Array, punch: Punc
         A row for every potential.
     """
     deep = np.maximum(z, LEAST_DEPTH_RATIO * displacement.radius)
-    parts = [
-        _below(displacement, r[start : start + POINTS_PER_BLOCK], deep[start : start + POINTS_PER_BLOCK], punch)
-        for start in range(0, max(r.size, 1), POINTS_PER_BLOCK)
-    ]
+    parts = [_below(displacement, r[part], deep[part], punch) for part in chunks(max(r.size, 1), 1, POINTS_PER_BLOCK)]
     return np.concatenate(parts, axis=1)
 
 
@@ -137,9 +134,8 @@ def _below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Arra
 def _far(cluster: PunchCluster, r: Array, z: Array, punch: Punch) -> Array:
     """Superpose the punches that stand for a cluster."""
     parts = []
-    step = max(PAIRS_PER_CHUNK // cluster.radii.size, 1)
-    for start in range(0, max(r.size, 1), step):
-        flat = punch(r[start : start + step, None], z[start : start + step, None], cluster.radii, None)
+    for rows in chunks(max(r.size, 1), cluster.radii.size, PAIRS_PER_CHUNK):
+        flat = punch(r[rows, None], z[rows, None], cluster.radii, None)
         parts.append(np.array([part @ cluster.weights for part in flat]))
     return np.concatenate(parts, axis=1)
 

@@ -6,19 +6,45 @@ In :math:`p=\sqrt{|r^2-s^2|}` of a panel that begins at s, :math:`y = p\sin v` f
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
-from winkler.media.interior.point_rules import POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import punch_surface
 from winkler.media.punch_superposition import LoadPanel, punch_superposition
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["superposed_on"]
+__all__ = ["PAIRS_PER_CHUNK", "POINTS_PER_BLOCK", "Indices", "point_groups", "superposed_on"]
+
+Indices = NDArray[np.intp]
+
+POINTS_PER_BLOCK = 20_000
+"""Largest number of points at once."""
+PAIRS_PER_CHUNK = 1 << 16
+"""Largest number of (point, node) pairs at once: the temporary arrays stay in the cache."""
+
+
+def point_groups(chosen: Indices, parts: Indices, count: Indices) -> Iterator[tuple[Indices, Array, Array]]:
+    """Yield points with the same rule, and its nodes and weights, in pieces of at most `PAIRS_PER_CHUNK` pairs."""
+    for some, many in np.unique(np.stack([parts[chosen], count[chosen]]), axis=1).T:
+        members = chosen[(parts[chosen] == some) & (count[chosen] == many)]
+        nodes, weights = _rule(int(some), int(many))
+        for part in chunks(members.size, nodes.size, PAIRS_PER_CHUNK):
+            yield members[part, None], nodes, weights
+
+
+@functools.lru_cache(maxsize=256)
+def _rule(parts: int, count: int) -> tuple[Array, Array]:
+    """Return the Gauss-Legendre rule of `count` nodes on each of equal `parts` of [0, 1]."""
+    nodes, weights = gauss_legendre(count)
+    return (np.arange(parts)[:, None] + nodes).ravel() / parts, np.tile(weights, parts) / parts
+
 
 Place = Callable[[Indices, Array], tuple[Array, Array]]
 
@@ -30,13 +56,10 @@ RULE_NODES, LONGEST_INTERVAL = 48, 4.0
 
 def superposed_on(displacement: Displacement, r: Array) -> Array:
     """Superpose the punches at points of the surface, r of shape ``(n,)``; the rows are V, V_z and psi_r / r."""
-    return np.concatenate(
-        [
-            _surface(displacement, r[start : start + POINTS_PER_BLOCK])
-            for start in range(0, max(r.size, 1), POINTS_PER_BLOCK)
-        ],
-        axis=1,
-    )
+    found = np.empty((3, r.size))
+    for part in chunks(r.size, 1, POINTS_PER_BLOCK):
+        found[:, part] = _surface(displacement, r[part])
+    return found
 
 
 def _surface(displacement: Displacement, r: Array) -> Array:

@@ -17,13 +17,12 @@ Twist and normal load do not act on each other, whatever the bodies.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.errors import InvalidInput
+from winkler.media.medium import Displacement
 from winkler.numerics.integrals.bisected_quadrature import refined
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
@@ -33,7 +32,6 @@ __all__ = [
     "Twisted",
     "clean_slope",
     "twist_below",
-    "twist_constants",
     "twist_displacement",
     "twist_traction",
 ]
@@ -51,31 +49,8 @@ HALVINGS, HALVED = 40, 0.05
 """Places towards the axis at which a slope is examined; by how much it may miss half of that at the last one."""
 
 
-class Twisted(Protocol):
-    """The load h(x) = q(x)/x [Pa] of twisted springs, in contact up to `radius`."""
-
-    @property
-    def radius(self) -> float:
-        """A [m]."""
-        ...
-
-    @property
-    def edge(self) -> float:
-        """h(a-) [Pa]; zero where the contact closes smoothly."""
-        ...
-
-    @property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)``: just above x the slope of h holds -strength / sqrt(x^2 - x_kink^2)."""
-        ...
-
-    def value(self, x: Array) -> Array:
-        """h(x) [Pa] for 0 < x <= a."""
-        ...
-
-    def slope(self, x: Array) -> Array:
-        """h'(x) [Pa/m] for 0 < x < a."""
-        ...
+class Twisted(Displacement, Protocol):
+    """The load h(x) = q(x)/x [Pa] of twisted springs as if it were a displacement; `value` is given for x > 0 only."""
 
 
 class TwistBelow(NamedTuple):
@@ -84,19 +59,6 @@ class TwistBelow(NamedTuple):
     hoop_displacement: Array
     axial_twist_stress: Array
     radial_twist_stress: Array
-
-
-def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[float, float]:
-    """Return the modulus [Pa] of a twist, and by how much depths count more than distances along the surface.
-
-    For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
-    """
-    if isinstance(body, Elastic):
-        return body.shear, 1.0
-    if isinstance(body, Rigid):
-        raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
-    c66 = 0.5 * (body.c11 - body.c12)
-    return math.sqrt(body.c44 * c66), math.sqrt(c66 / body.c44)
 
 
 def twist_traction(twisted: Twisted, r: Array) -> Array:
@@ -175,7 +137,7 @@ def twist_below(twisted: Twisted, r: Array, z: Array, modulus: float, stretch: f
     r, z : ndarray
         Distance from the axis and depth below the surface [m], broadcast; r not negative, z positive.
     modulus, stretch : float
-        What `twist_constants` returns for the body.
+        As `winkler.media.layered.wave_constants.twist_constants` of the body.
 
     Returns
     -------

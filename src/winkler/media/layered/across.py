@@ -12,17 +12,17 @@ depth, written with :math:`e^{-x}` alone.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
-from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.media.layered.climb import LEAST_WAVE, AnyLayer
+from winkler.materials.elastic import Rigid
+from winkler.media.layered.climb import AnyLayer
+from winkler.media.layered.faces import LEAST_WAVE
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["AcrossState", "across_above", "across_added", "across_inside", "climbed_across", "impedance"]
+__all__ = ["AcrossState", "across_above", "across_added", "across_inside", "climbed_across"]
 
 
 class AcrossState(NamedTuple):
@@ -30,13 +30,6 @@ class AcrossState(NamedTuple):
 
     moved: Array
     loaded: Array
-
-
-def impedance(solid: Elastic | TransverselyIsotropic) -> tuple[float, float]:
-    """Return sqrt(C44 C66) [Pa], and sqrt(C66 / C44), by which depths of the solid count more than isotropic ones."""
-    constants = constants_of(solid)
-    steep = math.sqrt(constants.twist)
-    return constants.shear * steep, steep
 
 
 def across_above(below: ComplexArray, stiff: Array | float, fall: ComplexArray) -> ComplexArray:
@@ -69,9 +62,9 @@ def climbed_across(layers: tuple[AnyLayer, ...], on: Body, xi: ComplexArray) -> 
     """
     if not all(layer.bonded for layer in layers):
         xi = np.where(xi == 0.0, LEAST_WAVE, xi)
-    rungs = [np.full(xi.shape, 0.0 if isinstance(on, Rigid) else 1.0 / impedance(on)[0], dtype=xi.dtype)]
+    rungs = [np.full(xi.shape, 0.0 if isinstance(on, Rigid) else 1.0 / constants_of(on).impedance[0], dtype=xi.dtype)]
     for layer in reversed(layers):
-        stiff, steep = impedance(layer.solid)
+        stiff, steep = constants_of(layer.solid).impedance
         fall = np.tanh(xi * (layer.thickness * steep))
         rungs.append(across_above(rungs[-1], stiff, fall) if layer.bonded else 1.0 / (stiff * fall))
     return rungs[::-1]

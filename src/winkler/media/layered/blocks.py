@@ -2,18 +2,11 @@ r"""Matrices of two by two blocks for many wave numbers at once: sums, products 
 
 from __future__ import annotations
 
-import numpy as np
-
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["Four", "add", "invert", "scaled", "stacked", "times"]
+__all__ = ["Four", "add", "invert", "scaled", "times"]
 
 Four = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]
-
-
-def stacked(four: Four) -> ComplexArray:
-    """Return matrices of two by two from their four entries."""
-    return np.stack(four, axis=-1).reshape(-1, 2, 2)
 
 
 def add(one: Four, other: Four) -> Four:

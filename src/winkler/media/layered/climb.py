@@ -19,16 +19,13 @@ import numpy as np
 from winkler.materials.elastic import Rigid
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.layered.blocks import Four, add, invert, scaled, times
-from winkler.media.layered.faces import THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
+from winkler.media.layered.faces import LEAST_WAVE, THIN_LAYER_LIMIT, above, compliance_of, face_of, mirrored, slid
 from winkler.media.layered.wave_constants import Body, WaveConstants, constants_of
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["LEAST_WAVE", "AnyLayer", "Crossing", "Support", "climbed", "support_of"]
+__all__ = ["AnyLayer", "Crossing", "Support", "climbed", "support_of"]
 
 AnyLayer = Layer | StackLayer
-
-LEAST_WAVE = 1e-60
-"""Stands for xi h = 0, where a free layer moves sideways without bound."""
 
 
 class Support(NamedTuple):

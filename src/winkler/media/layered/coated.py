@@ -29,7 +29,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from typing import ClassVar, Protocol
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -42,12 +42,11 @@ from winkler.media.layered import coated_interior, coated_load, flat_punch, punc
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
-from winkler.media.layered.pair_response import CouplingResponse, Mode, PairResponse
+from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
 from winkler.media.punch_field import BodyField
-from winkler.numerics.pixels.layered import GridResponse
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
 from winkler.numerics.transforms.odd_response import OddResponse
@@ -56,13 +55,12 @@ from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
+if TYPE_CHECKING:
+    from winkler.media.offers import PairWaves
+
 __all__ = ["CoatedHalfSpace", "LayeredMedium", "SlidingFilm", "StackMedium", "StackedHalfSpace"]
 
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
-
-
-class PressedResponse(SurfaceResponse, GridResponse, Protocol):
-    """A response to pressures."""
 
 
 class LayeredMedium:
@@ -70,42 +68,39 @@ class LayeredMedium:
 
     second: Body
 
-    def responding(self, mode: Mode) -> PressedResponse:
+    def responding(self, mode: Mode) -> PairWaves:
         """The response of the pair to a load."""
         raise NotImplementedError
 
     @functools.cached_property
-    def response(self) -> PressedResponse:
+    def response(self) -> PairWaves:
         """The response of the pair to a pressure."""
         return self.responding(Mode.NORMAL)
 
     @functools.cached_property
-    def tangential_response(self) -> PressedResponse:
+    def tangential_response(self) -> PairWaves:
         """The response of the pair to a shear load, averaged over its angle with the wave."""
         return self.responding(Mode.TANGENTIAL)
 
     @functools.cached_property
-    def along_response(self) -> PressedResponse:
+    def along_response(self) -> PairWaves:
         """The response of the pair to shear along its wave."""
         return self.responding(Mode.ALONG)
 
     @functools.cached_property
-    def across_response(self) -> PressedResponse:
+    def across_response(self) -> PairWaves:
         """The response of the pair to shear across its wave, and to a twist."""
         return self.responding(Mode.ACROSS)
 
     @functools.cached_property
-    def turning_response(self) -> PressedResponse:
+    def turning_response(self) -> PairWaves:
         """Of a shear load, the part that turns with twice the angle between it and the wave."""
         return self.responding(Mode.TURNING)
 
-    @property
+    @functools.cached_property
     def coupling_response(self) -> WaveResponse:
         """By how much farther pressures draw the first surface along than on a half-space of what lies at it."""
-        raise OutsideValidity(
-            f"{type(self).__name__}: how far a pressure draws its surface along is not known to winkler; leave the "
-            "coupling out, or give layers."
-        )
+        return self.responding(Mode.COUPLING)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
@@ -308,7 +303,7 @@ class StackMedium(LayeredMedium):
     def responding(self, mode: Mode) -> PairResponse:
         """The response of the pair to a load: to a twist and a pressure, if a layer slides."""
         slides = next((number for number, layer in enumerate(self.stack, 1) if not layer.bonded), 0)
-        if not slides or mode is Mode.NORMAL:
+        if not slides or mode in (Mode.NORMAL, Mode.COUPLING):
             return PairResponse(mode, StackBody(self.stack, self.on), self.second)
         if mode is Mode.ACROSS:
             return FloatingAcross(mode, StackBody(self.stack[:slides], RIGID), self.second)
@@ -317,19 +312,14 @@ class StackMedium(LayeredMedium):
             "that under a push it slides away; give layers that are bonded."
         )
 
-    @functools.cached_property
-    def coupling_response(self) -> CouplingResponse:
-        """By how much farther pressures draw the first surface along than on a half-space of the uppermost layer."""
-        return CouplingResponse(self.responding(Mode.NORMAL))
-
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
-        return coated_interior.field(load, self.stack, self.on, self.modulus, r, z)
+        return coated_interior.field(load, StackBody(self.stack, self.on), self.modulus, r, z)
 
     def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
         """Stresses and displacements under a traction along +x: that of a load times a modulus; no layer slides."""
         _ = self.tangential_response
-        return sheared_interior.field(load, self.stack, self.on, modulus, x, y, z)
+        return sheared_interior.field(load, StackBody(self.stack, self.on), modulus, x, y, z)
 
 
 def _stiffness(response: SurfaceResponse, radius: Array) -> Array:

@@ -19,12 +19,14 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import subsurface
-from winkler.media.layered.blocks import Four, add, scaled, stacked, times
-from winkler.media.layered.climb import AnyLayer, Support, climbed, crossing
+from winkler.media.layered.blocks import Four, add, scaled, times
+from winkler.media.layered.climb import Support, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.hankel_waves import PAIRS_PER_CHUNK, HankelWaves, RadialWaves, reach_of, waves_of
-from winkler.media.layered.wave_constants import Body, constants_of
+from winkler.media.layered.hankel_waves import HankelWaves, RadialWaves, reach_of, waves_of
+from winkler.media.layered.stack import StackBody
+from winkler.media.layered.wave_constants import constants_of
 from winkler.media.punch_field import BodyField
+from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 
@@ -32,6 +34,7 @@ __all__ = [
     "WaveState",
     "field",
     "reaching",
+    "refuse_base",
     "refuse_unknown_places",
     "superposed",
     "wave_states",
@@ -45,15 +48,23 @@ class WaveState(NamedTuple):
     loaded: Array
     solid: Elastic | TransverselyIsotropic
 
+    def weighted(self, weights: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
+        """Return stresses along, across, down and in shear, and displacements times xi, of the first waves."""
+        solid = constants_of(self.solid)
+        strain, lift = self.moved[: weights.size].T * weights
+        shear, down = self.loaded[: weights.size].T * weights
+        along = solid.shear * solid.plane * strain + solid.lateral * down
+        return along, along - 2.0 * solid.shear * solid.twist * strain, down, shear, strain, lift
 
-def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: float, r: Array, z: Array) -> BodyField:
+
+def field(load: CarriedLoad, body: StackBody, modulus: float, r: Array, z: Array) -> BodyField:
     """Return stresses and displacements inside the stack.
 
     Parameters
     ----------
     load : CarriedLoad
         The pressure.
-    layers, on
+    body : StackBody
         The stack.
     modulus : float
         E* of the uppermost layer and the counterpart [Pa].
@@ -67,9 +78,8 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
         radii away from the axis and near the surface.
     """
     shape, r, z = np.shape(r), np.ravel(r), np.ravel(z)
-    bottoms = np.cumsum([layer.thickness for layer in layers])
-    refuse_unknown_places(layers, on, bottoms, z)
-    top, upper = layers[0].solid, z <= bottoms[0]
+    refuse_unknown_places(body, z)
+    top, upper = body.top, z <= body.bottoms[0]
     result = np.zeros((6, r.size))
     if load.radius > 0.0 and r.size:
         waves = waves_of(load, modulus, reach_of(load, r), 2.0 * DECAY_SPAN / load.response.length)
@@ -77,30 +87,35 @@ def field(load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: fl
             own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
             result[:, upper] = own
         depths = np.unique(z)
-        waves = waves.up_to(max(reaching(layers, on, bottoms, depths, waves.xi)))
+        waves = waves.up_to(max(reaching(body, depths, waves.xi)))
         radial = RadialWaves(waves.xi)
-        for depth, state, end in wave_states(layers, on, bottoms, depths, waves.xi):
+        for depth, state, end in wave_states(body, depths, waves.xi):
             (members,) = np.nonzero(z == depth)
             result[:, members] += superposed(state, waves, radial, r[members], end)
     return BodyField(*(part.reshape(shape) for part in result))
 
 
-def refuse_unknown_places(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, z: Array) -> None:
-    """Refuse depths z [m] in a rigid base, or in a transversely isotropic uppermost layer."""
-    top, upper = layers[0].solid, z <= bottoms[0]
-    if isinstance(on, Rigid) and np.any(z > bottoms[-1]):
+def refuse_base(body: StackBody, z: Array) -> None:
+    """Refuse depths z [m] in a rigid base."""
+    if isinstance(body.on, Rigid) and np.any(z > body.bottoms[-1]):
         raise OutsideValidity(
-            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request points in them."
+            f"z = {np.max(z):.6g} m lies in the rigid base below {body.bottoms[-1]:.6g} m of layers; request points in "
+            "them."
         )
-    if not isinstance(top, Elastic) and np.any(upper):
+
+
+def refuse_unknown_places(body: StackBody, z: Array) -> None:
+    """Refuse depths z [m] in a rigid base, or in a transversely isotropic uppermost layer."""
+    refuse_base(body, z)
+    if not isinstance(body.top, Elastic) and np.any(z <= body.bottoms[0]):
         raise OutsideValidity(
             f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not known "
-            f"to winkler; request the surface (without z), or points below {bottoms[0]:.6g} m."
+            f"to winkler; request the surface (without z), or points below {body.bottoms[0]:.6g} m."
         )
 
 
 def wave_states(
-    layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array, *, dragged: bool = False
+    body: StackBody, depths: Array, xi: Array, *, dragged: bool = False
 ) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes and how many wave numbers matter.
 
@@ -108,10 +123,8 @@ def wave_states(
 
     Parameters
     ----------
-    layers, on
+    body : StackBody
         The stack.
-    bottoms : ndarray
-        Depths of the lower faces of the layers [m].
     depths : ndarray
         Where, ascending [m].
     xi : ndarray, (m,)
@@ -119,14 +132,14 @@ def wave_states(
     dragged : bool
         Whether the traction on the surface is not a pressure but along the wave.
     """
-    supports, arrived = _arrived(layers, on, xi.tobytes(), dragged)
+    layers, on, bottoms = body.layers, body.on, body.bottoms
+    supports, arrived = _arrived(body, xi.tobytes(), dragged)
     tops = np.concatenate([[0.0], bottoms])
     index_of = np.searchsorted(bottoms, depths)
-    most = max(1, PAIRS_PER_CHUNK // (8 * max(xi.size, 1)))
     for index in np.unique(index_of):
         (members,) = np.nonzero(index_of == index)
-        for first in range(0, members.size, most):  # several depths at once: most stacks have few wave numbers
-            part = depths[members[first : first + most]]
+        for some in chunks(members.size, 8 * xi.size):  # several depths at once: most stacks have few wave numbers
+            part = depths[members[some]]
             start = (xi * (part[:, None] - tops[index])).ravel()
             if index == len(layers):
                 assert not isinstance(on, Rigid)
@@ -147,45 +160,44 @@ def wave_states(
                 loaded, moved = add(loaded, own), add(moved, times(constants.half_space, own))
             displacement, traction = (_applied(four, arrived[index], part.size) for four in (moved, loaded))
             for depth, moves, loads in zip(part, displacement, traction, strict=True):
-                (end,) = reaching(layers, on, bottoms, np.array([depth]), xi)
+                (end,) = reaching(body, np.array([depth]), xi)
                 yield float(depth), WaveState(moves / constants.shear, loads, solid), end
 
 
 @functools.lru_cache(maxsize=4)
-def _arrived(
-    layers: tuple[AnyLayer, ...], on: Body, wave_numbers: bytes, dragged: bool
-) -> tuple[list[Support], list[Array]]:
+def _arrived(body: StackBody, wave_numbers: bytes, dragged: bool) -> tuple[list[Support], list[Array]]:
     """Return what lies below each layer, and the tractions on its upper face and on the base per traction of 1."""
     xi = np.frombuffer(wave_numbers)
-    supports = [support for support, _ in climbed(layers, on, xi)]
-    surface = np.zeros((xi.size, 2, 1))
+    supports = [support for support, _ in climbed(body.layers, body.on, xi)]
+    surface = np.zeros((xi.size, 2))
     surface[:, 0 if dragged else 1] = -1.0
     arrived = [surface]
-    for layer, support in zip(layers, supports, strict=True):
+    for layer, support in zip(body.layers, supports, strict=True):
         x = xi * layer.thickness
-        arrived.append(_matrices(crossing(constants_of(layer.solid), support, x, x).loaded, x) @ arrived[-1])
+        arrived.append(_applied(crossing(constants_of(layer.solid), support, x, x).loaded, arrived[-1], 1)[0])
     return supports, arrived
 
 
-def reaching(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array) -> list[int]:
+def reaching(body: StackBody, depths: Array, xi: Array) -> list[int]:
     """Return how many of the wave numbers matter at each depth."""
-    return [int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(layers, on, bottoms, depth))) for depth in depths]
+    return [int(np.searchsorted(xi, 2.0 * DECAY_SPAN / _passed(body, depth))) for depth in depths]
 
 
 def _applied(four: Four, arrived: Array, count: int) -> Array:
-    """Return what matrices of several depths ``(count * m,)`` make of the tractions ``(m, 2, 1)``."""
-    shear, axial = arrived[:, 0, 0], arrived[:, 1, 0]
+    """Return what matrices of several depths ``(count * m,)`` make of the tractions ``(m, 2)``."""
+    shear, axial = arrived.T
     a, b, c, d = (np.reshape(np.broadcast_to(entry, (count * shear.size,)), (count, shear.size)) for entry in four)
     return np.stack([a * shear + b * axial, c * shear + d * axial], axis=-1)
 
 
-def _passed(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depth: float) -> float:
+def _passed(body: StackBody, depth: float) -> float:
     """Return the distance over which waves at a depth have died out: there and back, in the uppermost layer."""
+    on, bottoms = body.on, body.bottoms
     if depth <= bottoms[0]:
         return float(2.0 * bottoms[0] - depth)
     above = [
         (float(min(layer.thickness, max(depth - bottom + layer.thickness, 0.0))), layer.solid)
-        for layer, bottom in zip(layers, bottoms, strict=True)
+        for layer, bottom in zip(body.layers, bottoms, strict=True)
     ]
     if depth > bottoms[-1] and not isinstance(on, Rigid):
         above.append((float(depth - bottoms[-1]), on))
@@ -194,29 +206,20 @@ def _passed(layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depth: float
     )
 
 
-def _matrices(four: Four, like: Array) -> Array:
-    return np.asarray(stacked(tuple(np.broadcast_to(entry, like.shape) for entry in four)))  # type: ignore[arg-type]
-
-
 def superposed(state: WaveState, waves: HankelWaves, radial: RadialWaves, r: Array, end: int) -> Array:
     """Return the six parts of a `BodyField` at one depth, to which the first `end` of the waves reach."""
     constants = constants_of(state.solid)
-    plane, twice = constants.shear * constants.plane, 2.0 * constants.shear * constants.twist
-    xi, weights = waves.xi[:end], waves.weights[:end]
-    strain, lift = state.moved[:end, 0] * weights, state.moved[:end, 1] * weights
-    shear, axial = state.loaded[:end, 0] * weights, state.loaded[:end, 1] * weights
-    common = constants.lateral * axial + (plane - twice) * strain
-    even = np.stack([common + twice * strain, common, axial, lift / xi], axis=1)
+    xi, twice = waves.xi[:end], 2.0 * constants.shear * constants.twist
+    along, across, down, shear, strain, lift = state.weighted(waves.weights[:end])
+    even = np.stack([along, across, down, lift / xi], axis=1)
     odd = np.stack([shear, strain / xi], axis=1)
     result = np.empty((6, r.size))
-    step = max(1, PAIRS_PER_CHUNK // waves.xi.size)
-    for start in range(0, r.size, step):
-        part = slice(start, start + step)
+    for part in chunks(r.size, waves.xi.size):
         zeroth, first = (values[:, :end] for values in radial.at(r[part]))
-        along, crosswise, normal, lifted = (zeroth @ even).T
+        lengthwise, crosswise, normal, lifted = (zeroth @ even).T
         sheared, outward = (first @ odd).T
         # J_1(xi r)/(xi r), whose limit on the axis is a half
         near = r[part] * xi[-1] <= 1e-8
         bend = np.where(near, 0.5 * np.sum(twice * strain), twice * outward / np.where(near, 1.0, r[part]))
-        result[:, part] = along - bend, crosswise + bend, normal, sheared, outward, lifted
+        result[:, part] = lengthwise - bend, crosswise + bend, normal, sheared, outward, lifted
     return result

@@ -24,13 +24,14 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.chunks import chunks
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["CarriedLoad", "spread", "surface"]
+__all__ = ["CarriedLoad", "settled_sums", "spread", "surface"]
 
 RULE_NODES = (16, 32, 64)
 SETTLED_TOLERANCE = 1e-12
@@ -43,7 +44,7 @@ TABLE_TOLERANCE = 1e-13
 """How closely, relative to the greatest, the springs' displacement is tabulated for integrals over it."""
 FIRST_DISTANCE = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
-PAIRS_PER_CHUNK = 200_000
+PAIRS_AT_ONCE = 200_000
 
 
 @value
@@ -181,38 +182,60 @@ def _smooth(load: CarriedLoad) -> float:
 def _settled(
     sums: Callable[[int, Array], Array], x: Array, least: Array, aim: float, noise: Array | float = 1.0
 ) -> Array:
-    """Return sums ``(functions, n)`` by rules fine enough, against their size or `least`, what they add to.
+    """Return sums as of `settled_sums`."""
+    refusal = (
+        "The pressure on the layers still moves by {:.1e}: the springs' displacement is not smooth between its kinks."
+    )
+    return settled_sums(lambda count: sums(count, x), least, aim, max(LAST_TOLERANCE, 100.0 * aim), refusal, noise)
 
-    Changes count `noise` times less.
+
+def settled_sums(
+    sums: Callable[[int], Array],
+    least: Array,
+    aim: float,
+    last: float,
+    refusal: str,
+    noise: Array | float = 1.0,
+    rules: tuple[int, ...] = RULE_NODES,
+) -> Array:
+    """Return sums ``(functions, n)`` by rules of so many nodes that another one changes them by less than `aim`.
+
+    Parameters
+    ----------
+    sums : callable
+        Takes a number of nodes.
+    least : ndarray, (functions,)
+        What the sums add to: changes count over that, or over their size where it is more.
+    aim, last : float
+        The change that is aimed at, and that of the finest rules above which they are refused.
+    refusal : str
+        With a place for the change.
+    noise : ndarray or float, optional
+        Changes count so many times less.
+    rules : tuple of int, optional
     """
-    last = sums(RULE_NODES[0], x)
-    change = math.inf
-    for count in RULE_NODES[1:]:
-        current = sums(count, x)
-        size = np.maximum(np.max(np.abs(current), axis=1), least)[:, None]
-        change = float(np.max(np.max(np.abs(current - last) / size, axis=1) / noise))
+    found, change = sums(rules[0]), math.inf
+    for count in rules[1:]:
+        before, found = found, sums(count)
+        size = np.maximum(np.max(np.abs(found), axis=1), least)
+        change = float(np.max(np.max(np.abs(found - before), axis=1) / np.where(size > 0.0, size, 1.0) / noise))
         if change <= aim:
-            return np.asarray(current)
-        last = current
-    if change > max(LAST_TOLERANCE, 100.0 * aim):
-        raise NotConverged(
-            f"The pressure on the layers still moves by {change:.1e}: the springs' displacement is not smooth between "
-            "its kinks."
-        )
-    return np.asarray(last)
+            return found
+    if change > last:
+        raise NotConverged(refusal.format(change))
+    return found
 
 
 def _rho_sums(load: CarriedLoad, x: Array, kinks: Array, count: int) -> Array:
     a, response, springs = load.radius, load.response, _springs(load.displacement)
     steps, fixed = _steps(response, a), doubled(list(kinks), a)
     result = np.empty((2, x.size))
-    width = max(1, PAIRS_PER_CHUNK // (count * (steps.size + fixed.size + 5)))
-    for start in range(0, x.size, width):
-        part = x[start : start + width]
+    for rows in chunks(x.size, count * (steps.size + fixed.size + 5), PAIRS_AT_ONCE):
+        part = x[rows]
         t, weights = nodes(_rows(fixed, part[:, None] + steps, part, a), kinks, count)
         w = weights * fredholm.edge(response, t) * springs(t)[0]
         rho = fredholm.resolvent(response, np.broadcast_to(part[:, None], t.shape), t)
-        result[:, start : start + width] = np.sum(w * rho.value, axis=1), np.sum(w * rho.across, axis=1)
+        result[:, rows] = np.sum(w * rho.value, axis=1), np.sum(w * rho.across, axis=1)
     own = fredholm.resolvent(response, x, x).value * fredholm.edge(response, x) * load.displacement.value(x)
     result[1] -= own
     return result
@@ -239,14 +262,13 @@ def spread(load: CarriedLoad, octave: int, order: int = 0) -> RootPanels:
 
     def sums(count: int, x: Array) -> Array:
         result = np.empty((1, x.size))
-        width = max(1, PAIRS_PER_CHUNK // (count * (4 * steps.size + panels.size + 5)))
-        for start in range(0, x.size, width):
-            part = x[start : start + width, None]
+        for rows in chunks(x.size, count * (4 * steps.size + panels.size + 5), PAIRS_AT_ONCE):
+            part = x[rows, None]
             near = np.concatenate([part - steps, part, part + steps, steps - part], axis=1)
             t, weights = nodes(_rows(panels, near, np.zeros(part.size), a), kinks, count)
             towards = np.sign(part - t) if order else 1.0
             both = towards * kernel(np.abs(part - t)) + kernel(part + t)
-            result[0, start : start + width] = 0.5 * np.sum(weights * line_load(t) * both, axis=1)
+            result[0, rows] = 0.5 * np.sum(weights * line_load(t) * both, axis=1)
         return result
 
     def tolerances(values: Array) -> Array:

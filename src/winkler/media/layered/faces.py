@@ -25,6 +25,7 @@ from winkler.media.layered.wave_constants import WaveConstants
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = [
+    "LEAST_WAVE",
     "THIN_LAYER_LIMIT",
     "Face",
     "above",

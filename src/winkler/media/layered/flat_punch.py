@@ -8,21 +8,32 @@ With h the transform of the profile for a homogeneous half-space, and rho, phi t
 
 Both integrals are kept as polynomials of a, octave by octave and from kink to kink, cached by value.  A power of the
 radius has no length of its own: its integrals are kept for a layer of thickness one and serve all thicknesses.
+
+Where h is a polynomial on [0, a], to rounding, its samples at fixed parts of a suffice,
+
+.. math:: \int_0^a \rho(x;a)\,h(x)\,\mathrm dx = \sum_j R_j(a)\,h(a\xi_j) , \qquad
+          R_j(a) = \int_0^1 a\rho(a\xi;a)\,\ell_j(\xi)\,\mathrm d\xi ,
+
+with Lagrange's polynomials :math:`\ell_j`.  R and the same of phi belong to the medium, so that a new profile
+before costs nothing but its samples.
 """
 
 from __future__ import annotations
 
 import functools
 import math
+from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
-from winkler.media.layered.smooth_moments import smooth_moments
+from winkler.media.layered.coated_load import settled_sums
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.chunks import chunks
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import fredholm, punch_tables
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, scaled_response
+from winkler.numerics.transforms.kernel_matrix import panel_nodes
 from winkler.numerics.types import Array
 from winkler.profiles.conical import Cone
 from winkler.profiles.power import Paraboloid, PowerLaw
@@ -35,7 +46,12 @@ LOWEST_OCTAVE = -60
 RULE_NODES = (16, 32, 64, 128)
 SETTLED_TOLERANCE = 2e-13
 LAST_TOLERANCE = 1e-9
-PAIRS_PER_CHUNK = 200_000
+PAIRS_AT_ONCE = 200_000
+SAMPLES = 32
+LAST_COEFFICIENTS = 4
+"""Coefficients at the end of a Legendre series that must have vanished."""
+VANISHED_RATIO = 1e-14
+"""The same, relative to the largest sample."""
 
 
 def gap(response: WaveResponse, profile: Profile, x: Array) -> Array:
@@ -125,7 +141,7 @@ def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
     tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
     for octave in np.unique(tabled[whole]):
         (members,) = np.nonzero(whole & (tabled == octave))
-        table_moments, holds = smooth_moments(response, profile, int(octave), flat[members])
+        table_moments, holds = _smooth_moments(response, profile, int(octave), flat[members])
         result[:, members[holds]] = table_moments[:, holds]
         waiting[members[holds]] = False
     for octave in np.unique(octaves[waiting]):
@@ -134,9 +150,11 @@ def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
             result[2, members] = profile.gap_integral(flat[members])
             continue
         steep = flat[members] > _table_end(profile)
-        for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
-            if chosen.size:
-                result[:, chosen] = moments(response, profile, int(octave), flat[chosen])
+        if steep.any():
+            panels = punch_tables.tables(response, int(octave))[-1].panels
+            result[:, members[steep]] = _integrated(response, profile, flat[members[steep]], panels)
+        if not steep.all():
+            result[:, members[~steep]] = _octave(response, profile, int(octave))(flat[members[~steep]])
     return result.reshape(3, *x.shape)
 
 
@@ -149,14 +167,6 @@ def _table_end(profile: Profile) -> float:
     with np.errstate(divide="ignore", invalid="ignore"):
         slope = float(profile.gap_slope(np.array([end]))[0])
     return end if math.isfinite(slope) else 0.97 * end
-
-
-def _tabulated(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
-    return _octave(response, profile, octave)(a)
-
-
-def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
-    return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
 
 
 @cached_by_value(512)
@@ -198,32 +208,18 @@ def _integrated(response: WaveResponse, profile: Profile, a: Array, panels: Arra
     most = (
         float(np.max(np.abs(profile.gap(np.minimum(a, np.nextafter(end, 0.0)))))) + _noise(profile) / SETTLED_TOLERANCE
     )
-    last: Array | None = None
-    change = math.inf
-    for count in RULE_NODES:
-        step = max(1, PAIRS_PER_CHUNK // (edges.shape[1] * count))
-        current = np.concatenate(
-            [
-                _sums(response, profile, a[i : i + step], edges[i : i + step], kinks, count)
-                for i in range(0, a.size, step)
-            ],
-            axis=1,
-        )
-        if last is not None:
-            size = np.maximum(
-                np.max(np.abs(current), axis=1),
-                np.array([most, most / np.min(a), _noise(profile) / SETTLED_TOLERANCE * np.max(a)]),
-            )[:, None]
-            change = float(np.max(np.abs(current - last) / np.where(size > 0.0, size, 1.0)))
-            if change <= SETTLED_TOLERANCE:
-                return current
-        last = current
-    if change > LAST_TOLERANCE or last is None:
-        raise NotConverged(
-            f"The transform of the profile for this medium still moves by {change:.1e} at a contact radius of "
-            f"{float(np.max(a)):.3g} m: the shape is not smooth between its stated kinks: state them."
-        )
-    return last
+
+    def sums(count: int) -> Array:
+        parts = chunks(a.size, edges.shape[1] * count, PAIRS_AT_ONCE)
+        return np.concatenate([_sums(response, profile, a[i], edges[i], kinks, count) for i in parts], axis=1)
+
+    widest, noise = float(np.max(a)), _noise(profile) / SETTLED_TOLERANCE
+    refusal = (
+        f"The transform of the profile for this medium still moves by {{:.1e}} at a contact radius of {widest:.3g} m: "
+        "the shape is not smooth between its stated kinks: state them."
+    )
+    least = np.array([most, most / np.min(a), noise * widest])
+    return settled_sums(sums, least, SETTLED_TOLERANCE, LAST_TOLERANCE, refusal, rules=RULE_NODES)
 
 
 def _sums(response: WaveResponse, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
@@ -244,3 +240,94 @@ def _sums(response: WaveResponse, profile: Profile, a: Array, edges: Array, kink
     moved = (np.sum(weights * by_a * h, axis=1) - lost) / a
     moved += np.sum(weights * moment * x * slope, axis=1) / a**2
     return np.array([lost, lost / a + moved, np.sum(weights * phi * h, axis=1)])
+
+
+class MomentRule(NamedTuple):
+    """Chebyshev series in the radius ``(k, n)`` of the weights of rho and phi at the samples."""
+
+    rho: Array
+    phi: Array
+
+
+def _smooth_moments(response: WaveResponse, profile: Profile, octave: int, a: Array) -> tuple[Array, Array]:
+    """Return the integral of rho h, its derivative, and that of phi h; and where they hold.
+
+    Parameters
+    ----------
+    response : WaveResponse
+    profile : Profile
+        Without a kink below the radii.
+    octave : int
+        In which all radii lie.
+    a : ndarray, (m,)
+        Radii [m].
+
+    Returns
+    -------
+    moments : ndarray, (3, m)
+    holds : ndarray of bool, (m,)
+        Where h is smooth enough; elsewhere the moments mean nothing.
+    """
+    own, _ = in_own_lengths(response)
+    xi, _ = gauss_legendre(SAMPLES)
+    x = a[:, None] * xi
+    with np.errstate(all="ignore"):
+        h, slope = profile.gap(x), profile.gap_slope(x)
+        holds = _resolved(h) & _resolved(slope)
+    result = np.zeros((3, a.size))
+    if not holds.any():
+        return result, holds
+    rules, octave_tables = _rules(own, max(octave, 0)), punch_tables.tables(response, octave)
+    which = np.searchsorted([table.high for table in octave_tables[:-1]], a)
+    for index, (table, rule) in enumerate(zip(octave_tables, rules, strict=True)):
+        (mine,) = np.nonzero((which == index) & holds)
+        if not mine.size:
+            continue
+        radius = a[mine]
+        s = (2.0 * radius - table.low - table.high) / (table.high - table.low)
+        powers = np.polynomial.chebyshev.chebvander(s, len(rule.rho) - 1)
+        by_radius = fredholm.slopes(powers, s) * (2.0 / (table.high - table.low))
+        weights = powers @ rule.rho
+        own_h, own_slope = h[mine], slope[mine]
+        result[0, mine] = np.sum(weights * own_h, axis=1)
+        result[1, mine] = np.sum((by_radius @ rule.rho) * own_h + weights * xi * own_slope, axis=1)
+        result[2, mine] = radius * np.sum((powers @ rule.phi) * own_h, axis=1)
+    return result, holds
+
+
+def _resolved(values: Array) -> Array:
+    """Return which rows are samples of polynomials."""
+    tail = np.max(np.abs(values @ _tail()), axis=1)
+    return np.asarray(tail <= VANISHED_RATIO * np.max(np.abs(values), axis=1))
+
+
+@functools.cache
+def _tail() -> Array:
+    """Return the matrix from samples to the last coefficients of their Legendre series."""
+    xi, weights = gauss_legendre(SAMPLES)
+    order = np.arange(SAMPLES - LAST_COEFFICIENTS, SAMPLES)
+    basis = np.polynomial.legendre.legvander(2.0 * xi - 1.0, SAMPLES - 1)[:, order]
+    return np.asarray(weights[:, None] * basis * (2.0 * order + 1.0))
+
+
+@cached_by_value(256)
+def _rules(key: WaveResponse, octave: int) -> tuple[MomentRule, ...]:
+    """Return the rules of an octave of radii, for all parts of its tables."""
+    legendre, chebyshev = np.polynomial.legendre, np.polynomial.chebyshev
+    xi, weights = gauss_legendre(SAMPLES)
+    order = np.arange(SAMPLES)
+    to_series = (weights[:, None] * legendre.legvander(2.0 * xi - 1.0, SAMPLES - 1) * (2.0 * order + 1.0)).T
+    rules = []
+    for table in punch_tables.tables(key, octave):
+        degree = table.rho.shape[2]
+        count = (degree + SAMPLES) // 2 + 1  # exact for both polynomials
+        ratio, shares = panel_nodes(table.panels, count)
+        nodes, _ = gauss_legendre(count)
+        basis = chebyshev.chebvander(2.0 * nodes - 1.0, degree - 1)
+        lagrange = legendre.legvander(2.0 * ratio - 1.0, SAMPLES - 1) @ to_series
+        parts = [
+            np.einsum("kpi,ni->kpn", series, basis).reshape(len(series), -1) @ (shares[:, None] * lagrange)
+            for series in (table.rho, table.phi)
+        ]
+        rules.append(MomentRule(*parts))
+    return tuple(rules)

@@ -19,10 +19,10 @@ import math
 import numpy as np
 
 from winkler.materials.elastic import RIGID
-from winkler.media.layered.across import climbed_across, impedance
+from winkler.media.layered.across import climbed_across
 from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
-from winkler.media.layered.wave_constants import Body
+from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
@@ -49,7 +49,7 @@ class FloatingAcross(PairResponse):
     @property
     def _plates(self) -> list[tuple[float, float]]:
         """Moduli [Pa] and lengths [m] of the layers."""
-        solids = [(*impedance(layer.solid), layer.thickness) for layer in self.first.layers]
+        solids = [(*constants_of(layer.solid).impedance, layer.thickness) for layer in self.first.layers]
         return [(stiff, h * steep) for stiff, steep, h in solids]
 
     @property

@@ -15,6 +15,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.chunks import wave_sums
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, NODES, wave_numbers
 from winkler.numerics.types import Array
@@ -22,11 +23,11 @@ from winkler.numerics.types import Array
 __all__ = [
     "LARGEST_PHASE",
     "MOST_PAIRS",
-    "PAIRS_PER_CHUNK",
     "SHORTEST_WAVES",
     "HankelWaves",
     "RadialWaves",
     "blurred",
+    "faded_out",
     "fading",
     "reach_of",
     "waves_of",
@@ -34,7 +35,6 @@ __all__ = [
 
 LARGEST_PHASE = 24.0
 """Largest phase of a wave over one panel of the quadrature: its 24 nodes err by (e/8)^48, 1e-22."""
-PAIRS_PER_CHUNK = 1_000_000
 TURNED_TOGETHER = 32
 """Panels of equal width whose waves differ from those of the first by the same turns."""
 LEAST_REACH = 1.25
@@ -108,10 +108,14 @@ def fading(xi: Array, length: float, radius: float) -> Array:
     """Return what is kept of waves [1/m]: a smooth step from one, at half of the greatest wave number, down to zero."""
     if not blurred(length, radius):
         return np.ones(xi.shape)
-    ratio = xi * (radius / SHORTEST_WAVES)
-    t = np.clip(2.0 * ratio - 1.0, 1e-3, 1.0 - 1e-3)
+    return faded_out(2.0 * xi * (radius / SHORTEST_WAVES) - 1.0)
+
+
+def faded_out(place: Array) -> Array:
+    """Return a smooth step from one, up to 0, to zero, from 1 on."""
+    t = np.clip(place, 1e-3, 1.0 - 1e-3)
     step = 1.0 / (1.0 + np.exp(np.clip(1.0 / (1.0 - t) - 1.0 / t, -700.0, 700.0)))
-    return np.where(ratio <= 0.5, 1.0, step)
+    return np.where(place <= 0.0, 1.0, np.where(place >= 1.0, 0.0, step))
 
 
 def _cosines(xi: Array, x: Array, load: Array) -> Array:
@@ -120,10 +124,7 @@ def _cosines(xi: Array, x: Array, load: Array) -> Array:
     beside = rows[-1] - rows[-1, 0]
     alike = np.abs(rows[:, -1] - rows[:, 0] - beside[-1]) < 1e-9 * beside[-1]
     found = np.empty(rows.shape)
-    single = rows[~alike].ravel()
-    step = max(1, PAIRS_PER_CHUNK // x.size)
-    parts = [np.cos(np.outer(single[i : i + step], x)) @ load for i in range(0, single.size, step)]
-    found[~alike] = np.concatenate([np.zeros(0), *parts]).reshape(-1, NODES)
+    found[~alike] = wave_sums(np.cos, rows[~alike], x, load)
     within, starts = np.exp(1j * np.outer(x, beside)), rows[alike, 0]
     turned = np.exp(1j * np.outer(starts[:TURNED_TOGETHER] - starts[0], x))
     blocks = []

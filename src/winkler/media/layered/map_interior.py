@@ -23,9 +23,12 @@ import numpy as np
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.media.layered.coated_interior import wave_states
-from winkler.media.layered.plane_interior import PlaneLayers
+from winkler.media.layered.hankel_waves import faded_out
 from winkler.media.layered.sheared_interior import across_states
+from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import constants_of
+from winkler.media.offers import LayerStack
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array
@@ -62,7 +65,7 @@ class MapInLayers:
 
     Parameters
     ----------
-    medium : PlaneLayers
+    medium : LayerStack
         Layers on their base.
     pressure : ndarray, (n, n)
         [Pa], even along both axes, n even.
@@ -70,9 +73,9 @@ class MapInLayers:
         (dx, dy) [m].
     """
 
-    def __init__(self, medium: PlaneLayers, pressure: Array, pixel: tuple[float, float]) -> None:
+    def __init__(self, medium: LayerStack, pressure: Array, pixel: tuple[float, float]) -> None:
         self.medium, self.pressure, self.pixel = medium, pressure, pixel
-        self.bottoms = np.cumsum([layer.thickness for layer in medium.layers])
+        self.body = StackBody(medium.stack, medium.on)
         half = pressure.shape[0] // 2
         self.x, self.y = ((np.arange(half) + 0.5) * side for side in pixel)
         self.sides = half * pixel[0], half * pixel[1]
@@ -84,9 +87,7 @@ class MapInLayers:
 
     def _share(self, k: Array) -> Array:
         """Return the part of a wave that is summed over directions: a smooth step from one to zero over an octave."""
-        t = np.clip(k / self.join - 1.0, 1e-3, 1.0 - 1e-3)
-        step = 1.0 / (1.0 + np.exp(np.clip(1.0 / (1.0 - t) - 1.0 / t, -700.0, 700.0)))
-        return np.where(k <= self.join, 1.0, np.where(k >= 2.0 * self.join, 0.0, step))
+        return faded_out(k / self.join - 1.0)
 
     def _long(self) -> _DirectedWaves:
         """Return the long waves, without those that bear next to nothing."""
@@ -98,8 +99,7 @@ class MapInLayers:
         dturn = np.tile(weights * (0.5 * math.pi / panels), panels)
         quarter = self.pressure[self.x.size :, self.y.size :] * (4.0 * math.prod(self.pixel))
         force, kept = float(np.sum(quarter)), []
-        for first in range(0, k.size, max(1, 200_000 // turn.size)):
-            part = slice(first, first + max(1, 200_000 // turn.size))
+        for part in chunks(k.size, turn.size, 200_000):
             waves, angles = (each.ravel() for each in np.meshgrid(k[part], turn, indexing="ij"))
             along = np.cos(np.outer(waves * np.cos(angles), self.x))
             aside = np.cos(np.outer(waves * np.sin(angles), self.y))
@@ -135,16 +135,13 @@ class MapInLayers:
         """Return stresses along, across, down and in shear (4, m), and of waves across in the plane and down (2, m)."""
         deepest = max(1, int(np.searchsorted(self.table * max(z, 1e-300), FARTHEST_DECAY)))
         k, depths = self.table[:deepest], np.array([z])
-        stack, on = self.medium.stack, self.medium.on
         found = np.zeros((4, self.table.size))
-        ((_, state, end),) = wave_states(stack, on, self.bottoms, depths, k, dragged=dragged)
-        solid = constants_of(state.solid)
-        strain, axial = solid.shear * state.moved[:end, 0], state.loaded[:end, 1]
-        along = solid.plane * strain + solid.lateral * axial
-        found[:, :end] = along, along - 2.0 * solid.twist * strain, axial, state.loaded[:end, 0]
+        ((_, state, end),) = wave_states(self.body, depths, k, dragged=dragged)
+        found[:, :end] = state.weighted(np.ones(end))[:4]
         beside = np.zeros((2, self.table.size))
         if dragged:
-            (across,) = across_states(stack, on, self.bottoms, depths, k)
+            (across,) = across_states(self.body, depths, k)
+            solid = constants_of(state.solid)
             beside[:, :deepest] = solid.shear * solid.twist * across.moved, across.loaded
         return found, beside
 
@@ -166,8 +163,8 @@ class MapInLayers:
             Along x and y over the pressure [-], with which the surface is dragged.
         """
         whole = np.zeros((6, *self.pressure.shape))
-        if z <= self.bottoms[0]:
-            top = self.medium.layers[0].solid
+        if z <= self.body.bottoms[0]:
+            top = self.body.top
             loads = np.stack([self.pressure, traction[0] * self.pressure, traction[1] * self.pressure])
             whole += MapField(loads, self.pixel, top.poisson).at_depth(z)[:6]  # type: ignore[union-attr]
         for number, share in enumerate((1.0, *traction)):

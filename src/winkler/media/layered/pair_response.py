@@ -23,7 +23,7 @@ from winkler.numerics.caching import rounded
 from winkler.numerics.types import ComplexArray
 from winkler.values import value, words
 
-__all__ = ["MODE_WORDS", "CouplingResponse", "Mode", "PairResponse", "WavePair"]
+__all__ = ["MODE_WORDS", "Mode", "PairResponse", "WavePair"]
 
 
 class Mode(enum.Enum):
@@ -37,6 +37,8 @@ class Mode(enum.Enum):
     """Shear across its wave, a twist, antiplane shear."""
     TANGENTIAL = ((Wave.ALONG, 0.5), (Wave.ACROSS, 0.5))
     """Shear, averaged over its angle with the wave."""
+    COUPLING = ((Wave.COUPLING, 1.0),)
+    """A pressure, by how much farther than short waves it draws the first surface along, over what these sink."""
     TURNING = ((Wave.ALONG, -0.5), (Wave.ACROSS, 0.5))
     """Half of what waves across their direction move more than those along it, over the mean of the surface."""
 
@@ -56,22 +58,27 @@ class WavePair:
         shares: tuple[tuple[Wave, float], ...] = self.mode.value
         return shares
 
+    @property
+    def _unit(self) -> tuple[tuple[Wave, float], ...]:
+        """Those of which the modulus is."""
+        return Mode.NORMAL.value if self.mode is Mode.COUPLING else self._weights
+
     @functools.cached_property
     def _short(self) -> float:
         """What the first body answers to short waves, 1 / modulus [1/Pa]."""
-        return sum(abs(weight) * self.first.short(part) for part, weight in self._weights)
+        return sum(abs(weight) * self.first.short(part) for part, weight in self._unit)
 
     @functools.cached_property
     def added(self) -> float:
         """The same of the second body."""
-        return sum(abs(weight) * half_space_compliance(self.second, part) for part, weight in self._weights)
+        return sum(abs(weight) * half_space_compliance(self.second, part) for part, weight in self._unit)
 
     @property
     def _own_second(self) -> Body:
         """The second body in the unit of the first; only its compliance matters: it is one without Poisson's ratio."""
         if not self.added:
             return RIGID
-        like = sum(abs(weight) * half_space_compliance(Elastic(1.0, 0.0), part) for part, weight in self._weights)
+        like = sum(abs(weight) * half_space_compliance(Elastic(1.0, 0.0), part) for part, weight in self._unit)
         return Elastic(rounded(like / (self.first.unit[0] * self.added)), 0.0)
 
     @functools.cached_property
@@ -88,8 +95,7 @@ class WavePair:
         """Return what the first body answers beyond its short waves, over what it answers to these [-]."""
         found: ComplexArray = np.zeros_like(xi)
         for part, weight in self._weights:
-            own = self.first.short(part)
-            found = found + weight * own / self._short * (self.first.waves(part, xi) / own - 1.0)
+            found = found + weight / self._short * (self.first.waves(part, xi) - self.first.short(part))
         return found
 
 
@@ -150,57 +156,3 @@ class PairResponse(WavePair):
         """1 + M(xi) [-], to all digits where it is small, too."""
         parts = [weight * self.first.waves(part, xi) for part, weight in self._weights]
         return np.asarray(self.modulus * (sum(parts[1:], parts[0]) + self.added))
-
-
-@value
-class CouplingResponse:
-    """By how much farther pressures draw the first surface along than on a half-space of what lies at it.
-
-    M is the difference of the compliances over that of the pair to pressures of the shortest waves; the second body, a
-    homogeneous half-space, adds nothing.
-
-    Parameters
-    ----------
-    pair : PairResponse
-        The response to pressures.
-    """
-
-    __words__ = words(pair=("", None, "the response of both bodies to a pressure"))
-
-    pair: PairResponse
-
-    @property
-    def own(self) -> tuple[CouplingResponse, float]:
-        """The same in units of the uppermost layer, and its thickness [m]."""
-        own, length = self.pair.own
-        return CouplingResponse(own), length
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa]."""
-        return self.pair.modulus
-
-    @property
-    def length(self) -> float:
-        """M tends to zero like exp(-2 xi length) [m]."""
-        return self.pair.length
-
-    @property
-    def smooth(self) -> float:
-        """The same: the kernel has no logarithm [m]."""
-        return self.pair.smooth
-
-    @property
-    def span(self) -> float:
-        """Length [m] beyond which the stack is only its base."""
-        return self.pair.span
-
-    @property
-    def precision(self) -> float:
-        """Rounding of M, relative to its largest value."""
-        return self.pair.precision
-
-    def excess(self, xi: ComplexArray) -> ComplexArray:
-        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        first = self.pair.first
-        return np.asarray(self.modulus * (first.waves(Wave.COUPLING, xi) - first.short(Wave.COUPLING)))

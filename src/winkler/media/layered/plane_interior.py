@@ -19,89 +19,25 @@ A traction along x is the same wave a quarter of its length ahead: :math:`-\sin 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
-from winkler.checks.contract import offered
 from winkler.errors import OutsideValidity
-from winkler.materials.elastic import Rigid
-from winkler.media.layered.coated_interior import WaveState, wave_states
+from winkler.media.layered.coated_interior import WaveState, refuse_base, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
-from winkler.media.layered.stack import Layered
-from winkler.media.layered.wave_constants import Body, constants_of
+from winkler.media.layered.stack import StackBody
 from winkler.media.offers import LayerStack
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, SurfaceResponse, WaveResponse, wave_numbers
+from winkler.numerics.chunks import chunks
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["PlaneLayers", "PlaneMedium", "PlaneResponse", "PlaneWaves", "added_stresses", "plane_waves"]
-
-
-class PlaneResponse(SurfaceResponse, Protocol):
-    """A response of which the first body is known."""
-
-    @property
-    def first(self) -> Layered:
-        """The body that is not homogeneous."""
-        ...
-
-    @property
-    def second(self) -> Body:
-        """The other body."""
-        ...
-
+__all__ = ["PlaneWaves", "added_stresses", "plane_waves"]
 
 FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0
 MOST_WAVES = 200_000
-PAIRS_PER_CHUNK = 1_000_000
-
-
-@offered(
-    "a medium of layers or graded with depth, such as CoatedHalfSpace(layers, on) or DepthGradedHalfSpace(grading)"
-)
-class PlaneMedium(Protocol):
-    """A body whose moduli depend on the depth alone, against a homogeneous body."""
-
-    @property
-    def second(self) -> Body:
-        """The other body."""
-        ...
-
-    @property
-    def thickness(self) -> float:
-        """Depth below which nothing changes any more [m]: of all layers together."""
-        ...
-
-    @property
-    def modulus(self) -> float:
-        """E* [Pa] of the uppermost layer and the other body."""
-        ...
-
-    @property
-    def along_modulus(self) -> float:
-        """m_L [Pa] of the same, for shear along a wave; refused where shear does not reach the base."""
-        ...
-
-    @property
-    def response(self) -> PlaneResponse:
-        """Of the pair to a pressure."""
-        ...
-
-    @property
-    def along_response(self) -> PlaneResponse:
-        """Of the pair to shear along its wave; refused where it does not reach the base."""
-        ...
-
-    @property
-    def coupling_response(self) -> WaveResponse:
-        """Of the first body: how much farther than its uppermost layer alone a pressure draws its surface along."""
-        ...
-
-
-class PlaneLayers(PlaneMedium, LayerStack, Protocol):
-    """Layers on a half-plane or a rigid base, bonded or sliding on each other, against a homogeneous body."""
 
 
 class PlaneWaves(NamedTuple):
@@ -115,13 +51,13 @@ class PlaneWaves(NamedTuple):
 
 
 def plane_waves(
-    medium: PlaneLayers, half_width: float, farthest: float, transform: Callable[[Array], ComplexArray]
+    medium: LayerStack, half_width: float, farthest: float, transform: Callable[[Array], ComplexArray]
 ) -> PlaneWaves:
     """Return the pressure of a strip as waves, for places up to a distance from the middle.
 
     Parameters
     ----------
-    medium : PlaneLayers
+    medium : LayerStack
     half_width, farthest : float
         [m].
     transform
@@ -144,12 +80,12 @@ def plane_waves(
     return PlaneWaves(k, weights * fading(k, response.length, half_width) * transform(k) / np.pi)
 
 
-def added_stresses(medium: PlaneLayers, waves: PlaneWaves, x: Array, z: Array, *, dragged: bool = False) -> Array:
+def added_stresses(medium: LayerStack, waves: PlaneWaves, x: Array, z: Array, *, dragged: bool = False) -> Array:
     """Return sigma_x, sigma_y, sigma_z and tau_xz [Pa] ``(4, m)``, in the uppermost layer without the half-plane's.
 
     Parameters
     ----------
-    medium : PlaneLayers
+    medium : LayerStack
     waves : PlaneWaves
     x, z : ndarray, (m,)
         Places [m]; a point on an interface belongs to the upper layer.
@@ -161,33 +97,25 @@ def added_stresses(medium: PlaneLayers, waves: PlaneWaves, x: Array, z: Array, *
     OutsideValidity
         If a point lies in a rigid base.
     """
-    bottoms = np.cumsum([layer.thickness for layer in medium.layers])
-    if isinstance(medium.on, Rigid) and np.any(z > bottoms[-1]):
-        raise OutsideValidity(
-            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of layers; request places in them."
-        )
+    body = StackBody(medium.stack, medium.on)
+    refuse_base(body, z)
     result = np.zeros((4, x.size))
-    for depth, state, end in wave_states(medium.stack, medium.on, bottoms, np.unique(z), waves.k, dragged=dragged):
+    for depth, state, end in wave_states(body, np.unique(z), waves.k, dragged=dragged):
         (members,) = np.nonzero(z == depth)
         result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members], dragged)
     return result
 
 
 def _superposed(state: WaveState, waves: PlaneWaves, x: Array, dragged: bool) -> Array:
-    end, solid = waves.k.size, constants_of(state.solid)
-    strain, shear, axial = solid.shear * state.moved[:end, 0], state.loaded[:end, 0], state.loaded[:end, 1]
-    along = solid.plane * strain + solid.lateral * axial
-    even = np.stack([along, along - 2.0 * solid.twist * strain, axial])
+    *even, shear, _, _ = state.weighted(np.ones(waves.k.size))
     level, ahead = waves.weights.real[:, None], waves.weights.imag[:, None]
     result = np.empty((4, x.size))
-    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
-    for start in range(0, x.size, step):
-        part = slice(start, start + step)
+    for part in chunks(x.size, waves.k.size):
         phase = np.outer(waves.k, x[part])
         cosine, sine = np.cos(phase), np.sin(phase)
         cosine, sine = level * cosine - ahead * sine, level * sine + ahead * cosine
         if dragged:
             cosine, sine = -sine, cosine
-        result[:3, part] = even @ cosine
+        result[:3, part] = np.stack(even) @ cosine
         result[3, part] = shear @ sine
     return result

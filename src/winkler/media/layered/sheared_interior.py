@@ -29,12 +29,13 @@ import numpy as np
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.interior import shear_field
 from winkler.media.interior.shear_field_punch import ShearField
-from winkler.media.layered.across import AcrossState, across_added, across_inside, climbed_across, impedance
-from winkler.media.layered.climb import AnyLayer
+from winkler.media.layered.across import AcrossState, across_added, across_inside, climbed_across
 from winkler.media.layered.coated_interior import WaveState, reaching, refuse_unknown_places, wave_states
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.hankel_waves import PAIRS_PER_CHUNK, HankelWaves, RadialWaves, reach_of, waves_of
-from winkler.media.layered.wave_constants import Body, constants_of
+from winkler.media.layered.hankel_waves import HankelWaves, RadialWaves, reach_of, waves_of
+from winkler.media.layered.stack import StackBody
+from winkler.media.layered.wave_constants import constants_of
+from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 
@@ -44,16 +45,14 @@ SHORT_ARGUMENT = 1e-2
 """Up to this J_2(x)/x is taken from its series."""
 
 
-def field(
-    load: CarriedLoad, layers: tuple[AnyLayer, ...], on: Body, modulus: float, x: Array, y: Array, z: Array
-) -> ShearField:
+def field(load: CarriedLoad, body: StackBody, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
     """Return stresses and displacements inside a stack of bonded layers that is dragged along +x.
 
     Parameters
     ----------
     load : CarriedLoad
         What the traction is over a modulus.
-    layers, on
+    body : StackBody
         The stack; no layer slides.
     modulus : float
         Of the uppermost layer and the counterpart [Pa]: E* where the traction is that of a pressure, G* of springs that
@@ -68,11 +67,10 @@ def field(
     """
     shape = np.shape(x)
     x, y, z = (np.ravel(np.asarray(part, dtype=float)) for part in (x, y, z))
-    bottoms = np.cumsum([layer.thickness for layer in layers])
-    refuse_unknown_places(layers, on, bottoms, z)
+    refuse_unknown_places(body, z)
     result = np.zeros((9, x.size))
     if load.radius > 0.0 and x.size:
-        top, upper, r = layers[0].solid, z <= bottoms[0], np.hypot(x, y)
+        top, upper, r = body.top, z <= body.bottoms[0], np.hypot(x, y)
         waves = waves_of(load, modulus, reach_of(load, r), 2.0 * DECAY_SPAN / load.response.length)
         if isinstance(top, Elastic) and upper.any():
             own = shear_field.field(
@@ -80,24 +78,23 @@ def field(
             )
             result[:, upper] = own
         depths = np.unique(z)
-        waves = waves.up_to(max(reaching(layers, on, bottoms, depths, waves.xi)))
+        waves = waves.up_to(max(reaching(body, depths, waves.xi)))
         radial = RadialWaves(waves.xi)
-        along = wave_states(layers, on, bottoms, depths, waves.xi, dragged=True)
-        across = across_states(layers, on, bottoms, depths, waves.xi)
+        along = wave_states(body, depths, waves.xi, dragged=True)
+        across = across_states(body, depths, waves.xi)
         for (depth, state, end), beside in zip(along, across, strict=True):
             (members,) = np.nonzero(z == depth)
             result[:, members] += _superposed(state, beside, waves.up_to(end), radial, x[members], y[members])
     return ShearField(*(part.reshape(shape) for part in result))
 
 
-def across_states(
-    layers: tuple[AnyLayer, ...], on: Body, bottoms: Array, depths: Array, xi: Array
-) -> Iterator[AcrossState]:
+def across_states(body: StackBody, depths: Array, xi: Array) -> Iterator[AcrossState]:
     """Yield, depth by depth, the amplitudes of waves across; in the uppermost layer without those of a half-space."""
+    layers, on, bottoms = body.layers, body.on, body.bottoms
     below = climbed_across(layers, on, xi)[1:]
     arrived = [np.full(xi.shape, -1.0)]
     for layer, face in zip(layers, below, strict=True):
-        stiff, steep = impedance(layer.solid)
+        stiff, steep = constants_of(layer.solid).impedance
         x = xi * (layer.thickness * steep)
         arrived.append(arrived[-1] * across_inside(face * stiff, x, x).loaded)
     tops = np.concatenate([[0.0], bottoms])
@@ -105,7 +102,7 @@ def across_states(
         index = int(np.searchsorted(bottoms, depth))
         solid = layers[index].solid if index < len(layers) else on
         assert not isinstance(solid, Rigid)
-        stiff, steep = impedance(solid)
+        stiff, steep = constants_of(solid).impedance
         start = xi * ((depth - tops[index]) * steep)
         if index == len(layers):
             fade = np.exp(-start)
@@ -123,16 +120,12 @@ def _superposed(
     """Return the nine parts of a `ShearField` at one depth."""
     end, r = waves.xi.size, np.hypot(x, y)
     constants = constants_of(state.solid)
-    plane, twice = constants.shear * constants.plane, 2.0 * constants.shear * constants.twist
-    strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
-    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
+    twice = 2.0 * constants.shear * constants.twist
+    lengthwise, crosswise, axial, shear, strain, lift = state.weighted(waves.weights)
     aside, turn = beside.moved[:end] * waves.weights, beside.loaded[:end] * waves.weights
-    lengthwise = constants.lateral * axial + plane * strain
-    crosswise, bend = lengthwise - twice * strain, twice * (strain - aside)
+    bend = twice * (strain - aside)
     polar = np.empty((9, r.size))
-    step = max(1, PAIRS_PER_CHUNK // radial.xi.size)
-    for start in range(0, r.size, step):
-        part = slice(start, start + step)
+    for part in chunks(r.size, radial.xi.size):
         phase = np.outer(r[part], waves.xi)
         zeroth, first = (values[:, :end] for values in radial.at(r[part]))
         short = phase < SHORT_ARGUMENT

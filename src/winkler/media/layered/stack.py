@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, NamedTuple, Protocol
 
@@ -20,7 +21,7 @@ from winkler.media.layered.wave_constants import (
     stiffness_scale,
 )
 from winkler.numerics.caching import rounded
-from winkler.numerics.types import ComplexArray
+from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Standing
 from winkler.values import value
 
@@ -32,31 +33,25 @@ class Layered(Protocol):
 
     def waves(self, part: Wave, xi: ComplexArray) -> ComplexArray:
         """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m]."""
-        ...
 
     def short(self, part: Wave) -> float:
         """Its limit for short waves [1/Pa]: that of a half-space of what lies at the surface."""
-        ...
 
     @property
     def top(self) -> Body:
         """The solid at the surface."""
-        ...
 
     @property
     def on(self) -> Body:
         """The solid far below, or a rigid base."""
-        ...
 
     @property
     def in_plane(self) -> tuple[Standing, str]:
         """What is assumed of it in plane strain."""
-        ...
 
     @property
     def unit(self) -> tuple[float, float]:
         """Modulus [Pa] and length [m] of what lies at the surface, in which other bodies may be the same."""
-        ...
 
 
 @value
@@ -73,6 +68,11 @@ class StackBody:
 
     layers: tuple[AnyLayer, ...]
     on: Body
+
+    @functools.cached_property
+    def bottoms(self) -> Array:
+        """Depths of the lower faces of the layers [m]."""
+        return np.cumsum([layer.thickness for layer in self.layers])
 
     @property
     def top(self) -> Body:

@@ -26,6 +26,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.blocks import Four
 from winkler.numerics.types import ComplexArray
@@ -39,6 +40,7 @@ __all__ = [
     "half_space_compliance",
     "in_plane_share",
     "stiffness_scale",
+    "twist_constants",
 ]
 
 Body = TransverselyIsotropic | Elastic | Rigid
@@ -97,6 +99,12 @@ class WaveConstants(NamedTuple):
         if root.imag:
             return 0.5 * self.total - math.tan(math.pi / 12.0) * root.imag
         return self.product / (0.5 * self.total + root.real)
+
+    @property
+    def impedance(self) -> tuple[float, float]:
+        """sqrt(C44 C66) [Pa] of waves across, and sqrt(C66 / C44), by which depths count more than isotropic ones."""
+        steep = math.sqrt(self.twist)
+        return self.shear * steep, steep
 
     @property
     def half_space(self) -> Four:
@@ -173,6 +181,16 @@ def constants_of(solid: Elastic | TransverselyIsotropic | IsotropicAt) -> WaveCo
     return WaveConstants(c44, c13 / c33, c44 / c33, plane, 0.5 * (c11 - solid.c12) / c44, total, product, split)
 
 
+def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[float, float]:
+    """Return the modulus [Pa] of a twist, and by how much depths count more than distances along the surface.
+
+    For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
+    """
+    if isinstance(body, Rigid):
+        raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
+    return constants_of(body).impedance
+
+
 def half_space_compliance(body: Body | IsotropicAt, part: Wave) -> float:
     """Return what waves on a half-space answer, times xi / 2 [1/Pa]; zero of a rigid one.
 
@@ -183,7 +201,7 @@ def half_space_compliance(body: Body | IsotropicAt, part: Wave) -> float:
         return 0.0
     constants = constants_of(body)
     if part is Wave.ACROSS:
-        return 0.5 / (constants.shear * math.sqrt(constants.twist))
+        return 0.5 / constants.impedance[0]
     compliance = 0.5 / (constants.plane * constants.shear)
     if part is Wave.COUPLING:
         return compliance * (constants.product - constants.lateral)

@@ -23,10 +23,9 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.pair_response import Mode
-from winkler.media.layered.plane_interior import PlaneMedium
 from winkler.media.layered.wave_constants import Wave, half_space_compliance
 from winkler.media.medium import Displacement
-from winkler.media.offers import PowerOfDepth, offers
+from winkler.media.offers import PlaneMedium, PowerOfDepth, offers
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.at_rate import both, solid_at
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingLayers
@@ -131,7 +130,7 @@ class RelaxingInProportion(RelaxingLayers):
         first = medium.response.first.top if layered else medium.first
         whole = np.full(xi.shape, both(part, half_space_compliance(first, part), medium.second))
         if layered:
-            response = medium.coupling_response if part is Wave.COUPLING else medium.responding(Mode[part.name])
+            response = medium.responding(Mode[part.name])
             finite = np.isfinite(xi)
             whole[finite] += response.excess(xi[finite]) / response.modulus
         return np.asarray(whole / solid_at(self.solid, s).shear * self.shear)

@@ -15,14 +15,14 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.media.medium import Displacement, Medium, PunchFacts
-from winkler.media.offers import offers
+from winkler.media.offers import PlaneMedium, offers
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array, ComplexArray
 from winkler.profiles.profile import Profile
 
 if TYPE_CHECKING:  # layers are loaded with media that have some
-    from winkler.media.layered.plane_interior import PlaneResponse
     from winkler.media.layered.wave_constants import Wave
+    from winkler.media.offers import PairWaves
     from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
 __all__ = ["RelaxingLayers", "RelaxingMedium"]
@@ -138,10 +138,8 @@ class RelaxingLayers(RelaxingMedium, Protocol):
     """What notes call it, the beginning of a sentence."""
 
     @property
-    def response(self) -> PlaneResponse:
+    def response(self) -> PairWaves:
         """Of the elastic layers to a pressure: a wave over the shortest ones; refuse other bodies."""
-        from winkler.media.layered.plane_interior import PlaneMedium
-
         if not offers(self.bodies, PlaneMedium):
             raise OutsideValidity(
                 f"{type(self).__name__}: a {type(self.bodies).__name__} has no layers that line contacts know; give "

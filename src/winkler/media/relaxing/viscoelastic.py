@@ -98,26 +98,13 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         spans = [body.span for body in (self.first, self.second) if isinstance(body, ViscoelasticSolid)]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
+    modulus = shear_modulus = torsional_modulus = along_modulus = property(RelaxingMedium._changing)
+
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
         """What both surfaces answer to waves, as of `RelaxingMedium.waves`: of all lengths the same."""
         xi, s = np.broadcast_arrays(xi, s)
         own = half_space_compliance(solid_at(self.first, s), part)
         return both(part, np.full(xi.shape, own, dtype=complex), solid_at(self.second, s))
-
-    @property
-    def modulus(self) -> float:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    @property
-    def shear_modulus(self) -> float:
-        """There is none that would hold at all times."""
-        raise self.timeless()
-
-    @property
-    def torsional_modulus(self) -> float:
-        """There is none that would hold at all times."""
-        raise self.timeless()
 
     notes = (
         Note(

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
@@ -59,8 +60,7 @@ def potential(piles: tuple[Pile, ...], x: Array, z: Array) -> tuple[Array, Array
         [-], [1/m].
     """
     whole, slope = np.zeros((2, x.size), dtype=complex)
-    for start in range(0, x.size, PLACES_PER_CHUNK):
-        part = slice(start, start + PLACES_PER_CHUNK)
+    for part in chunks(x.size, 1, PLACES_PER_CHUNK):
         zeta = x[part] + 1j * z[part]
         for pile in piles:
             added = _of_pile(pile, zeta)

@@ -14,6 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.types import Array
 
@@ -94,9 +95,7 @@ def settled(
     waiting = np.arange(count)
     for name, points in RULE_LADDER:
         nodes, weights = _rule(name, points)
-        step = max(1, POINTS_PER_CHUNK // points)
-        for start in range(0, waiting.size, step):
-            part = waiting[start : start + step]
+        for part in (waiting[some] for some in chunks(waiting.size, points, POINTS_PER_CHUNK)):
             values = integrand(nodes, part)
             current, size = values @ weights, np.maximum(np.abs(values) @ weights, least[part])
             with np.errstate(invalid="ignore"):  # two infinite sums have no difference, which settles nothing

@@ -23,6 +23,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.media.layered.depth_response import DepthResponse
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms import fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
@@ -115,11 +116,8 @@ def _dense(part: Array) -> Array:
 def layered_ring(response: WaveResponse, radius: Array, span: Array, count: int) -> LayeredRing:
     """Return the rings of contacts of radii a `(m,)` and of spans s = sqrt(c^2 - a^2) `(m,)` [m], by `count` angles."""
     rule = _rule(count, _logarithmic(response))
-    step = max(1, PLACES_PER_BLOCK // rule.places.size)
-    parts = [
-        _block(response, radius[start : start + step], span[start : start + step], rule)
-        for start in range(0, radius.size, step)
-    ]
+    blocks = chunks(radius.size, rule.places.size, PLACES_PER_BLOCK)
+    parts = [_block(response, radius[some], span[some], rule) for some in blocks]
     return LayeredRing(*(np.concatenate(fields) for fields in zip(*parts, strict=True)))
 
 

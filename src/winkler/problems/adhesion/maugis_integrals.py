@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array, Curve
@@ -184,9 +185,9 @@ def profile_part(springs: RingSprings, radius: Array, span: Array, rule: Rule) -
     pieces = _pieces(springs.edges, radius, span, springs.exponent)
     total, by_outer = np.zeros(radius.shape), np.zeros(radius.shape)
     nodes, complements, weights = _points(rule)
-    k, chunk = springs.exponent, max(1, POINTS_PER_BLOCK // nodes.size)
-    for begin in range(0, pieces.owner.size, chunk):
-        own = _IntegralPieces(*(part[begin : begin + chunk] for part in pieces))
+    k = springs.exponent
+    for some in chunks(pieces.owner.size, nodes.size, POINTS_PER_BLOCK):
+        own = _IntegralPieces(*(part[some] for part in pieces))
         c = outer[own.owner]
         x, rest, measure = _on(springs, own, nodes, complements, weights)
         turn_value = turn(np.minimum((rest / c[:, None]) ** 2, 1.0), k)
@@ -207,9 +208,8 @@ def profile_moment(
     total = np.zeros(radius.shape)
     pieces = _pieces(springs.edges, radius, span, 0.0)
     nodes, complements, weights = _points(rule)
-    chunk = max(1, POINTS_PER_BLOCK // nodes.size)
-    for begin in range(0, pieces.owner.size, chunk):
-        own = _IntegralPieces(*(part[begin : begin + chunk] for part in pieces))
+    for some in chunks(pieces.owner.size, nodes.size, POINTS_PER_BLOCK):
+        own = _IntegralPieces(*(part[some] for part in pieces))
         x, rest, measure = _on(springs, own, nodes, complements, weights)
         total += np.bincount(own.owner, np.sum(measure * (rest / x) * weight(own.owner, x, rest), axis=1), radius.size)
     return total

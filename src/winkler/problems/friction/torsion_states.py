@@ -10,11 +10,8 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import TwistBound, twist_bound
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.interior.twist_field import (
-    TwistBelow,
-    twist_below,
-    twist_constants,
-)
+from winkler.media.interior.twist_field import TwistBelow, twist_below
+from winkler.media.layered.wave_constants import twist_constants
 from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of

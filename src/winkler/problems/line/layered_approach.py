@@ -30,7 +30,8 @@ from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated_interior import wave_states
 from winkler.media.layered.depth_response import GradedBody
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium
+from winkler.media.layered.stack import StackBody
+from winkler.media.offers import PlaneMedium
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.transforms.strips.strip_equation import LOCAL_PHASE, excess_at
 from winkler.numerics.types import Array
@@ -91,7 +92,7 @@ def layered_approach(
     widths, loads = bed.beside(half_width)
     load = float(bed.load_profile(np.array([half_width]))[0]) + rim_load + float(np.sum(loads))
     surface = excess_at(response, k) * pressed * flat + np.exp(-2.0 * k * shortest) * load * flat**2
-    references = 0.5 * medium.modulus * pressed * (_moved_first(medium, k, below) + _moved_second(medium, k, above))
+    references = 0.5 * medium.modulus * pressed * (_moved_first(bed, k, below) + _moved_second(medium, k, above))
     waves = float(weights @ ((surface - references) / k))
     mean = float(averages(bed.half_plane, np.array([half_width]))[0])
     mean -= 2.0 / math.pi * float(loads @ np.log(widths / half_width))  # what they sink by is that of wider punches
@@ -142,17 +143,16 @@ def _second_depth(medium: PlaneMedium, place: float | Reference | None, half_wid
     return float(depth), share * finite.added(body.poisson)
 
 
-def _moved_first(medium: PlaneMedium, k: Array, depth: float) -> Array:
+def _moved_first(bed: LayeredLineFoundation, k: Array, depth: float) -> Array:
     """Return displacements times k per pressure of 1 [1/Pa] in the body under the layers."""
     moved = np.zeros(k.size)
     if depth < math.inf:
-        body = medium.response.first
+        body = bed.layered_body
         if isinstance(body, GradedBody):
             return depth_interior.sunk(body.grading, body.tolerance, k, depth)
-        medium = cast(PlaneLayers, medium)
-        bottoms = np.cumsum([layer.thickness for layer in medium.layers])
-        at = np.array([np.nextafter(max(depth, float(bottoms[-1])), math.inf)])
-        for _, state, end in wave_states(medium.stack, medium.on, bottoms, at, k):
+        stack = StackBody(bed.layered.stack, bed.layered.on)
+        at = np.array([np.nextafter(max(depth, float(stack.bottoms[-1])), math.inf)])
+        for _, state, end in wave_states(stack, at, k):
             moved[:end] = state.moved[:end, 1]
     return moved
 

@@ -126,7 +126,7 @@ class LoadSprings:
 
     def tangential_stiffness(self, x: Array) -> Array:
         """1 / G* [1/Pa]."""
-        return np.full(np.shape(x), 1.0 / self.line.half_plane.medium.shear_modulus)
+        return 1.0 / cast(Medium, self.line.half_plane.medium).tangential_stiffness(x)
 
 
 @functools.lru_cache(maxsize=64)

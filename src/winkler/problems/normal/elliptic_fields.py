@@ -10,9 +10,8 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.media.interior.half_ellipsoid import half_ellipsoid_stresses
+from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
 from winkler.media.interior.half_ellipsoid_displacement import half_ellipsoid_displacements
-from winkler.media.interior.half_ellipsoid_peak import greatest_in_half_ellipsoid
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.tensor import measure_named, principal_of_tensor, von_mises_of_tensor
 from winkler.numerics.types import Array

@@ -131,7 +131,7 @@ def _under_ellipse(
     a, b = (float(axis[0]) for axis in outline.semi_axes(radius))
     smaller, pressure = min(a, b), 1.5 * force / (math.pi * a * b)
     if friction > 0.0 or measure is not von_mises:
-        from winkler.media.interior import half_ellipsoid_peak as below  # not loaded for numbers of round contacts
+        from winkler.media.interior import half_ellipsoid as below  # not loaded for numbers of round contacts
 
         rubbed = below.greatest_in_half_ellipsoid(measure, b / a, part.solid.poisson, (friction, 0.0))
         return GreatestStress(rubbed.value * pressure, rubbed.x * a, rubbed.z * smaller, "")

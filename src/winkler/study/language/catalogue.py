@@ -47,7 +47,7 @@ SLOTS: dict[str, str] = {
 UNWRITTEN = frozenset(
     {
         "winkler.path_steps:Unchanged",
-        "winkler.media.layered.plane_interior:PlaneMedium",
+        "winkler.media.offers:PlaneMedium",
         "winkler.problems.friction.spring_states:OwnLaw",
         "winkler.laws.wear:OwnWear",
     }

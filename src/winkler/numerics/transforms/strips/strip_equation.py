@@ -23,6 +23,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
+from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import (
     DECAY_SPAN,
     NODES,
@@ -234,9 +235,8 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     for octave in np.unique(groups):
         (members,) = np.nonzero(groups == octave)
         count = first_modes(int(octave))
-        step = max(1, ENTRIES_PER_BLOCK // (_size(response, int(octave)) * count))
-        for start in range(0, members.size, step):
-            chosen = members[start : start + step]
+        for some in chunks(members.size, _size(response, int(octave)) * count, ENTRIES_PER_BLOCK):
+            chosen = members[some]
             pushed = _HalfPlanes(half_width[chosen], transforms, slopes[chosen])
             parts.append((chosen, *_settled(response, pushed, int(octave))))
     most = max((closing.shape[1] for _, closing, _ in parts), default=1)

@@ -16,6 +16,7 @@ import math
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array, ComplexArray
 
 __all__ = [
@@ -77,9 +78,7 @@ def _by_angles(argument: Array, count: int) -> Array:
     angle = 0.5 * math.pi * (np.arange(points) + 0.5) / points
     orders = np.cos(2.0 * np.outer(np.arange(count), angle)) / points
     rows = np.empty((count, argument.size))
-    step = max(1, ENTRIES_PER_CHUNK // points)
-    for start in range(0, argument.size, step):
-        part = slice(start, start + step)
+    for part in chunks(argument.size, points, ENTRIES_PER_CHUNK):
         rows[:, part] = orders @ np.cos(np.outer(np.sin(angle), argument[part]))
     twice = 2.0 * np.arange(1, count)
     least = 2.0 * np.exp((math.log(NOTHING) + gammaln(twice + 1.0)) / twice)  # (x/2)^m / m! is nothing below
