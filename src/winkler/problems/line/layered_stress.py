@@ -11,9 +11,10 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Elastic, Rigid
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves, added_stresses
+from winkler.media.layered.plane_interior import PlaneWaves, added_stresses
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
+from winkler.media.offers import LayerStack
 from winkler.numerics.types import Array
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.line.strip import Strip
@@ -113,7 +114,7 @@ def layered_fields(
 
 
 def in_layers(
-    medium: PlaneLayers,
+    medium: LayerStack,
     own: Callable[[Array, Array, float], LineFields],
     waves_below: Callable[[float], PlaneWaves],
     x: Array,
@@ -125,7 +126,7 @@ def in_layers(
 
     Parameters
     ----------
-    medium : PlaneLayers
+    medium : LayerStack
     own
         Of the half-plane that carries the surface: takes places, depths [m] and Poisson's ratio.
     waves_below

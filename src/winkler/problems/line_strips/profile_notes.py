@@ -7,7 +7,8 @@ from typing import cast
 
 import numpy as np
 
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneWaves
+from winkler.media.layered.plane_interior import PlaneWaves
+from winkler.media.offers import LayerStack
 from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
@@ -136,7 +137,7 @@ def _greatest(medium: LineMedium, found: FoundStrips, part: StrongPart) -> Place
         waves = None
         if layers_below(medium) is not None and part.first:
             farthest = float(np.max(np.abs(x - middle_of(found))))
-            waves = strip_waves(cast(PlaneLayers, medium), found, farthest)
+            waves = strip_waves(cast(LayerStack, medium), found, farthest)
 
         def stress(across: Array, down: Array, waves: PlaneWaves | None = waves) -> Array:
             depth = down if part.first else -down

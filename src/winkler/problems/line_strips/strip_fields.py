@@ -12,7 +12,8 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import GradedBody
-from winkler.media.layered.plane_interior import PlaneLayers, PlaneMedium, PlaneWaves, plane_waves
+from winkler.media.layered.plane_interior import PlaneWaves, plane_waves
+from winkler.media.offers import LayerStack, PlaneMedium
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
 from winkler.problems.line.layered_stress import in_layers
@@ -68,7 +69,7 @@ def strip_fields(
         )
     if friction != 0.0:
         _ = layered.along_modulus  # refused where a layer slides on what lies below it
-    layers = cast(PlaneLayers, layered)
+    layers = cast(LayerStack, layered)
     middle = middle_of(found)
 
     def own(across: Array, deep: Array, poisson: float) -> LineFields:
@@ -81,7 +82,7 @@ def strip_fields(
     return dataclasses.replace(in_layers(layers, own, waves_below, x - middle, z, below, friction), x=x)
 
 
-def strip_waves(medium: PlaneLayers, found: FoundStrips, farthest: float) -> PlaneWaves:
+def strip_waves(medium: LayerStack, found: FoundStrips, farthest: float) -> PlaneWaves:
     """Return the pressure as waves, for places up to a distance from the middle of all strips [m]."""
     middle, widths = middle_of(found), np.diff(found.edges, axis=1)
     extent = max(0.5 * float(found.edges[-1, 1] - found.edges[0, 0]), farthest)
