@@ -26,7 +26,7 @@ LineMedium = HomogeneousMedium | CoatedHalfSpace | StackedHalfSpace | SlidingFil
 
 def layers_below(medium: LineMedium) -> PlaneMedium | None:
     """Return a medium whose moduli depend on the depth, or none."""
-    return None if isinstance(medium, HomogeneousMedium) else cast(PlaneMedium, medium)
+    return None if isinstance(medium, HomogeneousMedium) else medium
 
 
 def strip_fields(
