@@ -235,7 +235,7 @@ def test_below_the_strips_of_a_section(mirrored):
     ).solve()
     part = StrongPart("first body", STEEL.first, True)
     strips = found.problem._found(float(found.force_per_length))
-    place = greatest_below_strips(strips, part)
+    place = greatest_below_strips(STEEL, strips, part)
     centre, half = np.mean(strips.edges), 0.5 * np.ptp(strips.edges)
 
     def field(x, z):
