@@ -22,7 +22,7 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of"]
+__all__ = ["Cycled", "LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of"]
 
 SAME = 1e-9
 """Part of the range of a load within which two of its values are the same."""
@@ -145,13 +145,25 @@ def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
     return (Note(Assumption.SLIP, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
 
 
-class Looped:
-    """The part of a solution that has the numbers of the last cycle of its path."""
+class Cycled:
+    """The part of a solution that knows the last cycle of its path."""
 
     @property
     def last_cycle(self) -> LastCycle:
         """Where the last cycle runs, its loss, its amplitudes, and by how much it is open."""
         raise NotImplementedError
+
+    @property
+    def _cycle_notes(self) -> tuple[Note, ...]:
+        """Whether the last cycle is open; nothing where it is closed, or there is none."""
+        try:
+            return cycle_notes(self.last_cycle)
+        except OutsideValidity:
+            return ()
+
+
+class Looped(Cycled):
+    """The part of a solution that has the numbers of the last cycle of its path."""
 
     @property
     def loss_per_cycle(self) -> float:
@@ -186,14 +198,6 @@ class Looped:
         """
         cycle = self._moving
         return cycle.loss / (2.0 * math.pi * cycle.motion * cycle.load)
-
-    @property
-    def _cycle_notes(self) -> tuple[Note, ...]:
-        """Whether the last cycle is open; nothing where it is closed, or there is none."""
-        try:
-            return cycle_notes(self.last_cycle)
-        except OutsideValidity:
-            return ()
 
     @property
     def _moving(self) -> LastCycle:

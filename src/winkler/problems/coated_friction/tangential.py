@@ -23,6 +23,7 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.coated_friction.notes import coated_notes
 from winkler.problems.coated_friction.push import PushedSprings
 from winkler.problems.coated_friction.state import CoatedTangentialState
+from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
 from winkler.problems.ring_slip.ring_path import ring_points
@@ -145,7 +146,7 @@ class CoatedTangential:
 
 
 @value
-class CoatedTangentialSolution(OfPath[CoatedTangentialState]):
+class CoatedTangentialSolution(Looped, OfPath[CoatedTangentialState]):
     """The solution of a `CoatedTangential` problem, point by point.
 
     Parameters
@@ -185,6 +186,12 @@ class CoatedTangentialSolution(OfPath[CoatedTangentialState]):
     states: tuple[CoatedTangentialState, ...]
 
     @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, its loss and its amplitudes."""
+        path = self.problem.path
+        return cycle_of("CoatedTangential", (path.across, path.along), self.dissipation, self.shift, self.shear_force)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
@@ -192,4 +199,5 @@ class CoatedTangentialSolution(OfPath[CoatedTangentialState]):
         return (
             *coated_notes(problem.bed, problem.law, self.states, by_force),
             energy_note(self.work, self.stored_energy, self.dissipation),
+            *self._cycle_notes,
         )

@@ -30,7 +30,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.last_cycle import LastCycle, cycle_of
+from winkler.problems.last_cycle import Cycled, LastCycle, cycle_of
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
 from winkler.problems.line_friction.march import LineMarch
@@ -200,7 +200,7 @@ class LineTangential:
 
 
 @value
-class LineTangentialSolution(OfPath["LineTangentialState | LineMarchedState"]):
+class LineTangentialSolution(Cycled, OfPath["LineTangentialState | LineMarchedState"]):
     """The solution of a `LineTangential` problem, point by point; all arrays ``(points,)``.
 
     Parameters
@@ -295,4 +295,4 @@ class LineTangentialSolution(OfPath["LineTangentialState | LineMarchedState"]):
         """How far the result can be trusted."""
         widest = self.states[int(np.argmax(self.force_per_length))]
         greatest = float(np.max(np.abs(self.bulk_stress)))
-        return sheared_line_notes(self.problem.bed, self.problem.law, widest, greatest)
+        return (*sheared_line_notes(self.problem.bed, self.problem.law, widest, greatest), *self._cycle_notes)

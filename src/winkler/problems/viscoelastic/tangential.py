@@ -33,6 +33,7 @@ from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
+from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
@@ -218,7 +219,7 @@ class ViscoelasticTangential:
 
 
 @value
-class ViscoelasticTangentialSolution:
+class ViscoelasticTangentialSolution(Looped):
     """The solution of a `ViscoelasticTangential`, point by point of its path.
 
     Parameters
@@ -262,6 +263,13 @@ class ViscoelasticTangentialSolution:
     states: tuple[ViscoelasticTangentialState, ...]
 
     @property
+    def last_cycle(self) -> LastCycle:
+        """Where the last cycle of the path runs, its loss to friction and in the bodies, and its amplitudes."""
+        path = self.problem.path
+        given = path.across, path.along
+        return cycle_of("ViscoelasticTangential", given, self.dissipation, self.shift, self.shear_force)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
@@ -274,6 +282,7 @@ class ViscoelasticTangentialSolution:
             energy_note(self.work, self.stored_energy, self.dissipation),
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *relaxing_yield(bed.medium),
+            *self._cycle_notes,
         )
 
 

@@ -153,7 +153,7 @@ FRICTION = Chapter(
         "coated_tangential": answer(
             "winkler.problems.coated_friction.tangential:CoatedTangential",
             "barber_1974",
-            headline=("dissipation", "shear_force", "shift", "stick_radius"),
+            headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
             bed={"kind": "foundation", "medium": {"kind": "coated_half_space", "second": STEEL}},
             path={"kind": "program", "steps": TO_AND_FRO},
             picture=Caption(

@@ -91,7 +91,7 @@ VISCOELASTIC_SURFACES = Chapter(
     answers={
         "viscoelastic_tangential": answer(
             "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
-            headline=("dissipation", "shear_force", "shift", "stick_radius"),
+            headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
             bed=BED,
             path={"kind": "program", "steps": DRAG_PATH},
             count=100,
