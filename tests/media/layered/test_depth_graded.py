@@ -275,7 +275,7 @@ def test_wide_contacts_on_steep_gradings_are_pressed(ratio, width):
 
 @pytest.mark.slow
 def test_a_surface_that_stiffens_from_almost_nothing():
-    """E = E_0 + m z, incompressible: springs of 2 G' (Gibson), up to E_0 / (m a) and its logarithm."""
+    """E = E_0 + m z, incompressible: springs of 2 G' (Gibson), from which E_0 / (m a) leads away, but for a logarithm."""
     ratio, a = 1e6, np.array([1e-4, 1e-3])
     medium = DepthGradedHalfSpace(ExponentialGrading(1.0, ratio, 1.0, 0.5))
     _, force = depth_and_force(medium, wk.Paraboloid(1.0), a, 16)
