@@ -275,13 +275,13 @@ def test_wide_contacts_on_steep_gradings_are_pressed(ratio, width):
 
 @pytest.mark.slow
 def test_a_surface_that_stiffens_from_almost_nothing():
-    """E = E_0 + m z, incompressible: springs of 2 G' (Gibson), from which E_0 / (m a) leads away, but for a logarithm."""
-    ratio, a = 1e6, np.array([1e-4, 1e-3])
+    """E = E_0 + m z, incompressible: springs of 2 G' where a is far from both ends (Gibson), to E_0 / (m a)."""
+    ratio, a = 1e6, np.array([1e-3, 1e-2])
     medium = DepthGradedHalfSpace(ExponentialGrading(1.0, ratio, 1.0, 0.5))
     _, force = depth_and_force(medium, wk.Paraboloid(1.0), a, 16)
-    more = force / (2.0 * (ratio - 1.0) / 3.0 * math.pi * a**4 / 4.0) - 1.0
-    assert 0.0 < more[1] < 0.02
-    assert 0.1 < more[1] / more[0] < 0.2
+    gibson = 2.0 * (ratio - 1.0) / 3.0 * math.pi * a**4 / 4.0
+    assert force[0] / gibson[0] == pytest.approx(1.0, rel=1e-2)
+    assert abs(force[0] / gibson[0] - 1.0) > 1e-6
 
 
 GRADINGS = {
