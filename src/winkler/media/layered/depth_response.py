@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import cast
 
 import numpy as np
 
@@ -152,7 +151,7 @@ class DepthResponse(WavePair):
         own = self.first.in_own_units()
         if own is None:
             return self, 1.0
-        return DepthResponse(self.mode, own, cast(Solid, self._own_second)), self.first.unit[1]
+        return DepthResponse(self.mode, own, self._own_second), self.first.unit[1]
 
     compressed = math.inf
     """The limit of (1 + M) / xi for long waves: the body is a half-space."""

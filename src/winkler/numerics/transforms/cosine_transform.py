@@ -28,7 +28,6 @@ __all__ = [
     "extremes",
     "faded",
     "in_own_lengths",
-    "kernel_precision",
     "on_axis",
     "scaled_response",
     "sine_transform",

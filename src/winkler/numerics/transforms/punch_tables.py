@@ -18,13 +18,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import (
-    WaveResponse,
-    extremes,
-    in_own_lengths,
-    kernel_precision,
-    transform,
-)
+from winkler.numerics.transforms.cosine_transform import WaveResponse, extremes, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
@@ -211,11 +205,8 @@ def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: 
 
 
 def _settled(response: WaveResponse) -> float:
-    """Return the relative change below which the results are settled, no less than what rounding of M leaves."""
-    if response.precision <= SETTLED_TOLERANCE:
-        return SETTLED_TOLERANCE
-    even, _ = parity(response)
-    return max(response.precision, kernel_precision(even) / (3.0 * extremes(even)[0]))
+    """Return the relative change below which the results are settled."""
+    return max(SETTLED_TOLERANCE, response.precision)
 
 
 def _enough(response: WaveResponse, high: float, panels: Array) -> int:
