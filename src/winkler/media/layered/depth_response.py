@@ -1,9 +1,9 @@
 r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
-The uppermost cell is homogeneous, and so thin that across it E changes by less than the tolerance, on average by half
-of that.  A stiffness is a least energy, and changes by a smaller part than E does.  So M dies out like
-:math:`e^{-2\xi\delta}`, with the thickness :math:`\delta` of that cell.  At wave numbers up to :math:`1/\delta` it
-falls like :math:`A/\xi`: the kernel has a logarithm that is rounded off over :math:`\delta`.
+The uppermost cell is homogeneous, and so thin that across it E changes by less than the tolerance, on average by half of
+that: a stiffness is a least energy, and moves by less than a part as E does.  So M dies out like :math:`e^{-2\xi\delta}`, with the thickness :math:`\delta`
+of that cell.  At wave numbers up to :math:`1/\delta` it falls like :math:`A/\xi`: the kernel has a logarithm that is
+rounded off over :math:`\delta`.
 """
 
 from __future__ import annotations
