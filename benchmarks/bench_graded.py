@@ -10,10 +10,8 @@ import pytest
 
 import winkler as wk
 from winkler.foundation.measured import MeasuredBed
-from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.problems.normal.design import design_profile
 
 pytestmark = pytest.mark.bench
@@ -56,30 +54,3 @@ def bench_design(benchmark, below, steel_on_steel):
     )
     assert body.tolerance < 1e-5
     below(5.0, "body made to order for a force curve of 200 points")
-
-
-def bench_steep_grading(benchmark, below):
-    """F at 200 depths on a body that stiffens a thousandfold, with the tables."""
-    grading = (ExponentialGrading(1e6, 1e9 * (1.0 + 1e-3 * one), 1e-3, 0.3) for one in range(1, 100))
-
-    def pressed():
-        medium = DepthGradedHalfSpace(next(grading))
-        return wk.Indentation(wk.Foundation(wk.Paraboloid(1e-2), medium), wk.Depth(DEPTH)).solve()
-
-    contact = benchmark.pedantic(pressed, rounds=3)
-    assert np.all(np.diff(contact.force) > 0.0)
-    below(8.0, "graded in depth, E rises a thousandfold, F at 200 depths with the tables")
-
-
-def bench_the_same_ratios(benchmark, below):
-    """F at 200 depths of a grading of the same ratios and another depth: from the tables of the first."""
-    scales = iter(np.linspace(1.0, 2.0, 100))
-
-    def pressed():
-        scale = float(next(scales))
-        medium = DepthGradedHalfSpace(ExponentialGrading(scale * 1e6, scale * 1e9, scale * 1e-3, 0.3))
-        return wk.Indentation(wk.Foundation(wk.Paraboloid(1e-2), medium), wk.Depth(DEPTH)).solve()
-
-    contact = benchmark.pedantic(pressed, rounds=5, warmup_rounds=1)
-    assert np.all(np.diff(contact.force) > 0.0)
-    below(0.5, "the same with other moduli and depths of the same ratios")

@@ -1,7 +1,7 @@
 r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
-The uppermost cell is homogeneous, and so thin that across it E changes by less than the tolerance, on average by half of
-that: a stiffness is a least energy, and moves by less than a part as E does.  So M dies out like :math:`e^{-2\xi\delta}`, with the thickness :math:`\delta`
+The uppermost cell is homogeneous, and so thin that across it E changes by less than half of the tolerance: a stiffness
+is a least energy, and moves by no more.  So M dies out like :math:`e^{-2\xi\delta}`, with the thickness :math:`\delta`
 of that cell.  At wave numbers up to :math:`1/\delta` it falls like :math:`A/\xi`: the kernel has a logarithm that is
 rounded off over :math:`\delta`.
 """
@@ -52,12 +52,12 @@ def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
 
 @cached_by_value(128)
 def top_cell(grading: DepthGrading, tolerance: float) -> float:
-    """Return the greatest depth [m] down to which the moduli are those of the surface to the tolerance."""
+    """Return the greatest depth [m] down to which the moduli are those of the surface to half of the tolerance."""
     depths = surface_depth(grading) * np.geomspace(THICKEST_TOP, THINNEST_TOP, TOP_SAMPLES)
     at = np.append(0.0, depths)
     young, poisson = np.log(grading.young_at(at)), grading.poisson_at(at)
     change = np.abs(young[1:] - young[0]) + 4.0 * np.abs(poisson[1:] - poisson[0])
-    return float(depths[min(int(np.sum(change > tolerance)), depths.size - 1)])
+    return float(depths[min(int(np.sum(change > 0.5 * tolerance)), depths.size - 1)])
 
 
 def cells_of(grading: DepthGrading, tolerance: float) -> Mesh:

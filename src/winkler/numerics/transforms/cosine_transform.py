@@ -25,7 +25,6 @@ __all__ = [
     "ScaledResponse",
     "SurfaceResponse",
     "WaveResponse",
-    "extremes",
     "faded",
     "in_own_lengths",
     "on_axis",
@@ -233,17 +232,11 @@ def _joined(response: WaveResponse, octave: int, odd: bool) -> Panels:
 
 
 @cached_by_value(256)
-def extremes(response: WaveResponse) -> tuple[float, float]:
-    """Return the least and the greatest size of 1 + M over all wave numbers, sampled."""
-    lowest, highest = FIRST_WAVE_NUMBER / response.span, DECAY_SPAN / response.length
-    xi = np.geomspace(lowest, highest, 2 + math.ceil(2.0 * math.log2(highest / lowest)))
-    size = np.abs(1.0 + response.excess(xi))
-    return float(np.min(size)), float(np.max(size))
-
-
 def kernel_precision(response: WaveResponse) -> float:
     """Return the error that M may have over its largest value: where 1 + M is small, that much less than stated."""
-    least, _ = extremes(response)
+    lowest, highest = FIRST_WAVE_NUMBER / response.span, DECAY_SPAN / response.length
+    xi = np.geomspace(lowest, highest, 2 + math.ceil(2.0 * math.log2(highest / lowest)))
+    least = float(np.min(np.abs(1.0 + response.excess(xi))))
     return max(min(response.precision, FINEST_PRECISION), response.precision * min(1.0, least))
 
 

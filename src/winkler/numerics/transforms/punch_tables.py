@@ -18,17 +18,15 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import WaveResponse, extremes, in_own_lengths, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
 
 __all__ = ["Punches", "first_radius", "octave_of", "punch_at", "tables"]
 
-RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE, RADII_ON_STEEP = 18, 13, 14
+RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 14
 """Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
-STEEP = 30.0
-"""Greatest over least compliance of such a response from which on so few radii do not suffice."""
 NODE_COUNTS = (12, 16, 24, 32)
 """Nodes per panel, raised until the results settle; the fewest only for a response that is not known to all digits."""
 SETTLED_TOLERANCE = 1e-12
@@ -145,7 +143,7 @@ def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, fl
     """Return the punches between two radii, and how far their series in a is from its end."""
     panels = _panels(response, high)
     count = _enough(response, high, panels)
-    many = _radii_per_octave(response)
+    many = RADII_PER_OCTAVE if _settled(response) == SETTLED_TOLERANCE else FEWER_RADII_PER_OCTAVE
     angle = np.pi * (np.arange(many) + 0.5) / many
     radii = low + (high - low) * np.cos(0.5 * angle) ** 2
     solved = [_punch(response, float(a), panels, count) for a in radii]
@@ -164,13 +162,6 @@ def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, fl
     scale = max(float(np.max(np.abs(share * rho))), float(np.max(share)))
     tails.append(np.max(np.abs(share * rho[-3:])) / scale)
     return Punches(low, high, panels, area_, edge_, phi, rho, push), float(max(tails))
-
-
-def _radii_per_octave(response: WaveResponse) -> int:
-    if _settled(response) == SETTLED_TOLERANCE:
-        return RADII_PER_OCTAVE
-    least, greatest = extremes(parity(response)[0])
-    return FEWER_RADII_PER_OCTAVE if greatest < STEEP * least else RADII_ON_STEEP
 
 
 @functools.cache
