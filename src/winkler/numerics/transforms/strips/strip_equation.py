@@ -65,8 +65,7 @@ average beyond several times their order, and for places."""
 LEAST_ARGUMENT, WIDEST_ARGUMENT, FARTHEST = 2.0**-24, 16.0, 2.0**16
 """First and widest panel of arguments ka where M falls like 1 / xi, and the end of those whose average counts."""
 LEAST_OCTAVE = -60
-FEWEST_MODES, MOST_MODES, MOST_FALLING_MODES = 20, 384, 768
-"""The last where M falls like 1 / xi, and modes like powers."""
+FEWEST_MODES, MOST_MODES = 20, 384
 TAIL = 4
 """Modes at the end that must have vanished."""
 VANISHED = 3e-14
@@ -75,11 +74,6 @@ TAIL_IN_LOAD, TAIL_AT_EDGE = 1000.0, 2e-2
 """The same, times their number, where M falls like 1 / xi: over the precision of M, and of a flat punch."""
 LEAST_SHARE = 0.1
 """What the layers add need be no more precise than this part of the half-plane's load."""
-TOO_THIN = "the layer is too thin for it; round a sharp tip or kink off, press less, or give a thicker layer"
-TOO_STEEP = (
-    "the moduli change too quickly at the surface for so wide a strip; round a sharp tip or kink off, press less, or "
-    "give a grading that changes over a greater depth"
-)
 ENTRIES_PER_BLOCK = 3_000_000
 
 
@@ -228,7 +222,6 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
     ------
     NotConverged
         If 384 modes do not suffice: a sharp tip or kink on a layer hundreds of times thinner than the strip is wide.
-        If 768 do not suffice on a grading: its surface changes over less than some 1e-6 of the width.
     """
     groups = octaves(response, half_width, -1)
     parts: list[tuple[Array, Array, Array]] = []
@@ -251,7 +244,7 @@ def settled_strips(
     strips: Strips,
     count: int,
     rounding: float,
-    most: int = MOST_FALLING_MODES,
+    most: int = MOST_MODES,
     falling: tuple[float, float] = (0.0, 0.0),
 ) -> StripResponse:
     """Return corrections and flat punches of strips, with as many modes as they need.
@@ -264,7 +257,7 @@ def settled_strips(
     rounding : float
         What the last modes may be, over the largest.
     most : int
-        More modes are not tried, nor more than 384, or 768 where modes fall like powers.
+        More modes are not tried, nor more than 384.
     falling : tuple of float
         The same times the number of modes, of corrections and of flat punches, where modes fall like powers.
 
@@ -273,21 +266,19 @@ def settled_strips(
     NotConverged
         If so many modes do not suffice.
     """
-    by_powers = any(falling)
-    most = min(most, MOST_FALLING_MODES if by_powers else MOST_MODES)
+    most = min(most, MOST_MODES)
     while True:
         closing, punch = _solved(*strips.equation(count))
         scale = np.maximum(np.max(np.abs(closing), axis=1), LEAST_SHARE * strips.borne)
         # modes fall geometrically, or like n^-5 and n^-3: then what is missing is about count / 2 last ones
         allowed, ends = (max(rounding, part / count) for part in falling)
-        # of a punch the edge counts, which modes of one sign may raise far above the greatest of them
-        edge = np.maximum(np.max(np.abs(punch), axis=1), np.abs(np.sum(punch, axis=1)) if by_powers else 0.0)
-        if _vanished(closing, allowed * scale) and _vanished(punch, ends * edge):
+        if _vanished(closing, allowed * scale) and _vanished(punch, ends * np.max(np.abs(punch), axis=1)):
             return StripResponse(closing, punch)
         if count >= most:
             raise NotConverged(
                 f"The pressure on a strip of the half-width {float(np.max(strips.half_width)):.6g} m is not resolved "
-                f"by {count} modes: {TOO_STEEP if by_powers else TOO_THIN}."
+                f"by {count} modes: the layer is too thin for it; round a sharp tip or kink off, press less, or give "
+                "a thicker layer."
             )
         count = min(2 * count, most)
 
