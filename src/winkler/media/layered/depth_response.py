@@ -1,9 +1,9 @@
 r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
-The uppermost cell is homogeneous, and so thin that across it E changes by less than half of the tolerance: a stiffness
-is a least energy, and moves by no more.  So M dies out like :math:`e^{-2\xi\delta}`, with the thickness :math:`\delta`
-of that cell.  At wave numbers up to :math:`1/\delta` it falls like :math:`A/\xi`: the kernel has a logarithm that is
-rounded off over :math:`\delta`.
+The uppermost cell is homogeneous, and so thin that across it E changes by less than half of the tolerance: a stiffness is
+a least energy, and moves by no more.  So M dies out like :math:`e^{-2\xi\delta}` with the thickness :math:`\delta` of that
+cell.  Above the length over which the surface changes it falls like :math:`A/\xi`, and the kernel has a logarithm that
+is rounded off over :math:`\delta`.
 """
 
 from __future__ import annotations
