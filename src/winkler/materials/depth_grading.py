@@ -23,7 +23,6 @@ from winkler.checks.number_checks import (
     PositiveNotTiny,
 )
 from winkler.errors import InvalidInput
-from winkler.numerics.caching import rounded
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
@@ -32,11 +31,7 @@ __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedG
 
 @offered("a grading: ExponentialGrading, SigmoidalGrading or TabulatedGrading")
 class DepthGrading(Protocol):
-    """What a graded half-space must state, written for its implementer.
-
-    One that also has `in_units(modulus, length)`, the same grading in other units as a value to 14 digits, shares its
-    tables with those that differ by a factor of all moduli or of all depths alone.
-    """
+    """What a graded half-space must state, written for its implementer."""
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -75,10 +70,6 @@ class _SmoothGrading:
         """nu [-]."""
         return np.full(np.shape(z), self.poisson)
 
-    def _in_units(self, modulus: float) -> tuple[float, float]:
-        """Return the moduli at the surface and far below in a unit [Pa]."""
-        return rounded(self.surface_young / modulus), rounded(self.deep_young / modulus)
-
     def _lengths_to(self, tolerance: float) -> float:
         """Return after how many lengths of its exponential the difference is less than this part."""
         excess = abs(self.surface_young / self.deep_young - 1.0) / tolerance
@@ -105,10 +96,6 @@ class ExponentialGrading(_SmoothGrading):
     deep_young: PositiveNotTiny
     depth_scale: PositiveNotTiny
     poisson: PoissonRatio
-
-    def in_units(self, modulus: float, length: float) -> ExponentialGrading:
-        """Return the same grading in units of a modulus [Pa] and a length [m]."""
-        return ExponentialGrading(*self._in_units(modulus), rounded(self.depth_scale / length), self.poisson)
 
     @property
     def finest(self) -> float:
@@ -145,11 +132,6 @@ class SigmoidalGrading(_SmoothGrading):
     transition_depth: Positive
     transition_width: PositiveNotTiny
     poisson: PoissonRatio
-
-    def in_units(self, modulus: float, length: float) -> SigmoidalGrading:
-        """Return the same grading in units of a modulus [Pa] and a length [m]."""
-        lengths = rounded(self.transition_depth / length), rounded(self.transition_width / length)
-        return SigmoidalGrading(*self._in_units(modulus), *lengths, self.poisson)
 
     @property
     def finest(self) -> float:
@@ -199,14 +181,6 @@ class TabulatedGrading:
             )
         if self.depths[0] != 0.0:
             raise InvalidInput("TabulatedGrading: depths must begin with 0 and ascend; sort the table.")
-
-    def in_units(self, modulus: float, length: float) -> TabulatedGrading:
-        """Return the same grading in units of a modulus [Pa] and a length [m]."""
-        depths, youngs = (
-            np.array([rounded(one) for one in column])
-            for column in ((self.depths / length).tolist(), (self.youngs / modulus).tolist())
-        )
-        return TabulatedGrading(depths, youngs, self.poissons)
 
     @property
     def breaks(self) -> tuple[float, ...]:

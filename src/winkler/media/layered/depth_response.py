@@ -24,7 +24,7 @@ from winkler.media.layered.depth_recursion import (
 )
 from winkler.media.layered.pair_response import MODE_WORDS, Mode, WavePair
 from winkler.media.layered.wave_constants import Wave, half_space_compliance, in_plane_share
-from winkler.numerics.caching import cached_by_value, rounded
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Standing
@@ -42,7 +42,6 @@ THINNEST_TOP, THICKEST_TOP = 1e-9, 1e-2
 TOP_SAMPLES = 71
 FAR = 1e3
 """Where a grading is what it is far below, over the depth at which it has settled."""
-
 
 def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
     """Return the solid at a depth [m]."""
@@ -115,14 +114,7 @@ class GradedBody:
     @property
     def unit(self) -> tuple[float, float]:
         """Modulus at the surface [Pa], and the depth over which it changes there [m]."""
-        modulus, length = self.top.young, surface_depth(self.grading)
-        # a body in its own units is its own: one to rounding is one
-        return (1.0 if rounded(modulus) == 1.0 else modulus), (1.0 if rounded(length) == 1.0 else length)
-
-    def in_own_units(self) -> GradedBody | None:
-        """Return the same body in its own units; None if its grading does not say what it is in others."""
-        in_units = getattr(self.grading, "in_units", None)
-        return None if in_units is None else GradedBody(in_units(*self.unit), self.tolerance)
+        return self.top.young, surface_depth(self.grading)
 
 
 @value
@@ -144,14 +136,6 @@ class DepthResponse(WavePair):
     mode: Mode
     first: GradedBody
     second: Solid = RIGID
-
-    @property
-    def own(self) -> tuple[DepthResponse, float]:
-        """The same in units of modulus and depth of the surface, and that depth [m]; itself and one if it has none."""
-        own = self.first.in_own_units()
-        if own is None:
-            return self, 1.0
-        return DepthResponse(self.mode, own, self._own_second), self.first.unit[1]
 
     compressed = math.inf
     """The limit of (1 + M) / xi for long waves: the body is a half-space."""
@@ -187,3 +171,4 @@ class DepthResponse(WavePair):
     def whole(self, xi: Array) -> Array:
         """1 + M(xi) [-] at many real wave numbers (m,) [1/m]: the recursion runs at few of them."""
         return 1.0 + on_axis(self, xi)
+

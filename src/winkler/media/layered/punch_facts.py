@@ -97,7 +97,7 @@ def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, floa
     if _weight(response, a) * np.max(np.abs(phi)) < -LEAST_SURFACE_RISE:
         return LEAST_SURFACE_RISE, 1.0, 0.0
     far = OUTER_DISTANCE * max(a, response.span)
-    x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.smooth), far, OUTER_POINTS)])
+    x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTER_POINTS)])
     kernel = transform(response, far + 2.0 * a)
     both = 0.5 * (kernel(x[:, None] - t) + kernel(x[:, None] + t))
     psi = 1.0 - both @ (a * (width * weights).ravel() * phi)

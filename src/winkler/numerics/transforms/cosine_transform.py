@@ -268,8 +268,7 @@ def _ray(response: WaveResponse, angle: float) -> Panels:
 
 def on_axis(response: WaveResponse, xi: Array) -> Array:
     """Return M at real wave numbers of any shape, to its precision, from polynomials; zero where it has vanished."""
-    own, unit = in_own_lengths(response)
-    panels, xi = _ray(own, 0.0), np.asarray(xi) * unit
+    panels = _ray(response, 0.0)
     return np.where(xi <= panels.edges[-1], np.real(panels(xi)), 0.0)
 
 

@@ -25,7 +25,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["Punches", "first_radius", "octave_of", "punch_at", "tables"]
 
-RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 14
+RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 12
 """Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
 NODE_COUNTS = (12, 16, 24, 32)
 """Nodes per panel, raised until the results settle; the fewest only for a response that is not known to all digits."""
