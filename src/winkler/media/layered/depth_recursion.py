@@ -49,7 +49,7 @@ REFINEMENT_RATIO = 0.65
 MOST_CELLS = 3000
 """Besides one between any two breaks: what a table of many points costs, its author asks for."""
 SAMPLED_WAVES = 48
-SURFACE_DECAY = 20.0
+SURFACE_DECAY = 18.0
 """A wave that starts at the surface is followed down to this depth over xi: the returning wave has decayed twice."""
 INTERIOR_DECAY = 70.0
 """The same if the field at depth is requested: it has decayed once."""
@@ -81,9 +81,7 @@ def surface_depth(grading: DepthGrading) -> float:
 
 
 @cached_by_value(128)
-def mesh(
-    grading: DepthGrading, tolerance: float, shortest: float, depths: tuple[float, ...] = (), top: float = 0.0
-) -> Mesh:
+def mesh(grading: DepthGrading, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
     """Return cells so fine that the compliance of the surface errs by less than a part `tolerance`.
 
     Parameters
@@ -96,8 +94,6 @@ def mesh(
         The inverse of the largest wave number of interest [m].
     depths : tuple of float
         Where an edge is wanted [m], besides.
-    top : float
-        Thickness of a cell at the surface that is homogeneous [m]; none if it is zero.
 
     Raises
     ------
@@ -108,7 +104,7 @@ def mesh(
     part = COARSEST_CELL
     xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)
     while True:
-        cells = _cells(grading, _edges(grading, reach, part, shortest, depths, top), reach, top)
+        cells = _cells(grading, _edges(grading, reach, part, shortest, depths), reach)
         ladders = _through_cells(cells, xi, SURFACE_DECAY, False)[0][2]
         error = float(np.max(np.abs((LOWER_WEIGHTS @ ladders) / (EXTRAPOLATION_WEIGHTS @ ladders) - 1.0)))
         if error <= tolerance:
@@ -116,10 +112,8 @@ def mesh(
         part *= REFINEMENT_RATIO
 
 
-def _edges(
-    grading: DepthGrading, reach: float, part: float, shortest: float, depths: tuple[float, ...], top: float
-) -> Array:
-    fixed = np.unique([top, *(z for z in (*grading.breaks, *depths) if top < z < reach), reach])
+def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, depths: tuple[float, ...]) -> Array:
+    fixed = np.unique([0.0, *(z for z in (*grading.breaks, *depths) if 0.0 < z < reach), reach])
     low, high = fixed[:-1], fixed[1:]
     done: list[Array] = []
     count = 0
@@ -139,15 +133,13 @@ def _edges(
                 f"DepthGradedHalfSpace: more than {MOST_CELLS + fixed.size} cells would be needed for the tolerance; "
                 "request less, or smooth the grading."
             )
-    return np.concatenate([[0.0] if top else [], np.sort(np.concatenate(done)), [reach]])
+    return np.append(np.sort(np.concatenate(done)), reach)
 
 
-def _cells(grading: DepthGrading, edges: Array, reach: float, top: float) -> Mesh:
+def _cells(grading: DepthGrading, edges: Array, reach: float) -> Mesh:
     """Return the moduli of all layers ``(cells, c, place from below)``; missing ones are those of a middle."""
     place = np.minimum(np.arange(4), STEP_DIVISIONS[:, None] - 1)
     z = edges[1:, None, None] - np.diff(edges)[:, None, None] * (place + 0.5) / STEP_DIVISIONS[:, None]
-    if top:
-        z[0] = 0.0
     young, poisson = grading.young_at(z), grading.poisson_at(z)
     deep = np.array(reach * 1e3)
     low = float(grading.poisson_at(deep))

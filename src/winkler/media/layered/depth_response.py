@@ -1,9 +1,14 @@
 r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
-The uppermost cell is homogeneous, and so thin that across it E changes by less than half of the tolerance: a stiffness is
-a least energy, and moves by no more.  So M dies out like :math:`e^{-2\xi\delta}` with the thickness :math:`\delta` of that
-cell.  Above the length over which the surface changes it falls like :math:`A/\xi`, and the kernel has a logarithm that
-is rounded off over :math:`\delta`.
+Up to :math:`\xi_1`, a few hundred over the depth across which the surface changes, the recursion runs through the body
+(`winkler.media.layered.depth_recursion`).  Beyond, 1 + M is a power series in :math:`1/\xi`, whose first terms are
+taken from M just below :math:`\xi_1`.  There :math:`M\approx A/\xi`: the kernel has a logarithm at zero distance, which
+is rounded off over a length :math:`\delta`, M times
+
+.. math:: 1-(1-e^{-2\xi\delta})^3 .
+
+A flat punch of any radius is then stiffer or softer by less than a part :math:`0.434\,|A|\,\delta`; those wider than
+:math:`\delta` by much less.
 """
 
 from __future__ import annotations
@@ -37,11 +42,16 @@ __all__ = [
     "solid_at",
 ]
 
-THINNEST_TOP, THICKEST_TOP = 1e-9, 1e-2
-"""Of the uppermost cell, over the depth across which the surface changes."""
-TOP_SAMPLES = 71
+SERIES_WAVE_NUMBER = 100.0
+"""xi_1 times the depth across which the surface changes."""
+SERIES_SPAN = 16.0
+"""The series is fitted up to this many xi_1."""
+SERIES_TERMS = 6
 FAR = 1e3
 """Where a grading is what it is far below, over the depth at which it has settled."""
+STIFFNESS_ERROR_RATIO = 0.434
+"""Largest change of a stiffness, over |A| delta (a quadrature over the punches of a homogeneous half-space)."""
+
 
 def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
     """Return the solid at a depth [m]."""
@@ -49,20 +59,9 @@ def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
     return Elastic(float(grading.young_at(z)), float(grading.poisson_at(z)))
 
 
-@cached_by_value(128)
-def top_cell(grading: DepthGrading, tolerance: float) -> float:
-    """Return the greatest depth [m] down to which the moduli are those of the surface to half of the tolerance."""
-    depths = surface_depth(grading) * np.geomspace(THICKEST_TOP, THINNEST_TOP, TOP_SAMPLES)
-    at = np.append(0.0, depths)
-    young, poisson = np.log(grading.young_at(at)), grading.poisson_at(at)
-    change = np.abs(young[1:] - young[0]) + 4.0 * np.abs(poisson[1:] - poisson[0])
-    return float(depths[min(int(np.sum(change > 0.5 * tolerance)), depths.size - 1)])
-
-
 def cells_of(grading: DepthGrading, tolerance: float) -> Mesh:
-    """Return the cells of a body for all wave numbers."""
-    thinnest = top_cell(grading, tolerance)
-    return mesh(grading, tolerance, thinnest, top=thinnest)
+    """Return the cells of a body for all wave numbers at which the recursion runs."""
+    return mesh(grading, tolerance, surface_depth(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
 
 
 @value
@@ -74,14 +73,14 @@ class GradedBody:
     grading : DepthGrading
         A value.
     tolerance : float
-        Relative error of its compliances.
+        Relative error of its compliances, and of what the rounding of a kernel does to a stiffness.
     """
 
     grading: DepthGrading
     tolerance: float = 1e-6
 
     def waves(self, part: Wave, xi: ComplexArray) -> ComplexArray:
-        """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m]."""
+        """Compliance times xi / 2 [1/Pa] at real or complex wave numbers (m,) [1/m] that the recursion resolves."""
         cells = cells_of(self.grading, self.tolerance)
         if part is Wave.ACROSS:
             return np.asarray(0.5 * surface_compliance_across(cells, xi))
@@ -143,7 +142,7 @@ class DepthResponse(WavePair):
     @functools.cached_property
     def length(self) -> float:
         """Delta [m]: M tends to zero like exp(-2 xi length)."""
-        return top_cell(self.first.grading, self.first.tolerance)
+        return _rounding(self)
 
     @functools.cached_property
     def span(self) -> float:
@@ -166,9 +165,39 @@ class DepthResponse(WavePair):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        return np.asarray(self._share * self._exceeding(xi))
+        xi = np.asarray(xi)
+        limit = SERIES_WAVE_NUMBER / surface_depth(self.first.grading)
+        short = np.abs(xi) > limit
+        result = np.empty_like(xi)
+        result[~short] = self._exceeding(xi[~short])
+        if short.any():
+            shorter = limit / xi[short]
+            result[short] = shorter * np.polyval(_series(self)[::-1], shorter)
+        return np.asarray(self._share * result * (1.0 + np.expm1(-2.0 * xi * self.length) ** 3))
 
     def whole(self, xi: Array) -> Array:
         """1 + M(xi) [-] at many real wave numbers (m,) [1/m]: the recursion runs at few of them."""
         return 1.0 + on_axis(self, xi)
 
+
+@cached_by_value(128)
+def _series(response: DepthResponse) -> Array:
+    """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
+    angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
+    shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
+    own = response._exceeding(SERIES_WAVE_NUMBER / surface_depth(response.first.grading) / shorter)
+    return np.asarray(np.linalg.lstsq(np.vander(shorter, SERIES_TERMS, increasing=True), own / shorter, rcond=None)[0])
+
+
+@cached_by_value(128)
+def _rounding(response: DepthResponse) -> float:
+    depth = surface_depth(response.first.grading)
+    limit = SERIES_WAVE_NUMBER / depth
+    fall = abs(float(_series(response)[0])) * limit
+    # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
+    xi = limit * np.geomspace(1e-2, SERIES_SPAN, 60)
+    fall = max(fall, float(np.max(np.abs(response._exceeding(xi)) * xi)) * 1e-3)
+    return min(
+        0.5 * response.first.tolerance / (STIFFNESS_ERROR_RATIO * max(fall, 1e-300)),
+        1e-2 * surface_depth(response.first.grading),
+    )

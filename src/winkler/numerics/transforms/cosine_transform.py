@@ -47,8 +47,6 @@ LARGEST_PHASE = 8.0
 """Over one panel of a wave on the turned path."""
 SPENT = 160.0
 """Phase at which a wave on the turned path has died out."""
-FINEST_PRECISION = 3e-14
-"""M is not asked for any more precisely than this, over its largest value: it is rounded."""
 LEAST_RESPONSE = 0.03
 """An M smaller than this need not be any more precise."""
 AGREEMENT_RATIO = 300.0
@@ -80,10 +78,7 @@ class WaveResponse(Protocol):
 
     @property
     def precision(self) -> float:
-        """Error of M, relative to its largest value or to 0.03: it is smooth down to that; and of 1 + M where smaller.
-
-        One that states the rounding of M states that alone, and M need not be known any better.
-        """
+        """Error of M, relative to its largest value or to 0.03: it is smooth down to that."""
         ...
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
@@ -231,15 +226,6 @@ def _joined(response: WaveResponse, octave: int, odd: bool) -> Panels:
     )
 
 
-@cached_by_value(256)
-def kernel_precision(response: WaveResponse) -> float:
-    """Return the error that M may have over its largest value: where 1 + M is small, that much less than stated."""
-    lowest, highest = FIRST_WAVE_NUMBER / response.span, DECAY_SPAN / response.length
-    xi = np.geomspace(lowest, highest, 2 + math.ceil(2.0 * math.log2(highest / lowest)))
-    least = float(np.min(np.abs(1.0 + response.excess(xi))))
-    return max(min(response.precision, FINEST_PRECISION), response.precision * min(1.0, least))
-
-
 def _path(response: WaveResponse, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
     """Return wave numbers and weights times M for x between `low` and `high`; on the real axis for angle zero."""
     end = DECAY_SPAN / response.length
@@ -263,7 +249,7 @@ def _ray(response: WaveResponse, angle: float) -> Panels:
     def along(s: Array) -> ComplexArray:
         return response.excess((s * turn).ravel()).reshape(s.shape)
 
-    return fit_panels(along, np.array(edges), kernel_precision(response) * (size + LEAST_RESPONSE))
+    return fit_panels(along, np.array(edges), response.precision * (size + LEAST_RESPONSE))
 
 
 def on_axis(response: WaveResponse, xi: Array) -> Array:
@@ -287,13 +273,12 @@ def _octave(response: WaveResponse, octave: int, odd: bool) -> Panels:
     xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)
     weights = turned * weights
     size = float(np.sum(np.abs(weights * np.exp(1j * xi * low))))
-    precision = kernel_precision(response)
-    floor = max(ROUNDING_RATIO, LEAST_RESPONSE * precision) / high
+    floor = max(ROUNDING_RATIO, LEAST_RESPONSE * response.precision) / high
     if octave:
         x = np.array([low])
         check, others = _path(response, low, low, PATH_ANGLES[1])
         misfit = float(np.abs(_sum(xi, weights, x) - _sum(check, turned * others, x))[0])
-        if misfit > AGREEMENT_RATIO * precision * size + 100.0 * floor:
+        if misfit > AGREEMENT_RATIO * response.precision * size + 100.0 * floor:
             raise NotConverged(
                 f"The kernel of the stack is not resolved at {low:.3g} m: two paths differ by {misfit / size:.1e}; "
                 "its contrasts are beyond what winkler can carry."

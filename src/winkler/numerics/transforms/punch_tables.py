@@ -157,10 +157,8 @@ def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, fl
     turn = _to_pressure(panels.size - 1, inner.shape[0])
     push = edge_[:, None, None] * (np.arange(inner.shape[0]) == 0) - np.einsum("piqj,kqj->kpi", turn, phi)
     tails = [np.max(np.abs(series[-3:])) / np.max(np.abs(series)) for series in (area_, edge_)]
-    # next to a rounded logarithm rho is large on panels so narrow that it counts by its integral over them
-    share = np.diff(panels)[:, None] if response.smooth > response.length else 1.0
-    scale = max(float(np.max(np.abs(share * rho))), float(np.max(share)))
-    tails.append(np.max(np.abs(share * rho[-3:])) / scale)
+    scale = max(float(np.max(np.abs(rho))), 1.0)
+    tails.append(np.max(np.abs(rho[-3:])) / scale)
     return Punches(low, high, panels, area_, edge_, phi, rho, push), float(max(tails))
 
 
