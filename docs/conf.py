@@ -51,6 +51,7 @@ myst_enable_extensions = ["dollarmath", "deflist"]
 myst_heading_anchors = 3
 
 autodoc_member_order = "bysource"
+toc_object_entries = False  # thousands of members in the contents of each page took a third of the build
 autodoc_typehints = "none"
 autoclass_content = "class"
 napoleon_google_docstring = False
@@ -138,6 +139,11 @@ def _layer_of(name: str) -> str:
     return module.split(".")[1] if module.startswith("winkler.") else ""
 
 
+def _links(names: list[str]) -> str:
+    """Return the names of a chapter as one line of links to what is below."""
+    return " · ".join(f":py:obj:`~winkler.{name}`" for name in names)
+
+
 def public_names_page() -> str:
     """Return the page of the interface in reStructuredText, chapter by chapter."""
     names = [name for name in winkler.__all__ if not name.startswith("__")]
@@ -145,11 +151,11 @@ def public_names_page() -> str:
     for title, layer in CHAPTERS:
         here = [name for name in names if _layer_of(name) == layer]
         if here:
-            text += [title, "-" * len(title), "", *map(_entry, here)]
+            text += [title, "-" * len(title), "", _links(here), "", *map(_entry, here)]
             written.update(here)
     rest = [name for name in names if name not in written]
     if rest:
-        text += ["More", "----", "", *map(_entry, rest)]
+        text += ["More", "----", "", _links(rest), "", *map(_entry, rest)]
     return "\n".join(text)
 
 

@@ -56,7 +56,13 @@ LINE_FRICTION = Chapter(
             "jaeger_1995",
             "ciavarella_1998",
             "nowell_hills_1987",
-            headline=("dissipation_per_length", "stick_half_width", "shear_force_per_length", "slip_shift", "loss_per_cycle_per_length"),
+            headline=(
+                "dissipation_per_length",
+                "stick_half_width",
+                "shear_force_per_length",
+                "slip_shift",
+                "loss_per_cycle_per_length",
+            ),
             bed={**ROLLER, "medium": {"kind": "half_space", "second": {"kind": "elastic"}}},
             picture=Caption(
                 "line_tangential",
