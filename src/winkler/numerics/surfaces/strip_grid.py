@@ -81,6 +81,9 @@ class StuckStrip:
     def __init__(self, compliance: Array, weights: Array | None = None) -> None:
         self.compliance = compliance
         self.weights: Array = np.ones(len(compliance)) if weights is None else weights
+        # equations of displacements and of sums stand in one system: in units of their own none outweighs the others
+        self._unit, self._width = float(compliance[0, 0]), float(np.max(self.weights))
+        self._own, self._shares = compliance / self._unit, self.weights / self._width
         self._held = np.zeros(len(compliance), dtype=bool)
         self._rows, self._place = np.zeros(0, dtype=int), np.zeros(len(compliance), dtype=int)
         self._factors: tuple[Array, Array] = (np.zeros((0, 0)), np.zeros(0))
@@ -105,6 +108,11 @@ class StuckStrip:
         float
             The shift [m].
         """
+        traction, shift = self._stuck(sticks, wanted / self._unit, None if total is None else total / self._width)
+        return traction, shift * self._unit
+
+    def _stuck(self, sticks: Array, wanted: Array, total: float | None) -> tuple[Array, float]:
+        """Return the same, with displacements over the unit of compliance and sums over the greatest weight."""
         changed = np.flatnonzero(sticks != self._held)
         if changed.size > MOST_CHANGED:
             self._hold(sticks)
@@ -114,7 +122,7 @@ class StuckStrip:
         summed, rows = int(total is not None), self._rows
         columns = [self._columns[index] for index in (*came.tolist(), *gone.tolist())]
         border = np.stack([*columns, *[-self._even] * summed], axis=1) if columns or summed else None
-        across, weights = self.compliance[came], self.weights
+        across, weights = self._own[came], self._shares
         sides = np.zeros((changed.size + summed, rows.size))  # equations of what has changed, and of the sum
         sides[: came.size] = across[:, rows]
         sides[np.arange(came.size, changed.size), self._place[gone]] = 1.0
@@ -137,7 +145,7 @@ class StuckStrip:
 
         traction, shift = solved(wanted, total or 0.0)
         if changed.size > FEW_CHANGED:  # the border costs digits: once more for what is left
-            missing = wanted + shift - self.compliance @ traction
+            missing = wanted + shift - self._own @ traction
             further, more = solved(missing, (total or 0.0) - float(weights @ traction))
             traction, shift = traction + further, shift + more
         return traction, shift
@@ -148,7 +156,7 @@ class StuckStrip:
 
         self._held, self._rows = sticks.copy(), np.flatnonzero(sticks)
         self._place[self._rows] = np.arange(self._rows.size)
-        self._factors = lu_factor(self.compliance[np.ix_(sticks, sticks)], overwrite_a=True, check_finite=False)
+        self._factors = lu_factor(self._own[np.ix_(sticks, sticks)], overwrite_a=True, check_finite=False)
         self._columns.clear()
         self._even = self._solved(np.ones(self._rows.size))
 
@@ -161,7 +169,7 @@ class StuckStrip:
                 if self._held[index]:
                     right[self._place[index], column] = 1.0
                 else:
-                    right[:, column] = self.compliance[self._rows, index]
+                    right[:, column] = self._own[self._rows, index]
             self._columns.update(zip(missing, self._solved(right).T, strict=True))
 
     def _solved(self, right: Array) -> Array:
