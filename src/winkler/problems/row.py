@@ -1,7 +1,7 @@
 """A row of cells that is moved and remembers, and the one loop that carries a row along a path.
 
 Springs by gap, springs one by one and rings that slide are rows: what their cells do in a straight step is their own
-matter.  How a path is cut into straight steps, what the way costs, and where a path is refused is the same for all:
+matter.  How a path is cut into straight steps, what it costs, and where a path is refused is the same for all:
 a step that is not straight is halved until both halves bring the row to where the whole did.
 """
 
@@ -24,14 +24,14 @@ State = TypeVar("State")
 
 
 class Reached(NamedTuple, Generic[State]):
-    """Where a row is, and what the way there has cost.
+    """Where a row is, and the work and loss of the path to it.
 
     Parameters
     ----------
     state
         What the cells remember.
     work, lost : float
-        Spent by what moves the row, and lost on the way [J].
+        Spent by what moves the row, and lost on its path [J].
     """
 
     state: State
@@ -78,14 +78,14 @@ class Row(Protocol[Goal, State]):
         return None
 
     def apart(self, one: Reached[State], two: Reached[State]) -> float:
-        """Return by how much two ways from one state to one goal differ, over what is allowed."""
+        """Return by how much two ends of steps from one state to one goal differ, over what is allowed."""
         return 0.0
 
 
 def follow(
     row: Row[Goal, State], goals: Iterable[Goal], reached: tuple[int, Goal, Reached[State]] | None = None
 ) -> Iterator[Reached[State]]:
-    """Yield where a row is at each point of a path, and what the way there has cost since the beginning.
+    """Yield where a row is at each point of a path, and work and loss since the beginning.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def over(error: float, allowed: float) -> float:
 
 
 def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reached[State]:
-    """Return the row at the next point of a path, and what the way there from the last one has cost."""
+    """Return the row at the next point of a path, and work and loss since the last one."""
     done = Reached(state, 0.0, 0.0)
     ahead: list[tuple[Goal, int, Reached[State] | None]] = [(goal, 0, None)]
     while ahead:
