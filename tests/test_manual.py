@@ -202,13 +202,6 @@ def test_each_cell_is_what_its_problem_answers(media, cells, medium):
             assert cells.agrees(written, media.answer(kind, medium)), (kind, HINT)
 
 
-@pytest.mark.slow
-def test_heat_of_fretting_on_gradings_takes_rings_and_no_springs():
-    """The springs of `Tangential`, which its example has, are refused there; docs/media/examples.toml takes rings."""
-    with pytest.raises(wk.OutsideValidity, match="CoatedTangential"):
-        build(example_study("fretting_heat", medium="depth_graded_half_space")["problem"]).solve()
-
-
 def test_pages_lead_on_to_pages_that_are_there(root):
     docs = root / "docs"
     broken = []

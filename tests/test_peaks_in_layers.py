@@ -79,7 +79,7 @@ def test_no_place_beside_a_face_is_stressed_more(name):
 def test_a_pushed_contact_is_searched_on_both_sides_of_a_face():
     medium, law = coated(450e9, 210e9), wk.Coulomb(0.3)
     path = wk.Path(time=[0.0, 1.0], normal=wk.Force(np.array([5.0, 5.0])), lateral=wk.Shift([0.0, 1e-9]))
-    state = wk.CoatedTangential(wk.Foundation(BALL, medium), law, path).solve().at(1)
+    state = wk.Tangential(wk.Foundation(BALL, medium), law, path).solve().at(1)
     found = peak_stress(state)
     z = np.array([0.0, 2.5e-6, 5e-6, 5e-6 * (1.0 + 1e-9), 8e-6, 11e-6, 14e-6])
     x = state.radius * np.linspace(-1.1, 1.1, 23)

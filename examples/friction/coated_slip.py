@@ -4,9 +4,9 @@ Partial slip on a hard and on a soft coating
 
 A ball is pressed on a coating and pushed along the surface. On a homogeneous half-space the difference of two normal
 contacts solves that (Cattaneo, Mindlin, Jaeger, Ciavarella), since a stuck contact drags with the same distribution as
-a flat punch presses. Layers answer to shear otherwise than to pressure: `CoatedTangential` takes the kernels of the
-layers, `Tangential` scales the normal solution. On a coating ten times as hard as its base the scaling is wrong by a
-sixth of the friction.
+a flat punch presses. Layers answer to shear otherwise than to pressure: `Tangential` takes the kernels of the layers,
+ring by ring; its method `SPRINGS` scales the normal solution. On a coating ten times as hard as its base the scaling is
+wrong by a sixth of the friction.
 """
 
 import matplotlib.pyplot as plt
@@ -14,13 +14,13 @@ import numpy as np
 
 from winkler import (
     CoatedHalfSpace,
-    CoatedTangential,
     Coulomb,
     Depth,
     Elastic,
     Foundation,
     Indentation,
     Layer,
+    Method,
     Paraboloid,
     Path,
     Shift,
@@ -39,8 +39,8 @@ for name, base, color in (("hard coating, base 10 GPa", 10e9, "C0"), ("soft coat
     unit = most / float(bed.medium.punch_shear_stiffness(np.array([contact.radius]))[0])
     shift = np.linspace(0.0, 2.2 * unit, 12)
     path = Path(np.arange(12.0), Depth(np.full(12, DEPTH)), Shift(shift))
-    right = CoatedTangential(bed, Coulomb(FRICTION), path).solve()
-    scaled = Tangential(bed, Coulomb(FRICTION), path).solve()
+    right = Tangential(bed, Coulomb(FRICTION), path).solve()
+    scaled = Tangential(bed, Coulomb(FRICTION), path, Method.SPRINGS).solve()
     axes[0].plot(shift / unit, right.shear_force / most, color=color, label=name)
     axes[0].plot(shift / unit, scaled.shear_force / most, "--", color=color, label="scaled normal solution")
     axes[1].plot(shift / unit, 100.0 * (scaled.shear_force - right.shear_force) / most, color=color, label=name)

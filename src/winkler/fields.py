@@ -190,8 +190,8 @@ def restore_body(
     InvalidInput
         If a place is not finite, or the solution holds many loads; if a place lies on a twisted surface.
     OutsideValidity
-        If the field is not known for this medium (that of a traction: for others than `HalfSpace` and, of a
-        `CoatedTangential`, bonded layers), or the body there is rigid.
+        If the field is not known for this medium (that of a traction: for others than `HalfSpace` and, of
+        rings, bonded layers), or the body there is rigid.
 
     Notes
     -----

@@ -8,7 +8,6 @@ from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
 from winkler.problems.assumptions.pyramid_film import pyramid_layer_error
-from winkler.problems.coated_friction.tangential import CoatedTangential, CoatedTangentialSolution
 from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
 from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
@@ -54,6 +53,7 @@ from winkler.problems.line_viscoelastic.indentation import LineViscoelasticInden
 from winkler.problems.line_viscoelastic.path import LineForcePath
 from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution
 from winkler.problems.master_curves.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
+from winkler.problems.method import Method
 from winkler.problems.normal.design import design_for_pressure, design_profile
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
@@ -131,19 +131,18 @@ from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "BallImpacts", "BallImpactsSolution", "BandHeating",
-    "BandHeatingSolution", "BimodalDamping", "BimodalDampingSolution", "CoatedTangential", "CoatedTangentialSolution",
-    "ConductanceBounds", "ConductanceBoundsSolution", "Constriction", "ConstrictionSolution", "ContactLaw",
-    "ContactLawSolution", "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce",
-    "CreepTest", "Creepage", "CurrentFields", "ElasticPlasticParticle", "ElastomerFriction",
-    "ElastomerFrictionSolution", "EllipticFields", "EllipticFrictionHeating", "EllipticFrictionHeatingSolution",
-    "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear", "EllipticWearSolution",
-    "EllipticYieldOnset", "EllipticYieldOnsetSolution", "Equilibrium", "EquilibriumCurve", "FlowFactors",
-    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
-    "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "HarmonicIndentation", "HeatFields",
-    "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "JointStiffness", "JointStiffnessSolution",
-    "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress", "LayeredLineAdhesionSolution",
-    "LayeredLineLimitingSolution", "LayeredLineSolution", "LimitingProfile", "LimitingSolution", "LineAdhesion",
-    "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
+    "BandHeatingSolution", "BimodalDamping", "BimodalDampingSolution", "ConductanceBounds", "ConductanceBoundsSolution",
+    "Constriction", "ConstrictionSolution", "ContactLaw", "ContactLawSolution", "ContactStress",
+    "ContactStressSolution", "ContactTrace", "Contacts", "CreepForce", "CreepTest", "Creepage", "CurrentFields",
+    "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "EllipticFields",
+    "EllipticFrictionHeating", "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticPartOnset",
+    "EllipticSolution", "EllipticWear", "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution",
+    "Equilibrium", "EquilibriumCurve", "FlowFactors", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution",
+    "FrettingWear", "FrictionDamping", "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
+    "HarmonicIndentation", "HeatFields", "Impact", "ImpactSolution", "Indentation", "IndentationSolution",
+    "JointStiffness", "JointStiffnessSolution", "JouleHeating", "JouleHeatingSolution", "Kalker", "LayerStress",
+    "LayeredLineAdhesionSolution", "LayeredLineLimitingSolution", "LayeredLineSolution", "LimitingProfile",
+    "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
     "LineFields", "LineForcePath", "LineFrettingSolution", "LineFrettingWear", "LineFrictionHeating",
     "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile", "LineLimitingSolution", "LinePartOnset",
     "LinePath", "LineProfileContact", "LineProfileSolution", "LineRolling", "LineRollingResistance",
@@ -151,8 +150,8 @@ __all__ = [
     "LineShakedown", "LineShakedownSolution", "LineSlidingSolution", "LineSlidingWear", "LineSolution",
     "LineTangential", "LineTangentialSolution", "LineViscoelasticIndentation", "LineViscoelasticSolution",
     "LineYieldOnset", "LineYieldOnsetSolution", "MapStress", "MapStressSolution", "MasterCurve", "MasterCurveSolution",
-    "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling", "OscillatingRollingSolution", "PartOnset",
-    "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase", "PoroelasticRelaxation",
+    "Method", "NearlyRoundIndentation", "NearlyRoundSolution", "OscillatingRolling", "OscillatingRollingSolution",
+    "PartOnset", "ParticleSolution", "PeriodicIndentation", "PeriodicSolution", "PlateBase", "PoroelasticRelaxation",
     "PoroelasticSolution", "PowerLawLineSolution", "ProfilePair", "ProfilePairRolling", "ProfilePairRollingSolution",
     "ProfilePairSolution", "ProfilePatch", "PullOff", "PullOffSolution", "ReducedBed", "ReducedFriction",
     "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution",

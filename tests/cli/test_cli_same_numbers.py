@@ -168,11 +168,6 @@ PYTHON = {
         RUBBER,
         wk.Program([wk.Start(wk.Force(100.0), wk.Angle(0.0)), wk.Oscillate(lateral=wk.Angle(2e-3), cycles=1.25)]),
     ),
-    "coated_tangential": wk.CoatedTangential(
-        wk.Foundation(BALL, wk.CoatedHalfSpace([wk.Layer(wk.Elastic(450e9, 0.25), 50e-6)], on=STEEL, second=STEEL)),
-        RUBBER,
-        wk.Program([wk.Start(wk.Force(100.0), wk.Shift(0.0)), wk.Oscillate(lateral=wk.Shift(5e-7), cycles=1.25)]),
-    ),
     "friction_damping": wk.FrictionDamping(BED, RUBBER, wk.Force(100.0), wk.Shift(5e-7)),
     "bimodal_damping": wk.BimodalDamping(
         BED, RUBBER, depth=3e-6, depth_amplitude=1e-6, shift_amplitude=5e-7, phase=math.radians(90.0)

@@ -46,6 +46,8 @@ from winkler.study.ledger.fit_case import read_fit_case
 from winkler.study.ledger.ledger import case_files, run_case
 
 NUMBERS = Path(__file__).parent / "numbers"
+FORMER = Path(__file__).parent / "former"
+"""The examples of kinds of version 0.2, which other kinds answer today."""
 STUDIES = Path(__file__).parents[2] / "examples" / "studies"
 REARRANGED, MARGIN, RESIDUAL = 1e-12, 10.0, 1e-5
 KEPT = 4
@@ -242,6 +244,7 @@ def questions() -> dict[str, list[Callable[[], Found]]]:
     asked: dict[str, list[Callable[[], Found]]] = {
         f"example/{kind}": [functools.partial(example, kind)] for kind in CATALOGUE["problem"]
     }
+    asked |= {f"example/{path.stem}": [functools.partial(study, path)] for path in sorted(FORMER.glob("*.toml"))}
     for path in sorted(STUDIES.rglob("*.toml")):
         asked[f"study/{path.relative_to(STUDIES).as_posix()}"] = [functools.partial(study, path)]
     asked |= {f"case/{path.stem}": [functools.partial(study, path)] for path in case_files()}

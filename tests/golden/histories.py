@@ -226,10 +226,10 @@ BY_FORCES = ("shear", "torque")
 
 
 def slip_groups(
-    problem: Problem, media: str, laterals: str, controls: list[str] = CONTROLS, **more: Any
+    problem: Problem, media: str, laterals: str, controls: list[str] = CONTROLS, name: str = "", **more: Any
 ) -> dict[str, Any]:
     return {
-        f"{problem.__name__}/{medium}/{control.format(lateral)}": functools.partial(
+        f"{name or problem.__name__}/{medium}/{control.format(lateral)}": functools.partial(
             pushed, problem, medium, control.format(lateral), **more
         )
         for medium, lateral, control in product(media.split(), laterals.split(), controls)
@@ -247,9 +247,9 @@ STEADY = CONTROLS[:2]
 GROUPS: dict[str, Callable[[int], Any]] = {
     **slip_groups(wk.Tangential, "half_space power_law", "shift shear"),
     **slip_groups(wk.Tangential, "transverse", "shift", STEADY),
-    **slip_groups(wk.Tangential, "coated", "shift", STEADY[:1]),
-    **slip_groups(wk.CoatedTangential, "coated", "shift shear"),
-    **slip_groups(wk.CoatedTangential, "stacked film", "shift shear", STEADY),
+    **slip_groups(wk.Tangential, "coated", "shift", STEADY[:1], method=wk.Method.SPRINGS),
+    **slip_groups(wk.Tangential, "coated", "shift shear", name="CoatedTangential"),
+    **slip_groups(wk.Tangential, "stacked film", "shift shear", STEADY, name="CoatedTangential"),
     **slip_groups(wk.ViscoelasticTangential, "relaxing", "shift", CONTROLS[1:3], count=50, tolerance=1e-4),
     **slip_groups(wk.ViscoelasticTangential, "relaxing", "shear", CONTROLS[1::2], count=50, tolerance=1e-4),
     **slip_groups(wk.Torsion, "half_space transverse coated stacked", "angle torque", STEADY),

@@ -83,6 +83,7 @@ GIVEN: dict[str, Any] = {
     "surface_rolling_heating.first_bulk_temperature": 10.0,
     "surface_rolling_heating.second_bulk_temperature": 10.0,
     "surface_tangential.twist": wk.Angle(1e-4),
+    "tangential.method": wk.Method.SPRINGS,
     "thermal_joint.jump_distance": 1e-7,
     "transient_heating.partition": wk.FixedShare(0.2),
     "viscoelastic_adhesion.machine_stiffness": 1e3,

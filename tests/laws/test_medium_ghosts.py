@@ -59,7 +59,6 @@ PROBLEMS = {
     "AdhesiveIndentation, Dugdale": lambda bed: wk.AdhesiveIndentation(bed, FAR, LOAD),
     "AdhesiveShear": lambda bed: wk.AdhesiveShear(bed, SHORT, LOAD, STUCK),
     "BimodalDamping": lambda bed: wk.BimodalDamping(bed, MU, 0.02, 0.002, 0.001),
-    "CoatedTangential": lambda bed: wk.CoatedTangential(bed, MU, PUSH),
     "ConductanceBounds": lambda bed: wk.ConductanceBounds(bed, WIRES, 1e-4, 0.005),
     "Constriction": lambda bed: wk.Constriction(bed, WIRES, LOAD),
     "ContactLaw": lambda bed: wk.ContactLaw(bed, 0.02),
@@ -86,6 +85,7 @@ PROBLEMS = {
     "SlidingWear": lambda bed: wk.SlidingWear(bed, wk.Archard(1e-3), LOAD, [0.0, 1.0], count=30, tolerance=1e-2),
     "SpringMarch": lambda bed: wk.SpringMarch(bed, MU, PUSH, count=40),
     "Tangential": lambda bed: wk.Tangential(bed, MU, PUSH),
+    "Tangential, springs": lambda bed: wk.Tangential(bed, MU, PUSH, wk.Method.SPRINGS),
     "ThermalConstriction": lambda bed: wk.ThermalConstriction(bed, STEEL, LOAD, 1.0),
     "Torsion": lambda bed: wk.Torsion(bed, MU, TWIST),
     "TransientHeating": lambda bed: wk.TransientHeating(bed, MU, LOAD, STEEL, 3e-5, [1.0]),
@@ -148,10 +148,7 @@ QUICK = {
 }
 LONG = {
     *((name, medium) for name in ("YieldOnset", "YieldOnset, sliding", "AdhesiveImpact") for medium in MEDIA),
-    *(
-        (name, "grading")
-        for name in ("AdhesiveShear", "BimodalDamping", "CoatedTangential", "Impact", "LimitingProfile")
-    ),
+    *((name, "grading") for name in ("AdhesiveShear", "BimodalDamping", "Impact", "LimitingProfile", "Tangential")),
     *((name, "coating") for name in ("FrictionHeating", "Impact", "SpringMarch")),
     *(("AdhesiveIndentation, Dugdale", medium) for medium in ("stack", "grading")),
 }
@@ -177,7 +174,7 @@ def test_a_medium_of_no_class_gives_the_same_numbers_or_the_same_refusal(name, m
 
 BONDED = wk.StackedHalfSpace([wk.StackLayer(SOLID, 0.2)], BASE, wk.Elastic(5.0, 0.2))
 QUICK_ON_STACK = ("FrictionDamping", "Tangential", "Indentation")
-SLOW_ON_STACK = ("AdhesiveShear", "CoatedTangential", "FrettingWear", "Rolling", "SlidingWear", "Torsion")
+SLOW_ON_STACK = ("AdhesiveShear", "FrettingWear", "Rolling", "SlidingWear", "Torsion")
 
 
 @pytest.mark.parametrize(

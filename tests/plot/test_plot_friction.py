@@ -89,7 +89,7 @@ ITEMS = {
         4,
     ),
     "pushed on a coating": (
-        lambda: wk.CoatedTangential(
+        lambda: wk.Tangential(
             wk.Foundation(wk.Paraboloid(0.01), wk.CoatedHalfSpace([wk.Layer(STEEL, 1e-4)], on=wk.Elastic(70e9, 0.3))),
             MU,
             Path([0.0, 1.0], wk.Depth([DEPTH, DEPTH]), wk.Shift([0.0, 1e-7])),

@@ -105,7 +105,7 @@ def test_a_cycle_ends_where_it_began_in_the_same_direction(name):
 def test_rings_on_equal_layers_lose_what_the_half_space_loses():
     path = wk.Path.through(wk.Force(LOAD), wk.Shift([0.0, 4e-7, -4e-7, 4e-7]))
     layers = wk.CoatedHalfSpace([wk.Layer(STEEL, 5e-5)], STEEL, STEEL)
-    rings = wk.CoatedTangential(wk.Foundation(wk.Paraboloid(10e-3), layers), wk.Coulomb(MU), path).solve()
+    rings = wk.Tangential(wk.Foundation(wk.Paraboloid(10e-3), layers), wk.Coulomb(MU), path).solve()
     gap = wk.Tangential(BALL, wk.Coulomb(MU), path).solve()
     assert rings.loss_per_cycle == pytest.approx(gap.loss_per_cycle, rel=1e-3)
     assert rings.secant_stiffness == pytest.approx(gap.secant_stiffness, rel=1e-4)

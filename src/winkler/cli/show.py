@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from winkler.cli.options import completion
-from winkler.cli.streams import until_closed, write_json
+from winkler.cli.streams import until_closed, write_json, write_line
 
 if TYPE_CHECKING:
     from winkler.study.finding.finding import SearchResult
@@ -85,9 +85,12 @@ def show(
     """
     from winkler.cli import materials, show_fit, show_map, show_nanoindentation
     from winkler.errors import InvalidInput
-    from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
+    from winkler.study.language.catalogue import CATALOGUE, FORMER, REFUSED, kinds
 
     name = " ".join(words or ())
+    if name in FORMER and not as_json:
+        write_line(f'{name} is a kind of version 0.2: studies with it still run; write kind = "{FORMER[name]}".')
+    name = FORMER.get(name, name)
     options = show_map.MapOptions(
         unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along
     )

@@ -10,7 +10,6 @@ from winkler.plot.drawing import draw
 from winkler.plot.fitting import curve_events, nanoindentation, unloading  # noqa: F401
 from winkler.plot.fitting import examined as examined_fits  # noqa: F401
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
-from winkler.plot.friction import coated as coated_friction  # noqa: F401
 from winkler.plot.friction import damping  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
 from winkler.plot.heating import ellipses, heating, strips  # noqa: F401

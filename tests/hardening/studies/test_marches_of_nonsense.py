@@ -21,7 +21,6 @@ MARCHES = [name for name, line in kinds().items() if hasattr(line.cls, "steps")]
 SIZES = (1e200, 1e59, 1e30, 1e-30, 1e-59, 1e-200, 1e-308)
 STATES = 5
 SLOW = (
-    "coated_tangential",
     "impact",
     "adhesive_impact",
     "viscoelastic_adhesion",

@@ -24,7 +24,7 @@ def pushed(medium, parts=PARTS):
     bed = wk.Foundation(BALL, medium)
     contact = wk.Indentation(bed, wk.Depth(D)).solve()
     unit = MU * float(contact.force) / float(medium.punch_shear_stiffness(np.array(float(contact.radius))))
-    return wk.CoatedTangential(bed, wk.Coulomb(MU), wk.Path.through(wk.Depth(D), wk.Shift(unit * np.array(parts))))
+    return wk.Tangential(bed, wk.Coulomb(MU), wk.Path.through(wk.Depth(D), wk.Shift(unit * np.array(parts))))
 
 
 @functools.cache
@@ -91,7 +91,7 @@ def test_a_grading_slips_as_ever_thinner_layers():
         young = 3.0 - 2.0 * np.exp(-0.5 * (depth[1:] + depth[:-1]) / 0.1)
         layers = [wk.Layer(wk.Elastic(e, 0.3), h) for e, h in zip(young, np.diff(depth), strict=True)]
         bed = wk.Foundation(BALL, wk.StackedHalfSpace(layers, on=wk.Elastic(3.0, 0.3)))
-        loop = wk.CoatedTangential(bed, wk.Coulomb(MU), found.problem.path).solve()
+        loop = wk.Tangential(bed, wk.Coulomb(MU), found.problem.path).solve()
         known.append(np.append(loop.shear_force[1:], loop.dissipation[-1] / found.shift[1]))
     wanted = np.append(found.shear_force[1:], found.dissipation[-1] / found.shift[1])
     missed = [np.max(np.abs(each / wanted - 1.0)) for each in known]
@@ -134,7 +134,7 @@ def test_no_history_gains_energy(solve, seed):
     depths = np.concatenate([[D], D * random.uniform(0.6, 1.0, 4), [D]])
     varied = wk.Path(np.arange(6.0), wk.Depth(depths), wk.Shift(np.concatenate([[0.0], moves[:4], [0.0]])))
     for path in (steady, varied):
-        loop = wk.CoatedTangential(problem.bed, problem.law, path).solve()
+        loop = wk.Tangential(problem.bed, problem.law, path).solve()
         most = np.max(np.abs(loop.work))
         assert np.all(np.diff(loop.dissipation) >= -1e-12 * most)
         missed = loop.work - loop.stored_energy - loop.dissipation
@@ -159,7 +159,7 @@ def test_a_loop_as_by_boundary_elements(solve):
 @pytest.mark.parametrize("solve", [on_weave, pytest.param(on_grading, marks=pytest.mark.slow)])
 def test_damping_and_heat_are_those_of_the_loop(solve):
     bed, unit = solve().problem.bed, float(solve().shift[1])
-    loop = wk.CoatedTangential(
+    loop = wk.Tangential(
         bed, wk.Coulomb(MU), wk.Path.through(wk.Depth(D), wk.Shift(unit * np.array([0.0, 1.0, -1.0, 1.0])))
     )
     lost = np.diff(loop.solve().dissipation[[1, 3]])[0]
@@ -185,7 +185,7 @@ def test_what_is_refused():
     path = wk.Path.through(wk.Depth(D), wk.Shift([0.0, 1e-4]))
     sliding = wk.StackedHalfSpace([wk.StackLayer(GLASS, 0.02, False)], on=SOFT)
     with pytest.raises(wk.OutsideValidity, match="layer 1 slides on what lies below it and bears no shear"):
-        wk.CoatedTangential(wk.Foundation(BALL, sliding), wk.Coulomb(MU), path)
+        wk.Tangential(wk.Foundation(BALL, sliding), wk.Coulomb(MU), path)
     power = wk.GradedHalfSpace.between(wk.PowerLawGraded(2.6, 0.5, exponent=0.3, poisson=0.3))
-    with pytest.raises(wk.OutsideValidity, match=r"is a GradedHalfSpace.*use Tangential, on springs"):
-        wk.CoatedTangential(wk.Foundation(BALL, power), wk.Coulomb(MU), path)
+    with pytest.raises(wk.OutsideValidity, match=r"is a GradedHalfSpace.*leave the method out, or give springs"):
+        wk.Tangential(wk.Foundation(BALL, power), wk.Coulomb(MU), path, wk.Method.RINGS)

@@ -58,7 +58,7 @@ RINGS = pytest.param("rings", marks=SLOW)
 def test_rings_of_equal_layers_as_springs_by_gap(seed, normal, lateral):
     path = path_of(seed, normal, lateral)
     exact = wk.Tangential(wk.Foundation(BALL, HALF), wk.Coulomb(MU), path).solve()
-    rings = wk.CoatedTangential(wk.Foundation(BALL, LAYERS), wk.Coulomb(MU), path).solve()
+    rings = wk.Tangential(wk.Foundation(BALL, LAYERS), wk.Coulomb(MU), path).solve()
     assert max(missed(rings, exact).values()) < POINTS * CURVED_STEP_TOLERANCE
 
 
@@ -77,7 +77,7 @@ def test_a_history_to_the_other_side_bears_and_loses_the_same(seed, kind):
     path = path_of(seed, wk.Force, wk.Shift)
     other = wk.Path(path.time, path.normal, wk.Shift(-path.along))
     bed = wk.Foundation(BALL, LAYERS if kind == "rings" else HALF)
-    march = {"gap": wk.Tangential, "rings": wk.CoatedTangential, "springs": SpringMarch}[kind]
+    march = SpringMarch if kind == "springs" else wk.Tangential
     one, two = (march(bed, wk.Coulomb(MU), each).solve() for each in (path, other))
     np.testing.assert_allclose(two.shear_force, -one.shear_force, rtol=1e-12, atol=1e-14)
     np.testing.assert_allclose(two.dissipation, one.dissipation, rtol=1e-12)
@@ -94,8 +94,7 @@ def test_points_in_between_change_nothing_beyond_the_stated_error(seed, kind):
         wk.ShearForce(np.interp(fine, path.time, path.along)),
     )
     bed = wk.Foundation(BALL, LAYERS if kind == "rings" else HALF)
-    march = wk.CoatedTangential if kind == "rings" else wk.Tangential
-    one, two = (march(bed, wk.Coulomb(MU), each).solve() for each in (path, split))
+    one, two = (wk.Tangential(bed, wk.Coulomb(MU), each).solve() for each in (path, split))
     for name, scale in scales(one).items():
         apart = np.max(np.abs(getattr(one, name) - getattr(two, name)[::3])) / scale
         assert apart < 10 * CURVED_STEP_TOLERANCE, name

@@ -59,7 +59,7 @@ def test_partial_slip_by_least_energy_inside_the_stick_zone(name, order):
     stiffness = bed.medium.punch_torsional_stiffness if order else bed.medium.punch_shear_stiffness
     motion = 0.8 * MU * force * a**order / float(stiffness(np.array([a]))[0])
     path, law = steady(bed, wk.Coulomb(MU), [0.0, motion], wk.Angle if order else wk.Shift)
-    found = (wk.Torsion if order else wk.CoatedTangential)(bed, law, path).solve().at(1)
+    found = (wk.Torsion if order else wk.Tangential)(bed, law, path).solve().at(1)
     assert 0.2 < found.stick_radius / a < 0.95
     stack = Stack(*LAYERS[name], longest_disc=a)
     want = sliding_disc(stack, smooth_pressure(bed, contact), a, found.stick_radius, order)
@@ -70,7 +70,7 @@ def test_partial_slip_by_least_energy_inside_the_stick_zone(name, order):
 
 @pytest.mark.few(1)
 @pytest.mark.parametrize("name", LAYERS)
-@pytest.mark.parametrize("problem", [wk.Torsion, wk.CoatedTangential])
+@pytest.mark.parametrize("problem", [wk.Torsion, wk.Tangential])
 def test_rings_that_slide_bear_their_own_pressure_and_others_less(name, problem):
     bed, twist = wk.Foundation(BALL, coated(name)), problem is wk.Torsion
     contact, a, force = pressed(bed)
@@ -103,7 +103,7 @@ def test_a_layer_of_the_same_solid_twists_and_slips_as_a_half_space():
         np.testing.assert_allclose(first, other, rtol=1e-7, atol=1e-9 * np.max(other))
     shift = wk.Shift(MU * force / (2.0 * same.medium.shear_modulus * a) * np.array([0.0, 0.4, 1.2, -0.3]))
     path = wk.Path(np.arange(4.0), load, shift)
-    first = wk.CoatedTangential(same, wk.Coulomb(MU), path).solve()
+    first = wk.Tangential(same, wk.Coulomb(MU), path).solve()
     other = wk.Tangential(plain, wk.Coulomb(MU), path).solve()
     np.testing.assert_allclose(first.shear_force, other.shear_force, rtol=2e-5)
 
@@ -161,8 +161,8 @@ def test_springs_of_similar_kernels_miss_the_slip_on_a_hard_coating():
     _, a, force = pressed(bed)
     shift = 1.2 * MU * force / float(bed.medium.punch_shear_stiffness(np.array([a]))[0])
     path, law = steady(bed, wk.Coulomb(MU), [0.0, shift], wk.Shift)
-    right = wk.CoatedTangential(bed, law, path).solve()
-    scaled = wk.Tangential(bed, law, path).solve()
+    right = wk.Tangential(bed, law, path).solve()
+    scaled = wk.Tangential(bed, law, path, wk.Method.SPRINGS).solve()
     missed = float(scaled.shear_force[1] - right.shear_force[1]) / (MU * force)
     assert -0.25 < missed < -0.05
     note = next(note for note in right.validity if "softer than without" in note.statement)
@@ -174,7 +174,7 @@ def test_a_force_of_all_friction_slides_as_on_a_half_space(force):
     steel, most = wk.Elastic(210e9, 0.3), MU * 0.05
     path = wk.Path([0.0, 1.0, 2.0], wk.Force(force), wk.ShearForce([0.0, most, -most]))
     coating = wk.CoatedHalfSpace([wk.Layer(steel, 2e-6)], on=steel)
-    layers = wk.CoatedTangential(wk.Foundation(wk.Paraboloid(1e-3), coating), wk.Coulomb(MU), path).solve()
+    layers = wk.Tangential(wk.Foundation(wk.Paraboloid(1e-3), coating), wk.Coulomb(MU), path).solve()
     alike = wk.Tangential(wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(steel)), wk.Coulomb(MU), path).solve()
     np.testing.assert_allclose(layers.shear_force, alike.shear_force, rtol=1e-11)
     np.testing.assert_allclose(layers.shift, alike.shift, rtol=1e-7)
@@ -186,12 +186,12 @@ def test_what_is_refused():
     bed = wk.Foundation(BALL, coated("hard"))
     plane = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.Shift([[0.0, 0.0], [1e-6, 1e-6]]))
     with pytest.raises(wk.InvalidInput, match="along one line"):
-        wk.CoatedTangential(bed, wk.Coulomb(MU), plane)
+        wk.Tangential(bed, wk.Coulomb(MU), plane, wk.Method.RINGS)
     line = wk.Path([0.0, 1.0], wk.Depth([D, D]), wk.ShearForce([0.0, 1.0]))
-    with pytest.raises(wk.OutsideValidity, match="use Tangential, on springs, for other media"):
-        wk.CoatedTangential(wk.Foundation(BALL, wk.HalfSpace.between(SOLID)), wk.Coulomb(MU), line)
+    with pytest.raises(wk.OutsideValidity, match="leave the method out, or give springs, for other media"):
+        wk.Tangential(wk.Foundation(BALL, wk.HalfSpace.between(SOLID)), wk.Coulomb(MU), line, wk.Method.RINGS)
     with pytest.raises(wk.OutsideValidity, match="the shear force of 1 N exceeds what friction bears"):
-        wk.CoatedTangential(bed, wk.Coulomb(MU), line).solve()
+        wk.Tangential(bed, wk.Coulomb(MU), line).solve()
     thin = wk.CoatedHalfSpace([wk.Layer(SOLID, 1e-5)], on=wk.Elastic(26.0, 0.3))
     with pytest.raises(wk.OutsideValidity, match="too wide against the length"):
         twist_bound(wk.Foundation(BALL, thin), MU, 0.03, False)

@@ -35,7 +35,7 @@ def test_a_ball_that_never_touches_bears_nothing_in_all_units():
         layer = wk.Layer(wk.Elastic(1.0, 0.3), 0.1 * size)
         bed = wk.Foundation(wk.Paraboloid(size), wk.CoatedHalfSpace([layer], on=wk.Elastic(0.1, 0.3)))
         path = wk.Path(time, wk.Force(np.zeros(3)), wk.Shift(1e-3 * size * np.array([0.0, 1.0, -1.0])))
-        moved = wk.CoatedTangential(bed, wk.Coulomb(MU), path).solve()
+        moved = wk.Tangential(bed, wk.Coulomb(MU), path).solve()
         assert not any(each.any() for each in (moved.shear_force, moved.radius, moved.dissipation))
 
 
@@ -97,7 +97,7 @@ def test_a_loop_as_by_boundary_elements_on_the_layer(ratio):
     radius, friction = float(contact.radius), MU * float(contact.force)
     unit = friction / float(bed.medium.punch_shear_stiffness(np.array([radius]))[0])
     path = wk.Path.through(wk.Depth(D), wk.Shift(unit * np.array([0.0, 0.5, 1.0, 0.3, -0.6, 0.4])))
-    rings = wk.CoatedTangential(bed, wk.Coulomb(MU), path).solve()
+    rings = wk.Tangential(bed, wk.Coulomb(MU), path).solve()
     assert np.min(rings.stick_radius) < 0.65 * radius
     topography = wk.SampledProfile([2.6 * radius] * 2, BALL, (97, 97))
     pixels = wk.SurfaceTangential(topography, bed.medium, wk.Coulomb(MU), path).solve()
@@ -110,7 +110,7 @@ def test_damping_on_a_coating_is_that_of_its_loop():
     contact = wk.Indentation(bed, wk.Depth(D)).solve()
     shift = MU * float(contact.force) / float(bed.medium.punch_shear_stiffness(contact.radius))
     path = wk.Path.through(wk.Depth(D), wk.Shift(shift * np.array([0.0, 1.0, -1.0, 1.0])))
-    loop = wk.CoatedTangential(bed, law, path).solve()
+    loop = wk.Tangential(bed, law, path).solve()
     swing = wk.FrictionDamping(bed, law, wk.Depth(D), wk.Shift([0.0, shift])).solve()
     assert swing.loss_per_cycle[1] == pytest.approx(loop.dissipation[3] - loop.dissipation[1], rel=1e-12)
     assert swing.shear_force[1] == pytest.approx(loop.shear_force[1], rel=1e-12)

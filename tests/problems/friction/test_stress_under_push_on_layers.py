@@ -16,9 +16,9 @@ def coated(young, second=RIGID):
     return wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young, 0.3), H)], on=STEEL, second=second)
 
 
-def pushed(kind, medium, turns=(0.0, 2e-7, -1e-7, 0.0)):
+def pushed(medium, turns=(0.0, 2e-7, -1e-7, 0.0)):
     path = wk.Path(np.arange(float(len(turns))), wk.Depth(1e-6), wk.Shift(list(turns)))
-    return kind(wk.Foundation(wk.Paraboloid(10e-3), medium), wk.Coulomb(MU), path).solve()
+    return wk.Tangential(wk.Foundation(wk.Paraboloid(10e-3), medium), wk.Coulomb(MU), path).solve()
 
 
 def around(radius, count=30):
@@ -29,7 +29,7 @@ def around(radius, count=30):
 @pytest.mark.few(1)
 @pytest.mark.parametrize("index", [1, 2, 3])
 def test_layers_of_one_solid_are_a_half_space(index):
-    one, two = pushed(wk.CoatedTangential, coated(210e9)), pushed(wk.Tangential, wk.HalfSpace(STEEL))
+    one, two = pushed(coated(210e9)), pushed(wk.HalfSpace(STEEL))
     places = around(one.radius[0])
     found, wanted = (wk.restore_body(solution.at(index), *places) for solution in (one, two))
     for name in (*NAMES, *MOVED):
@@ -54,7 +54,7 @@ ANGLES = 0.25 * np.pi * np.arange(8)
 @pytest.mark.parametrize(("young", "index"), [(2.1e12, 2), (21e9, 2)])
 def test_a_cylinder_cut_out_of_the_stack_is_in_balance(young, index):
     """What friction drags on its top passes through its wall and its bottom; the bottom lies in the base."""
-    state = pushed(wk.CoatedTangential, coated(young)).at(index)
+    state = pushed(coated(young)).at(index)
     radius, bottom = 1.3 * state.radius, 1.4 * H
     along, across = np.cos(ANGLES), np.sin(ANGLES)
     below = 0.0
@@ -72,7 +72,7 @@ def test_a_cylinder_cut_out_of_the_stack_is_in_balance(young, index):
 
 
 def test_the_surface_bears_the_traction_and_the_other_body_its_opposite():
-    state = pushed(wk.CoatedTangential, coated(60e9, wk.Elastic(70e9, 0.2))).at(2)
+    state = pushed(coated(60e9, wk.Elastic(70e9, 0.2))).at(2)
     x = np.array([-0.9, -0.3, 0.2, 0.6, 0.97, 1.4]) * state.radius
     traction = state.traction(np.abs(x))
     first, second = (wk.restore_body(state, x, 0.0, z) for z in (0.0, -1e-12 * state.radius))
@@ -88,7 +88,7 @@ def test_the_surface_bears_the_traction_and_the_other_body_its_opposite():
 
 def test_where_all_slides_the_stress_is_that_of_the_pressure_dragged():
     medium = coated(600e9)
-    state = pushed(wk.CoatedTangential, medium, (0.0, 1e-5)).at(1)
+    state = pushed(medium, (0.0, 1e-5)).at(1)
     assert state.stick_radius == 0.0
     x, y, z = around(state.radius)
     found = wk.restore_body(state, x, y, z)
@@ -102,7 +102,7 @@ def test_where_all_slides_the_stress_is_that_of_the_pressure_dragged():
 
 
 def test_the_traction_near_the_axis_is_that_on_it():
-    state = pushed(wk.CoatedTangential, coated(2.1e12)).at(2)
+    state = pushed(coated(2.1e12)).at(2)
     r = np.append(0.0, np.geomspace(1e-8, 1e-4, 40)) * state.radius
     assert state.traction(r) == pytest.approx(state.traction(np.zeros(1))[0], rel=1e-6)
 
@@ -111,7 +111,7 @@ def test_the_traction_near_the_axis_is_that_on_it():
 def test_the_stress_on_the_axis_is_that_beside_it(index):
     """What the tables of layers leave of a slope at the axis is no apex."""
     layer = wk.Layer(wk.Elastic(420e9, 0.25), 50e-6)
-    state = pushed(wk.CoatedTangential, wk.CoatedHalfSpace([layer], on=STEEL), (0.0, 3e-7, 1e-7)).at(index)
+    state = pushed(wk.CoatedHalfSpace([layer], on=STEEL), (0.0, 3e-7, 1e-7)).at(index)
     field = wk.restore_body(state, np.array([0.0, 1e-3]) * state.radius, 0.0, 0.0)
     assert field.von_mises[0] == pytest.approx(field.von_mises[1], rel=1e-3)
     cone = wk.Indentation(wk.Foundation(wk.Cone(1.4), wk.HalfSpace(STEEL)), wk.Depth(1e-6)).solve()
@@ -122,7 +122,7 @@ def test_the_stress_on_the_axis_is_that_beside_it(index):
 def test_the_greatest_stress_and_its_picture():
     from winkler.plot import draw
 
-    state = pushed(wk.CoatedTangential, coated(2.1e12)).at(1)
+    state = pushed(coated(2.1e12)).at(1)
     peak = wk.peak_stress(state)
     assert peak.z == H  # the stiff layer bends: its lower face bears more than its surface at the edge behind
     assert abs(peak.x) < 0.2 * state.radius

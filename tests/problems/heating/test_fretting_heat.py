@@ -104,7 +104,7 @@ def test_what_is_refused():
 
 def coated(solid, path, thickness=50e-6):
     bed = wk.Foundation(wk.Paraboloid(10e-3), wk.CoatedHalfSpace([wk.Layer(solid, thickness)], on=STEEL, second=STEEL))
-    return wk.FrettingHeat(wk.CoatedTangential(bed, wk.Coulomb(MU), path), 50.0, PAIR).solve()
+    return wk.FrettingHeat(wk.Tangential(bed, wk.Coulomb(MU), path), 50.0, PAIR).solve()
 
 
 @pytest.mark.parametrize("young", [pytest.param(420e9, marks=pytest.mark.slow), 42e9], ids=["hard", "soft"])

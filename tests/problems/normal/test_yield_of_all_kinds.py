@@ -58,7 +58,7 @@ ON_MAPS = {
     "surface_rolling_heating", "surface_rolling_start", "surface_tangential",
 }  # fmt: skip
 """Whose stresses take a second; those of one of them are computed by default."""
-LATER = (LASTING | ON_MAPS | {"coated_tangential", "profile_pair_rolling", "seal"}) - {"surface_contact"}
+LATER = (LASTING | ON_MAPS | {"profile_pair_rolling", "seal"}) - {"surface_contact"}
 TINY, HUGE = 1e-3, 1e60
 
 

@@ -42,9 +42,9 @@ def test_layers_that_change_nothing_wear_as_none(medium):
 
 @BOTH
 def test_a_cycle_before_wear_is_that_of_rings_without_a_grid(medium):
-    """Those of CoatedTangential, on panels: errors fall with the square of the cells."""
+    """Those of Tangential, on panels: errors fall with the square of the cells."""
     path = wk.Path.through(DEPTH, wk.Shift([0.0, SWING.shift, -SWING.shift, SWING.shift]))
-    rings = wk.CoatedTangential(wk.Foundation(BALL, medium), wk.Coulomb(MU), path).solve()
+    rings = wk.Tangential(wk.Foundation(BALL, medium), wk.Coulomb(MU), path).solve()
     loss = rings.dissipation[3] - rings.dissipation[1]
     for count, close in ((40, 4e-3), (160, 2.5e-4)):
         state = next(fretting(medium, count=count).steps())
@@ -71,7 +71,7 @@ def test_a_core_that_shrinks_ends_where_it_sticks_as_it_bears_alone():
     pressure = SOFT.punch_pressure(close, c) * (DEPTH.depth - bed.gap(c))
     flat = wk.Foundation(wk.FlatPunch(float(c[0])), SOFT)
     path = wk.Path([0.0, 1.0], wk.Depth(1.0), wk.Shift([0.0, SWING.shift]))
-    stuck = wk.CoatedTangential(flat, wk.Coulomb(10.0), path).solve().states[1]
+    stuck = wk.Tangential(flat, wk.Coulomb(10.0), path).solve().states[1]
     assert stuck.stick_radius == pytest.approx(float(c[0]))
     assert float(stuck.traction(close)[0] / pressure[0]) == pytest.approx(MU, rel=1e-3)
     worn = fretting(SOFT, cycles=np.array([0.0, 2e7]), count=60).solve()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
-from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.catalogue import CATALOGUE, FORMER
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
@@ -249,12 +250,12 @@ def test_paths_in_the_plane_have_two_columns_for_each_load():
 FRICTION = ("tangential", "torsion", "friction_damping", "bimodal_damping", "relaxation_damper", "impact")
 
 
-@pytest.mark.parametrize("name", [*FRICTION, "coated_tangential", "adhesive_impact", "elastic_plastic_particle"])
+@pytest.mark.parametrize("name", [*FRICTION, "adhesive_impact", "elastic_plastic_particle"])
 def test_every_kind_is_cited_described_and_has_formulas(name):
     problem = build(example_study(name)["problem"])
     study = Study("", problem)
     assert len(cite(problem)) >= 3
-    if name in (*FRICTION, "coated_tangential"):
+    if name in FRICTION:
         for one in formulas_of(problem):
             assert formula(one.latex).startswith("<math")
         assert len(formulas_of(problem)) >= 4
@@ -331,3 +332,28 @@ def test_the_command_states_what_an_interrupted_march_stored(tmp_path, monkeypat
     message = capsys.readouterr().err.splitlines()[-1]
     assert message == f"winkler: interrupted; the points that were reached are kept in {folder}."
     assert len((folder / "results.csv").read_text(encoding="utf-8").splitlines()) >= 4
+
+
+def test_a_method_is_a_word_of_a_study():
+    by_springs = dataclasses.replace(RUBBED, method=wk.Method.SPRINGS)
+    assert unbuild(by_springs)["method"] == "springs"
+    assert build(unbuild(by_springs)) == by_springs
+    assert "method" not in unbuild(RUBBED)
+    with pytest.raises(
+        wk.InvalidInput, match=r"problem.method is 'ring' \(did you mean 'rings'\?\); give one of auto,"
+    ):
+        build({**unbuild(RUBBED), "method": "ring"})
+
+
+FORMER_EXAMPLES = Path(__file__).parents[2] / "golden" / "former"
+
+
+@pytest.mark.parametrize("kind", FORMER)
+def test_a_study_of_a_former_kind_is_that_of_today(kind, capsys):
+    """Its numbers are those of before: tests/golden holds them."""
+    text = (FORMER_EXAMPLES / f"{kind}.toml").read_text(encoding="utf-8")
+    assert f'kind = "{kind}"' in text
+    assert parse_study(text).problem == parse_study(text.replace(f'"{kind}"', f'"{FORMER[kind]}"')).problem
+    assert main(["show", kind]) == 0
+    said = capsys.readouterr().out
+    assert f'{kind} is a kind of version 0.2: studies with it still run; write kind = "{FORMER[kind]}".' in said

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from typing import Any
 
@@ -35,6 +36,7 @@ from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel, in_first
 from winkler.plot.panel import NO_CONTACT, Line, Panel, PanelAxis, Sheet, note, titled, zero
 from winkler.plot.series import Series, headline, places, scale_of, series, with_unit
+from winkler.problems.friction.pushed import PushedState
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
 from winkler.problems.friction.tangential_states import TangentialState
@@ -44,6 +46,7 @@ from winkler.problems.friction.torsion_states import TorsionState
 __all__ = [
     "ENERGY_NAMES",
     "body_sheet",
+    "pushed_state_sheet",
     "ring_panel",
     "sheared_sheet",
     "tangential_sheet",
@@ -54,6 +57,7 @@ __all__ = [
 
 RADII_DRAWN = 1.35
 """Extent of the picture of a traction in contact radii."""
+TRACTION = r"$\tau$"
 ENERGY_NAMES = {"dissipation": "lost", "stored_energy": "stored"}
 
 
@@ -67,13 +71,15 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
     """
     touching = np.flatnonzero(item.radius > 0.0)
     last = int(touching[-1]) if touching.size else 0
-    sheared = _sheared(item, last) if touching.size else None
     panels: tuple[Panel, ...] = (
         _path_panel(item),
         _forces_panel(item).plus(title="forces over time"),
         energies_panel(item, ENERGY_NAMES).plus(title="energy of the tangential motion"),
     )
-    if sheared:
+    reached = item.states[last] if touching.size else None
+    if isinstance(reached, PushedState):
+        return Sheet((*panels, ring_panel(reached, TRACTION).plus(title="traction along the motion")), 2, height=3.2)
+    if reached and (sheared := _sheared(reached)):
         stick, radius = float(item.stick_radius[last]), sheared.pressed.radius
         fields = around_contact(sheared, RADII_DRAWN * radius)
         below = (
@@ -84,6 +90,18 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
         when = "" if last == len(item.time) - 1 else " (last contact)"
         panels += titled(below, *(name + when for name in ("springs", "traction", "displacement, slip")))
     return Sheet(panels, 3, width=3.9)
+
+
+@without_extent(PushedState)
+def pushed_state_sheet(item: PushedState) -> Sheet:
+    """Return the traction of a pushed contact, and where it can be computed the stress below it."""
+    panels = [(ring_panel(item, TRACTION) if item.radius > 0.0 else NO_CONTACT).plus(title="traction along the motion")]
+    with contextlib.suppress(OutsideValidity):
+        if item.radius > 0.0:
+            below = dragged_stress_panel(item, item.radius, RADII_DRAWN * item.radius)
+            panels.append(below.plus(title="stress below the surface"))
+    title = f"{headline(item)}   $F_x$ = {with_unit(item.shear_force, 'N')}"
+    return Sheet(tuple(panels), len(panels), width=5.0, title=title)
 
 
 @sheet_of.register(TangentialState)
@@ -211,10 +229,10 @@ def _coefficient(law: Any) -> float:
     return law.coefficient if isinstance(law, Coulomb) else math.inf
 
 
-def _sheared(item: TangentialSolution, index: int) -> ShearedSprings | None:
+def _sheared(reached: TangentialState | SpringState) -> ShearedSprings | None:
     """Return the springs at one point; None if tractions cannot be restored."""
     try:
-        state = item.at(index).sheared
+        state = reached.sheared
         refuse_unless_round(state.pressed, "draw", "the traction")
         state.pressed.bed.medium.pressure(state.pressed, np.array([0.5 * state.pressed.radius]))
     except OutsideValidity:

@@ -102,7 +102,7 @@ class SpringState:
             raise OutsideValidity(
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
                 f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces: "
-                "CoatedTangential restores them on bonded layers and on gradings in depth."
+                "the method rings restores them on bonded layers and on gradings in depth."
             )
         inner = self.springs.gap < self.depth
         depths = np.append(self.springs.gap[inner], self.depth)
@@ -179,9 +179,9 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
                 Standing.APPROXIMATE,
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
                 f"{100.0 * spread:.2g} %): tangential tractions then differ in shape from pressures, and a bound for "
-                "every spring is not the same as a bound for every point of the surface. Compared with "
-                "CoatedTangential, shear forces were off by up to 8 % of the friction on soft coatings, by up to 44 % "
-                "on hard ones.",
+                "every spring is not the same as a bound for every point of the surface. Compared with the method "
+                "rings, shear forces were off by up to 8 % of the friction on soft coatings, by up to 44 % on hard "
+                "ones.",
                 "tests/problems/friction/test_slip_on_layers.py; the table of docs/chapters/coatings.md",
             )
         )

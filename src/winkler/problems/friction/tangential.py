@@ -6,8 +6,9 @@ more.  In one direction the springs are not needed one by one: distinguished by 
 
 .. math:: F_x = \frac{G^*}{E^*}\int u_t\,\mathrm dK, \qquad U_t = \frac{G^*}{2E^*}\int u_t^2\,\mathrm dK .
 
-Where a prescribed force bends the step between two points it is refined.  In the plane, under other laws of friction
-and on layered media the springs march one by one (`winkler.problems.friction.spring_run`).
+Where a prescribed force bends the step between two points it is refined.  Layers and gradings answer to shear otherwise
+than to pressure; there rings slide with their own kernels (`winkler.problems.friction.pushed`).  In the plane and under
+other laws of friction the springs march one by one (`winkler.problems.friction.spring_run`).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, slipping_depth, slipping_springs
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, ShearForce, Shift
@@ -27,14 +28,17 @@ from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.friction.pushed import PushedState, pushed_notes, pushed_states
 from winkler.problems.friction.spring_run import SingleSprings
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipRow
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
+from winkler.problems.method import Method
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.one_load import OfPath
+from winkler.problems.ring_slip.push_bound import layers_of_rings, pushed_body
 from winkler.problems.row import follow
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -43,6 +47,8 @@ __all__ = ["Tangential", "TangentialSolution"]
 
 SPRINGS = 400
 """How many springs there are where they are followed one by one."""
+State = TangentialState | SpringState | PushedState
+"""The contact at one point of a path, by whichever method it was followed."""
 
 
 @value
@@ -57,11 +63,17 @@ class Tangential:
         How the surfaces rub; a law of one's own has a method ``shear_bound(line_load)``.
     path : Path
         Depth or normal force, and shift or shear force, over time.
+    method : Method, optional
+        How slip is followed.  By default rings on bonded layers and gradings, springs by gap on homogeneous and
+        power-law media; in the plane, and under other laws than Coulomb's, springs one by one.
 
     Raises
     ------
     InvalidInput
-        If the path twists the bodies (use Torsion), or the law is none of friction.
+        If the path twists the bodies (use Torsion), the law is none of friction, or the method follows neither this law
+        nor paths in the plane.
+    OutsideValidity
+        If rings are asked for on another medium, or a contact that is no disc.
 
     References
     ----------
@@ -83,9 +95,14 @@ class Tangential:
     0.646447
     """
 
+    __words__ = words(
+        method=("", None, "how slip is followed"), by_rings=("", None, "whether rings are followed, not springs")
+    )
+
     bed: Bed
     law: SpringLaw
     path: Path
+    method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "cattaneo_1938", "mindlin_1949", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
@@ -97,6 +114,25 @@ class Tangential:
                 "use Torsion."
             )
         refuse_plane("Tangential", self.bed, self.path)
+        if self.method in (Method.EXACT, Method.RINGS) and not self._coulomb_line:
+            raise InvalidInput(
+                f"Tangential: the method {self.method} follows Coulomb's law on a path along one line; give the method "
+                f"{Method.SPRINGS}, which follows each law and paths in the plane."
+            )
+        if self.by_rings:
+            pushed_body(self.bed)
+
+    @property
+    def _coulomb_line(self) -> bool:
+        """Whether the path keeps to one line, under the law of Coulomb."""
+        return isinstance(self.law, Coulomb) and not self.path.in_plane
+
+    @property
+    def by_rings(self) -> bool:
+        """Whether rings are followed: those of layers and gradings, unless another method is named."""
+        if self.method is Method.AUTO:
+            return self._coulomb_line and layers_of_rings(self.bed) is not None
+        return self.method is Method.RINGS
 
     @property
     def normal(self) -> IndentationSolution:
@@ -109,36 +145,54 @@ class Tangential:
         """How many states `steps` yields: one for every point of the path."""
         return self.path.time.size
 
-    def steps(self) -> Iterator[TangentialState | SpringState]:
+    def steps(self) -> Iterator[State]:
         """Yield the contact at every point of the path.
 
         Raises
         ------
         OutsideValidity
             If friction does not bear a prescribed shear force, at that step: the states before it have been yielded.
+            If springs by gap are asked for, and their stiffnesses have no common ratio; if a contact on layers is too
+            wide against the uppermost one.
         NotConverged
             If a step that is curved by prescribed forces is too long to be followed; give more points.
         """
-        contact, bed = self.normal, slipping_springs(self.bed)
-        widest = float(np.max(contact.radius, initial=0.0))
-        ratios = stiffness_ratios(bed, widest) if widest > 0.0 else (1.0, 1.0)
-        if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
-            yield from SingleSprings("Tangential", self.bed, self.law, self.path, SPRINGS).states()
+        if self.by_rings:
+            assert isinstance(self.law, Coulomb)
+            yield from pushed_states(self.bed, self.law.coefficient, self.path)
             return
+        if self.method is not Method.SPRINGS and self._coulomb_line:
+            contact, bed = self.normal, slipping_springs(self.bed)
+            widest = float(np.max(contact.radius, initial=0.0))
+            ratios = stiffness_ratios(bed, widest) if widest > 0.0 else (1.0, 1.0)
+            if alike(ratios):
+                yield from self._by_gap(contact, ratios[1])
+                return
+            if self.method is Method.EXACT:
+                raise OutsideValidity(
+                    f"Tangential: the springs' tangential stiffness is between {ratios[0]:.4g} and {ratios[1]:.4g} of "
+                    f"their normal one, and the method {Method.EXACT} needs one ratio; give the method "
+                    f"{Method.RINGS if layers_of_rings(self.bed) is not None else Method.SPRINGS}."
+                )
+        yield from SingleSprings("Tangential", self.bed, self.law, self.path, SPRINGS).states()
+
+    def _by_gap(self, contact: IndentationSolution, ratio: float) -> Iterator[TangentialState]:
+        """Yield the contact at every point of the path, springs of one gap taken together."""
+        assert isinstance(self.law, Coulomb)
         moved = dataclasses.replace(
             contact, depth=slipping_depth(self.bed, np.asarray(contact.depth), np.asarray(contact.radius))
         )
-        row = SlipRow(bed, self.law.coefficient, ratios[1], self.path, moved)
+        row = SlipRow(slipping_springs(self.bed), self.law.coefficient, ratio, self.path, moved)
         pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
         points = zip(self.path.time.tolist(), *pressed, strict=True)
         for (time, depth, force, radius), (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
             memory, shift = state
             yield TangentialState(
-                self.bed, self.law, ratios[1], time, depth, force, radius, shift, row.shear_force(memory), work,
+                self.bed, self.law, ratio, time, depth, force, radius, shift, row.shear_force(memory), work,
                 row.stored(memory), lost, memory,
             )  # fmt: skip
 
-    def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
+    def gathered(self, states: Iterable[State]) -> TangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
         reached = list(states)
         return gather(TangentialSolution, self, reached, stick_radius=stick_radii(self.bed, reached))
@@ -159,7 +213,7 @@ class Tangential:
 
 
 @value
-class TangentialSolution(Looped, OfPath[TangentialState | SpringState]):
+class TangentialSolution(Looped, OfPath[State]):
     """The solution of a `Tangential` problem, point by point.
 
     Parameters
@@ -174,8 +228,8 @@ class TangentialSolution(Looped, OfPath[TangentialState | SpringState]):
         u_x [m] and F_x [N]; what drags the upper body along, positive towards +x.
     stick_radius : ndarray, (steps,)
         c [m]: springs within stick; a where all do, zero where the bodies slide or are apart.
-    stored_energy : ndarray, (steps,)
-        In the springs' displacement along the surface [J].
+    work, stored_energy : ndarray, (steps,)
+        Spent by the lateral motion since the beginning, and in the springs' displacement along the surface [J].
     dissipation : ndarray, (steps,)
         Energy lost since the beginning [J].
     states : tuple
@@ -192,14 +246,31 @@ class TangentialSolution(Looped, OfPath[TangentialState | SpringState]):
     shift: Array
     shear_force: Array
     stick_radius: Array
+    work: Array
     stored_energy: Array
     dissipation: Array
-    states: tuple[TangentialState | SpringState, ...]
+    states: tuple[State, ...]
 
     @property
-    def work(self) -> Array:
-        """What the lateral motion has spent since the beginning [J], ``(steps,)``: stored or lost."""
-        return np.array([state.work for state in self.states])
+    def nested(self) -> Array:
+        """Whether all that slid in each step was one outer ring, and slid to one side, ``(steps,)`` of bool.
+
+        Raises
+        ------
+        OutsideValidity
+            If springs were followed, not rings.
+        """
+        return np.array([state.nested for state in self._rings])
+
+    @property
+    def _rings(self) -> tuple[PushedState, ...]:
+        """The states of rings."""
+        rings = tuple(state for state in self.states if isinstance(state, PushedState))
+        if len(rings) < len(self.states):
+            raise OutsideValidity(
+                f"Tangential: no rings were followed on this bed; read it of the method {Method.RINGS}."
+            )
+        return rings
 
     @property
     def last_cycle(self) -> LastCycle:
@@ -210,7 +281,12 @@ class TangentialSolution(Looped, OfPath[TangentialState | SpringState]):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        notes = friction_notes(
-            self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
-        )
-        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation), *self._cycle_notes)
+        problem = self.problem
+        notes = energy_note(self.work, self.stored_energy, self.dissipation), *self._cycle_notes
+        if problem.by_rings:
+            assert isinstance(problem.law, Coulomb)
+            by_force = isinstance(problem.path.lateral, ShearForce)
+            return (*pushed_notes(problem.bed, problem.law, self._rings, by_force), *notes)
+        states = [state for state in self.states if not isinstance(state, PushedState)]
+        kept = self.depth, self.force, self.shear_force, self.radius
+        return (*friction_notes(problem.bed, problem.law, *kept, states), *notes)

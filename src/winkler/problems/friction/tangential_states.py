@@ -15,6 +15,7 @@ from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.friction.pushed import PushedState
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
@@ -103,7 +104,7 @@ class TangentialState:
         return sheared_by_pieces(bed, memory.depth, self.shift, memory.edges, memory.left, memory.right)
 
 
-def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState]) -> Array:
+def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState | PushedState]) -> Array:
     """Return the stick radii of many states of one bed [m], (steps,)."""
     ours = [state for state in states if isinstance(state, TangentialState)]
     if len(ours) < len(states):

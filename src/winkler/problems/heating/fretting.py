@@ -20,6 +20,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared_fields import sheared_surface
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.fields.line_source import LineSource
@@ -28,9 +29,8 @@ from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
 from winkler.problems.assumptions.temperature import temperature_note
-from winkler.problems.coated_friction.cycle_heat import losses_on_layers
-from winkler.problems.coated_friction.tangential import CoatedTangential, CoatedTangentialSolution
-from winkler.problems.friction.tangential import Tangential, TangentialSolution
+from winkler.problems.friction.pushed import PushedState
+from winkler.problems.friction.tangential import State, Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import RubbingBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
@@ -40,6 +40,8 @@ __all__ = ["FrettingHeat", "FrettingHeatSolution"]
 CLOSURE_TOLERANCE = 1e-6
 """Part of the greatest shift, or force, by which two ends of a closed cycle may differ."""
 SAMPLES = 513
+STEADY = 1e-12
+"""Part of the depth by which it may vary and count as steady."""
 NARROWEST_RING = 1e-9
 """Part of the contact radius below which a ring is none."""
 NARROWEST_SLIP = 2e-6
@@ -55,10 +57,9 @@ class FrettingHeat(RubbingBodies):
 
     Parameters
     ----------
-    motion : Tangential or CoatedTangential
-        The problem of the motion, on bonded layers and gradings in depth a CoatedTangential; its path ends with a
-        closed cycle, which is then repeated for ever.  Two cycles of an oscillation, `Path.oscillation(cycles=2, ...)`,
-        are enough: the first one differs.
+    motion : Tangential
+        The problem of the motion; its path ends with a closed cycle, which is then repeated for ever.  Two cycles of an
+        oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one differs.
     frequency : float
         How often the cycle is repeated [Hz]; the times of the path do not matter.
     conductors : HeatConductors
@@ -67,7 +68,7 @@ class FrettingHeat(RubbingBodies):
     Raises
     ------
     InvalidInput
-        If the motion is none of these, the frequency not positive, or a body does not conduct heat.
+        If the motion is no Tangential, the frequency not positive, or a body does not conduct heat.
 
     References
     ----------
@@ -91,7 +92,7 @@ class FrettingHeat(RubbingBodies):
     (1.0, True)
     """
 
-    motion: Tangential | CoatedTangential
+    motion: Tangential
     frequency: Positive
     conductors: HeatConductors
 
@@ -140,7 +141,7 @@ class FrettingHeat(RubbingBodies):
         return FrettingHeatSolution(self, march, loss, abs(entries / loss - 1.0), flux.scaled(scale), heated)
 
 
-def _begin(march: TangentialSolution | CoatedTangentialSolution) -> int:
+def _begin(march: TangentialSolution) -> int:
     """Return where the cycle begins that the path ends with."""
     same = np.ones(march.time.size - 1, dtype=bool)
     for column in (march.shift, march.shear_force, march.depth):
@@ -156,19 +157,31 @@ def _begin(march: TangentialSolution | CoatedTangentialSolution) -> int:
     return int(entries[-1])
 
 
-def _losses(march: TangentialSolution | CoatedTangentialSolution, begin: int, r: Array) -> Array:
-    """Return the heat per area of the cycle [J/m^2] at distances r."""
-    if isinstance(march, CoatedTangentialSolution):
-        return losses_on_layers(march, begin, r)
-    return _trapezoids(march, begin, r)
+def _losses(march: TangentialSolution, begin: int, r: Array) -> Array:
+    r"""Return the heat per area of the cycle [J/m^2] at distances r.
+
+    Under a steady load a ring slides only at its bound, and to one side between two turning points of the motion, so
+    that a cycle releases :math:`\mu\,p(r)\sum|\Delta s(r)|` over these points, without error of the steps.
+    """
+    states, depth = march.states[begin:], march.depth[begin:]
+    rings = [state for state in states if isinstance(state, PushedState)]
+    if not rings or np.ptp(depth) > STEADY * np.max(depth):
+        return _trapezoids(states, r)
+    moves = np.diff(march.shift[begin:])
+    moving = np.flatnonzero(moves) + 1
+    turns = moving[:-1][np.diff(np.sign(moves[moving - 1])) != 0.0]
+    slips = np.stack([rings[index].slip(r) for index in (0, *turns.tolist(), len(rings) - 1)])
+    bed, coefficient = rings[0].springs.bed, rings[0].springs.coefficient
+    pressure = bed.medium.pressure(PressedSprings(bed, float(depth[0]), rings[0].radius), r)
+    return np.asarray(coefficient * pressure * np.sum(np.abs(np.diff(slips, axis=0)), axis=0))
 
 
-def _trapezoids(march: TangentialSolution, begin: int, r: Array) -> Array:
+def _trapezoids(states: tuple[State, ...], r: Array) -> Array:
     """Return the heat per area of the cycle [J/m^2] at distances r, by the trapezoidal rule over its points."""
     total = np.zeros(r.shape)
     before = None
-    for state in march.states[begin:]:
-        fields = sheared_surface(state.sheared, r)
+    for state in states:
+        fields = state.surface_fields(r) if isinstance(state, PushedState) else sheared_surface(state.sheared, r)
         now = (fields.traction.reshape(*r.shape, -1), fields.slip.reshape(*r.shape, -1))
         if before is not None:
             total += np.sum(0.5 * (now[0] + before[0]) * (now[1] - before[1]), axis=-1)
@@ -184,7 +197,7 @@ class FrettingHeatSolution:
     ----------
     problem : FrettingHeat
         The problem that was solved.
-    march : TangentialSolution or CoatedTangentialSolution
+    march : TangentialSolution
         The motion.
     loss_per_cycle : float
         Energy lost in every cycle [J].
@@ -202,7 +215,7 @@ class FrettingHeatSolution:
     )
 
     problem: FrettingHeat
-    march: TangentialSolution | CoatedTangentialSolution
+    march: TangentialSolution
     loss_per_cycle: float
     misfit: float
     flux: RoundFlux

@@ -54,9 +54,9 @@ def pushed_body(bed: Bed) -> PushedWaves:
     medium = layers_of_rings(bed)
     if medium is None:
         raise OutsideValidity(
-            f"CoatedTangential: the medium of the bed is a {type(bed.medium).__name__}; it must be a CoatedHalfSpace, "
-            "a StackedHalfSpace whose layers are bonded or a DepthGradedHalfSpace under a body of revolution, for "
-            "which rings have kernels of their own: use Tangential, on springs, for other media and shapes."
+            f"Tangential: the medium of the bed is a {type(bed.medium).__name__}; rings need kernels of their own, "
+            "those of a CoatedHalfSpace, of a StackedHalfSpace whose layers are bonded or of a DepthGradedHalfSpace "
+            "under a body of revolution: leave the method out, or give springs, for other media and shapes."
         )
     return medium
 
@@ -64,7 +64,7 @@ def pushed_body(bed: Bed) -> PushedWaves:
 class PushBound(TwistBound):
     """What springs bear before they slide; parameters as of `TwistBound`, on a medium of `layers_of_rings`."""
 
-    owner, load, unit, motion, free_motion = "CoatedTangential", "shear force", "N", "shift", "slide"
+    owner, load, unit, motion, free_motion = "Tangential", "shear force", "N", "shift", "slide"
     slides, halvings = True, 12
 
     def _responses(self) -> tuple[SurfaceResponse, ...]:

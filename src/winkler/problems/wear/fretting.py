@@ -85,7 +85,7 @@ class FrettingWear(AtGoals):
     Notes
     -----
     On layers and depth gradings pressures, bounds of the springs and slip are those of the normal and shear kernels of
-    the layers, as in `CoatedTangential`; the core that sticks moves while its surroundings wear.  A layer that wears is
+    the layers, as in `Tangential`; the core that sticks moves while its surroundings wear.  A layer that wears is
     taken to respond as before, up to 5 per cent of its thickness.
 
     References

@@ -19,10 +19,6 @@ OSCILLATION = [
     {"kind": "hold", "duration": "1 s"},
 ]
 STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
-TO_AND_FRO = [
-    {**NORMAL_START, "lateral": {"kind": "shift", "shift": "0 um"}},
-    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "0.5 um"}, "cycles": 1.25},
-]
 TWIST = [
     {**NORMAL_START, "lateral": {"kind": "angle", "angle": "0 rad"}},
     {"kind": "oscillate", "lateral": {"kind": "angle", "angle": "2 mrad"}, "cycles": 1.25},
@@ -73,8 +69,11 @@ TORQUE_DEEP = Equation(
     r"|h(x)| \le b(x), \quad M_z = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
 )
 
-tangential_formulas = followed_by(normal_formulas, TANGENTIAL_SPRINGS, TANGENTIAL_FORCE)
-"""The formulas of a tangential contact."""
+
+def tangential_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a tangential contact, by rings or by springs."""
+    of_rings, of_springs = (PUSHED_DEEP, PUSH_SUM), (TANGENTIAL_SPRINGS, TANGENTIAL_FORCE)
+    return followed_by(normal_formulas, *(of_rings if getattr(problem, "by_rings", False) else of_springs))(problem)
 
 
 def torsion_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -149,22 +148,6 @@ FRICTION = Chapter(
             pictured=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=tangential_formulas,
-        ),
-        "coated_tangential": answer(
-            "winkler.problems.coated_friction.tangential:CoatedTangential",
-            "barber_1974",
-            headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
-            bed={"kind": "foundation", "medium": {"kind": "coated_half_space", "second": STEEL}},
-            path={"kind": "program", "steps": TO_AND_FRO},
-            picture=Caption(
-                "coated_tangential",
-                "The contact along its path",
-                "The loop of the shear force, forces and energies over time, and the traction of the last contact.",
-            ),
-            curves=(("shift", "shear_force"), ("time", "dissipation")),
-            pictured=PicturedContact.PATH,
-            contact_shown="the contact at its greatest depth, its traction along the surface left out",
-            formulas=followed_by(normal_formulas, PUSHED_DEEP, PUSH_SUM),
         ),
         "torsion": answer(
             "winkler.problems.friction.torsion:Torsion",

@@ -9,6 +9,7 @@ import dataclasses
 import itertools
 import math
 import typing
+from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +17,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
 from winkler.io.foreign import path_text, reason_of
-from winkler.study.language.catalogue import kind_of, kinds
+from winkler.study.language.catalogue import in_present_kinds, kind_of, kinds
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -57,6 +58,7 @@ def build(table: Any, slot: str = "problem", *, folder: Path = Path(), file: str
 
     from winkler.study.language import mistakes, schema
 
+    table = in_present_kinds(table)
     try:
         form = schema.slot_adapter(slot).validate_python({"content": table}).content
     except ValidationError as error:
@@ -162,6 +164,8 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
     cls = type(owner)
     if dataclasses.is_dataclass(content):
         return unbuild(content)
+    if isinstance(content, Enum):
+        return str(content)
     if isinstance(content, bool | str) or (isinstance(content, int) and typing.get_type_hints(cls)[field] is int):
         return content
     if (cls.__name__, field) in quantities.INDEXED:

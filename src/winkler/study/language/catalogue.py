@@ -10,13 +10,26 @@ from __future__ import annotations
 
 import functools
 import re
+from typing import Any
 
 from winkler.study.chapters.bodies import BODIES
 from winkler.study.chapters.contents import CHAPTERS
 from winkler.study.chapters.kind import Kind, kind, path_of
 from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
 
-__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "in_kinds", "kind_of", "kinds", "slot_of"]
+__all__ = [
+    "CATALOGUE",
+    "FORMER",
+    "REFUSED",
+    "SLOTS",
+    "UNWRITTEN",
+    "Kind",
+    "in_kinds",
+    "in_present_kinds",
+    "kind_of",
+    "kinds",
+    "slot_of",
+]
 
 
 def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
@@ -54,6 +67,9 @@ UNWRITTEN = frozenset(
 )
 """Classes that a study file cannot name: a load that stays as it is, layers of your own, laws that are functions."""
 
+FORMER = {"coated_tangential": "tangential"}
+"""Kinds of version 0.2 -> those that answer with the same numbers; studies that name the former still run."""
+
 REFUSED: dict[str, Kind] = {"cylinder": kind("winkler.profiles.flat:Cylinder")}
 """Kinds that cannot be solved; creating one raises the reason."""
 
@@ -72,6 +88,18 @@ def kind_of(cls: type) -> str:
 @functools.cache
 def _names() -> dict[str, str]:
     return {line.path: name for name, line in kinds().items()}
+
+
+def in_present_kinds(content: Any) -> Any:
+    """Return the tables and lists of a study with the kinds of today in place of `FORMER` ones."""
+    if isinstance(content, list):
+        return [in_present_kinds(item) for item in content]
+    if not isinstance(content, dict):
+        return content
+    table = {key: in_present_kinds(item) for key, item in content.items()}
+    if isinstance(name := table.get("kind"), str):
+        table["kind"] = FORMER.get(name, name)
+    return table
 
 
 def in_kinds(sentence: str) -> str:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from winkler.errors import InvalidInput
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import kinds, slot_of
-from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints, options, required_fields
+from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints, is_choice, options, required_fields
 from winkler.vocabulary import Word, word
 
 __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary", "table_at"]
@@ -101,8 +101,8 @@ def keys_of(name: str) -> tuple[Key, ...]:
 
 def _takes(cls: type, field: str, hint: Any) -> str:
     inner = typing.get_args(hint)
-    if allowed_kinds(hint):
-        return f"one of {', '.join(allowed_kinds(hint))}"
+    if allowed_kinds(hint) or is_choice(hint):
+        return f"one of {', '.join(allowed_kinds(hint) or hint)}"
     if allowed_in_list(hint):
         return f"list of {slot_of(allowed_in_list(hint)[0])}s"
     if (cls.__name__, field) in quantities.INDEXED:

@@ -15,6 +15,7 @@ from winkler.io.text_file import content_of, path_of
 from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study.language import axes
 from winkler.study.language.build import assembled
+from winkler.study.language.catalogue import in_present_kinds
 from winkler.study.language.study import Fields, Output, Study
 
 __all__ = ["checked", "parse_study", "parsed", "read_study", "read_text", "stated"]
@@ -148,7 +149,8 @@ def parsed(text: str, file: str) -> dict[str, Any]:
         raise InvalidInput(
             f"{_at(file)}the study is empty; it needs at least [problem], see `winkler new indentation`."
         )
-    return raw
+    present: dict[str, Any] = in_present_kinds(raw)
+    return present
 
 
 def _too_deep(content: Any) -> bool:

@@ -14,6 +14,7 @@ import inspect
 import types
 import typing
 from collections.abc import Callable, Mapping
+from enum import StrEnum
 from typing import Annotated, Any, Literal, Union
 
 from pydantic import (
@@ -28,11 +29,13 @@ from pydantic import (
     model_validator,
 )
 
+from winkler.errors import suggest
 from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, number_tables, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
-from winkler.study.language.kind_of_table import either_file_or, refuse_kind
+from winkler.study.language.kind_of_table import either_file_or, refuse_kind, value_text
+from winkler.study.language.quantities import WHERE, wrong
 
 __all__ = [
     "FORBID",
@@ -43,6 +46,7 @@ __all__ = [
     "choice",
     "form",
     "hints",
+    "is_choice",
     "options",
     "required_fields",
     "slot_adapter",
@@ -70,6 +74,19 @@ def _chosen(raw: Any, hint: Any) -> BaseModel:
     return form(tag).model_validate(raw)
 
 
+def is_choice(hint: Any) -> bool:
+    """Return whether a type is one of a few words, such as a method."""
+    return isinstance(hint, type) and issubclass(hint, StrEnum)
+
+
+def _word_of(raw: Any, hint: type[StrEnum]) -> StrEnum:
+    allowed = [str(each) for each in hint]
+    if raw not in allowed:
+        near = suggest(raw, allowed) if isinstance(raw, str) else ""
+        wrong(f"{WHERE} is {value_text(raw)}{near}; give one of {', '.join(allowed)}.")
+    return hint(raw)
+
+
 def annotation(owner: type, field: str, hint: Any) -> Any:
     """Return the annotation by which pydantic checks the key `field` of `owner`; `hint` is its type in the class.
 
@@ -78,6 +95,8 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     TypeError
         If a study file cannot hold such a field.
     """
+    if is_choice(hint):
+        return _checked(functools.partial(_word_of, hint=hint))
     if hint in (int, bool, str):
         return {int: StrictInt, bool: StrictBool, str: StrictStr}[hint]
     origin, inner = typing.get_origin(hint), typing.get_args(hint)

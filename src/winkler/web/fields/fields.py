@@ -21,7 +21,7 @@ from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.materials_menu import NAMED
 from winkler.web.form.ranges import SPACINGS, is_range, range_texts, spacing_of
 from winkler.web.form.sliders import STEPS, span_of
-from winkler.web.form.typed import SWITCH, typed
+from winkler.web.form.typed import CHOICE, SWITCH, typed
 from winkler.web.pictures.words import symbol_html
 
 __all__ = ["FormFields"]
@@ -145,6 +145,9 @@ class FormFields:
             box = ui.checkbox(entry.label, value=entry.text == "true").tooltip(entry.hint)
             box.on_value_change(lambda event: self.actions.change(entry.path, str(event.value).lower(), entry.takes))
             return
+        if entry.takes.startswith(CHOICE):
+            self._choice(entry)
+            return
         if is_range(typed(entry.text, entry.takes)):
             self._range(entry)
             return
@@ -170,6 +173,19 @@ class FormFields:
                 return
             slider = self._slider(entry, field)
             field.on_value_change(lambda event: self._typed(entry, menu.completed(str(event.value or "")), slider))
+
+    def _choice(self, entry: FormEntry) -> None:
+        """Draw a key that takes one of a few words."""
+        words = entry.takes.removeprefix(CHOICE).split(", ")
+        names = {word: word for word in words} if entry.required else {"": NONE, **{word: word for word in words}}
+        with ui.element("div").classes("entry wide"):
+            pick = ui.select(names, value=entry.text if entry.text in names else None, label=entry.label)
+            pick.props("outlined dense options-dense hide-hint hide-bottom-space no-error-icon").props["hint"] = (
+                entry.hint
+            )
+            pick.props["data-choice"] = entry.path
+            pick.on_value_change(lambda event: self.actions.change(entry.path, str(event.value or ""), entry.takes))
+            self.inputs[entry.path] = pick
 
     def _range(self, entry: FormEntry) -> None:
         """Draw a key that holds a range."""

@@ -9,9 +9,9 @@ from typing import Any
 from winkler.study.language.template import inline
 from winkler.units import comma_readings
 
-__all__ = ["SWITCH", "field_text", "typed"]
+__all__ = ["CHOICE", "SWITCH", "field_text", "typed"]
 
-TEXT, SWITCH = "text", "true or false"
+TEXT, SWITCH, CHOICE = "text", "true or false", "one of "
 """Types of keys as named by `winkler.study.language.explain`."""
 GROUPED = re.compile(r"\d,0\d\d(?!\d)")
 """Digit groups; no item of a list begins with such zeros."""
@@ -54,7 +54,7 @@ def typed(text: str, takes: str) -> Any:
     {'from': '0 N', 'to': '1 N', 'count': 3}
     """
     text = text.strip()
-    if takes == TEXT:
+    if takes == TEXT or takes.startswith(CHOICE):
         return text
     if takes == SWITCH:
         return text == "true"

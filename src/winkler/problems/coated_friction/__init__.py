@@ -1,1 +1,0 @@
-"""Friction on coated bodies, with the kernels of the layers."""
