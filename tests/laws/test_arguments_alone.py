@@ -40,6 +40,7 @@ GIVEN: dict[str, Any] = {
     "elliptic_yield_onset.angle": 0.3,
     "equilibrium.machine_stiffness": 1e3,
     "fretting_wear.layer_wears": True,
+    "friction_damping.method": wk.Method.RINGS,
     "friction_heating.partition": wk.FixedShare(0.2),
     "friction_heating.second_speed": 1.0,
     "held_contacts.vertical": False,
@@ -94,6 +95,7 @@ GIVEN: dict[str, Any] = {
 TOGETHER = {
     "elastic_plastic_particle.work_closing": "work_opening",
     "fretting_wear.layer_wears": "no layers",
+    "friction_damping.method": "kernels of their own",
     "sliding_wear.layer_wears": "no layers",
     "impact.inertia": "lever",
     "impact.lever": "inertia",
@@ -195,5 +197,5 @@ def test_an_argument_given_alone_acts_or_is_named(argument):
 
 @pytest.mark.parametrize("argument", sorted(TOGETHER))
 def test_an_argument_that_acts_only_with_another_is_refused_alone(argument):
-    with pytest.raises(InvalidInput, match=TOGETHER[argument]):
+    with pytest.raises((InvalidInput, OutsideValidity), match=TOGETHER[argument]):
         answered(given(argument, without(argument, others=False)))

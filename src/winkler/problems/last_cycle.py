@@ -12,17 +12,16 @@ moved for the first time begins without slip and does not end so: its loop is op
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["Cycled", "LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of"]
+__all__ = ["Cycled", "LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of", "loss_factor", "per_unit"]
 
 SAME = 1e-9
 """Part of the range of a load within which two of its values are the same."""
@@ -145,6 +144,17 @@ def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
     return (Note(Assumption.SLIP, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
 
 
+def per_unit(loss: Quantity, whole: Quantity) -> Quantity:
+    """Return losses over what is positive where the bodies move, and zero where they do not."""
+    moving = np.asarray(whole) > 0.0
+    return shaped(np.where(moving, loss / np.where(moving, whole, 1.0), 0.0))
+
+
+def loss_factor(loss: Quantity, motion: Quantity, load: Quantity) -> Quantity:
+    """Return W / (pi F U) of closed cycles [-], twice the damping ratio; zero where nothing moves."""
+    return per_unit(loss, np.pi * np.asarray(motion) * np.asarray(load))
+
+
 class Cycled:
     """The part of a solution that knows the last cycle of its path."""
 
@@ -197,7 +207,7 @@ class Looped(Cycled):
             If the path closes no cycle, or nothing moves in it.
         """
         cycle = self._moving
-        return cycle.loss / (2.0 * math.pi * cycle.motion * cycle.load)
+        return 0.5 * float(loss_factor(cycle.loss, cycle.motion, cycle.load))
 
     @property
     def _moving(self) -> LastCycle:

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-__all__ = ["Method"]
+from winkler.foundation.bed import Bed
+from winkler.problems.normal.stiffness_ratio import common_ratio
+from winkler.problems.ring_slip.push_bound import layers_of_rings
+
+__all__ = ["Method", "exact_ratio"]
 
 
 class Method(StrEnum):
@@ -18,3 +22,15 @@ class Method(StrEnum):
     """Rings that bear their own pressure times the coefficient, with the kernels of layers and gradings."""
     SPRINGS = "springs"
     """Springs one by one: any law, any medium, paths in the plane; layers within the stated error only."""
+
+
+def exact_ratio(owner: str, bed: Bed, radius: float) -> float:
+    """Return c_T / c_N of the springs up to a radius [m], which the method `Method.EXACT` needs to be one.
+
+    Raises
+    ------
+    OutsideValidity
+        If it is not, with the nearest method that follows them.
+    """
+    nearest = Method.RINGS if layers_of_rings(bed) is not None else Method.SPRINGS
+    return common_ratio(owner, bed, radius, f"the method {Method.EXACT} needs one ratio: give the method {nearest}")

@@ -200,3 +200,31 @@ def test_what_is_refused():
         state.turning(0.01)
     with pytest.raises(wk.OutsideValidity, match="stresses of a twist inside"):
         state.below(0.01, 0.01)
+
+
+@pytest.mark.slow
+def test_a_method_is_taken_or_refused_with_the_nearest():
+    """On a hard coating springs lose more than rings; what no method follows is refused, with what does."""
+    bed, half = wk.Foundation(BALL, coated("hard")), wk.Foundation(BALL, wk.HalfSpace.between(SOLID))
+    flat = wk.Foundation(wk.FlatPunch(1e-3), coated("hard"))
+    _, a, force = pressed(bed)
+    shift = 0.8 * MU * force / float(bed.medium.punch_shear_stiffness(np.array([a]))[0])
+    path = wk.Path.through(wk.Depth(D), wk.Shift([0.0, shift, -shift, shift]))
+
+    def losses(on, method=wk.Method.AUTO):
+        loop = wk.Tangential(on, wk.Coulomb(MU), path, method).solve()
+        swing = wk.FrictionDamping(on, wk.Coulomb(MU), wk.Depth(D), wk.Shift(shift), method).solve()
+        assert swing.loss_factor == pytest.approx(2.0 * loop.damping_ratio, rel=1e-4)
+        return [loop.loss_per_cycle, swing.loss_per_cycle]
+
+    assert losses(bed) == losses(bed, wk.Method.RINGS)
+    assert losses(bed, wk.Method.SPRINGS) > [1.1 * each for each in losses(bed)]
+    assert losses(half, wk.Method.EXACT) == losses(half)
+    swing = wk.FrictionDamping(bed, wk.Coulomb(MU), wk.Depth(D), wk.Shift(shift), wk.Method.EXACT)
+    for problem in (wk.Tangential(bed, wk.Coulomb(MU), path, wk.Method.EXACT), swing):
+        with pytest.raises(wk.OutsideValidity, match="exact needs one ratio: give the method rings"):
+            problem.solve()
+    with pytest.raises(wk.OutsideValidity, match="no ring slides before all of this contact does; give the method spr"):
+        wk.FrictionDamping(flat, wk.Coulomb(MU), wk.Depth(D), wk.Shift(shift), wk.Method.RINGS).solve()
+    with pytest.raises(wk.InvalidInput, match="exact follows Coulomb's law .* give the method springs"):
+        wk.Tangential(half, wk.StaticKinetic(0.4, MU), path, wk.Method.EXACT)

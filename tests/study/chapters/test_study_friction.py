@@ -339,9 +339,7 @@ def test_a_method_is_a_word_of_a_study():
     assert unbuild(by_springs)["method"] == "springs"
     assert build(unbuild(by_springs)) == by_springs
     assert "method" not in unbuild(RUBBED)
-    with pytest.raises(
-        wk.InvalidInput, match=r"problem.method is 'ring' \(did you mean 'rings'\?\); give one of auto,"
-    ):
+    with pytest.raises(wk.InvalidInput, match=r"method is 'ring' \(did you mean 'rings'\?\); give one of auto,"):
         build({**unbuild(RUBBED), "method": "ring"})
 
 

@@ -41,10 +41,11 @@ from winkler.numerics.integrals.bisected_quadrature import along_springs, toward
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path
 from winkler.problems.assumptions.declared import SHEARED
-from winkler.problems.friction.damping import DampingSolution, per_unit
+from winkler.problems.friction.damping import DampingSolution
 from winkler.problems.friction.damping_springs import oscillating_contact
 from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
+from winkler.problems.last_cycle import per_unit
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.ring_slip.moving_notes import IN_CYCLES, moving_ring_notes

@@ -28,13 +28,16 @@ from winkler.path import OneNormal, Swing, numbers_of
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
+from winkler.problems.last_cycle import loss_factor, per_unit
+from winkler.problems.method import Method, exact_ratio
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
+from winkler.problems.ring_slip.push_bound import pushed_body
 from winkler.problems.ring_slip.pushed_rings import PushedRings, pushed_rings
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["DampingSolution", "FrictionDamping", "FrictionDampingSolution", "per_unit"]
+__all__ = ["DampingSolution", "FrictionDamping", "FrictionDampingSolution"]
 
 FORCE_ROUNDING = 1e-12
 """Part of the sliding force by which rounding may exceed it."""
@@ -55,12 +58,17 @@ class FrictionDamping:
     amplitude : Shift or ShearForce
         How far to each side the contact is pushed, half of the whole stroke; may be an array, the results then have
         its shape.  Zero or more.
+    method : Method, optional
+        How slip is followed.  By default rings on bonded layers and gradings, as far as an outer ring slides first, and
+        springs elsewhere.
 
     Raises
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
         negative.
+    OutsideValidity
+        If rings are asked for on another medium, or a contact that is no disc.
 
     References
     ----------
@@ -84,15 +92,23 @@ class FrictionDamping:
     0.041057384
     """
 
-    __words__ = words(amplitude=("", None, "amplitude of the shift or of the shear force"))
+    __words__ = words(
+        amplitude=("", None, "amplitude of the shift or of the shear force"),
+        method=("", None, "how slip is followed"),
+    )
 
     bed: Bed
     law: Sliding
     normal: OneNormal
     amplitude: Swing
+    method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+
+    def __post_init__(self) -> None:
+        if self.method is Method.RINGS:
+            pushed_body(self.bed, "FrictionDamping")
 
     def solve(self) -> FrictionDampingSolution:
         """Return the loss per cycle with the stiffness and the loss factor that belong to it.
@@ -105,7 +121,8 @@ class FrictionDamping:
         ------
         OutsideValidity
             If a shear force exceeds the coefficient times the normal force: the bodies would slide away.  If the bodies
-            do not touch.
+            do not touch.  If the method is exact, and the stiffnesses of the springs have no common ratio; if it is
+            rings, and none slides before all do.
         NotConverged
             If the profile is too rough.
         """
@@ -115,7 +132,7 @@ class FrictionDamping:
                 "FrictionDamping: the bodies do not touch under this normal load; press them together."
             )
         prescribed = numbers_of(self.amplitude)
-        springs = _springs(self.law.coefficient, contact)
+        springs = _springs(self, contact)
         flat = prescribed.ravel()
         if isinstance(self.amplitude, ShearForce):
             force = np.minimum(flat, self._bearable(flat, float(contact.force)))
@@ -181,12 +198,6 @@ class DampingSolution:
         return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
 
 
-def per_unit(loss: Quantity, whole: Array) -> Quantity:
-    """Return losses over what is positive where the bodies move, and zero where they do not."""
-    moving = whole > 0.0
-    return shaped(np.where(moving, loss / np.where(moving, whole, 1.0), 0.0))
-
-
 @value
 class FrictionDampingSolution(DampingSolution):
     """The solution of a `FrictionDamping`; every quantity has the shape of the amplitude.
@@ -217,7 +228,7 @@ class FrictionDampingSolution(DampingSolution):
         moving = np.asarray(self.shift) > 0.0
         stuck = 0.0
         if not np.all(moving):
-            stuck = _springs(self.problem.law.coefficient, self.contact).stiffness
+            stuck = _springs(self.problem, self.contact).stiffness
         return shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
 
     @property
@@ -234,7 +245,7 @@ class FrictionDampingSolution(DampingSolution):
 
         Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.
         """
-        return per_unit(self.loss_per_cycle, np.pi * np.asarray(self.shear_force) * np.asarray(self.shift))
+        return loss_factor(self.loss_per_cycle, self.shift, self.shear_force)
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -242,18 +253,27 @@ class FrictionDampingSolution(DampingSolution):
         mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
         depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
         rubbing = SurfaceFriction(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
-        rings = isinstance(_springs(mu, self.contact), PushedRings)
+        rings = isinstance(_springs(self.problem, self.contact), PushedRings)
         return (
             *self.contact.notes_with(rubbing),
             *damping_notes(self.problem.bed, float(self.contact.radius), mu, rings),
         )
 
 
-def _springs(coefficient: float, contact: IndentationSolution) -> SlippingSprings | PushedRings:
-    """Return what slides: rings on a coating, with its own kernels, springs elsewhere."""
-    bed = contact.problem.bed
-    rings = pushed_rings(bed, coefficient, float(contact.depth), float(contact.radius))
-    return rings or SlippingSprings(coefficient, contact)
+def _springs(problem: FrictionDamping, contact: IndentationSolution) -> SlippingSprings | PushedRings:
+    """Return what slides by the method of a problem: rings of layers with their own kernels, or springs."""
+    bed, coefficient, radius = problem.bed, problem.law.coefficient, float(contact.radius)
+    if problem.method in (Method.AUTO, Method.RINGS):
+        rings = pushed_rings(bed, coefficient, float(contact.depth), radius)
+        if rings:
+            return rings
+        if problem.method is Method.RINGS:
+            raise OutsideValidity(
+                f"FrictionDamping: no ring slides before all of this contact does; give the method {Method.SPRINGS}."
+            )
+    if problem.method is Method.EXACT:
+        exact_ratio("FrictionDamping", bed, radius)
+    return SlippingSprings(coefficient, contact)
 
 
 def positive_frequency(frequency: float) -> float:

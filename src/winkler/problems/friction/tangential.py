@@ -34,7 +34,7 @@ from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipRow
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
-from winkler.problems.method import Method
+from winkler.problems.method import Method, exact_ratio
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.one_load import OfPath
@@ -169,11 +169,7 @@ class Tangential:
                 yield from self._by_gap(contact, ratios[1])
                 return
             if self.method is Method.EXACT:
-                raise OutsideValidity(
-                    f"Tangential: the springs' tangential stiffness is between {ratios[0]:.4g} and {ratios[1]:.4g} of "
-                    f"their normal one, and the method {Method.EXACT} needs one ratio; give the method "
-                    f"{Method.RINGS if layers_of_rings(self.bed) is not None else Method.SPRINGS}."
-                )
+                exact_ratio("Tangential", bed, widest)
         yield from SingleSprings("Tangential", self.bed, self.law, self.path, SPRINGS).states()
 
     def _by_gap(self, contact: IndentationSolution, ratio: float) -> Iterator[TangentialState]:

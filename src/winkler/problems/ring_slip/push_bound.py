@@ -43,7 +43,7 @@ def layers_of_rings(bed: Bed) -> PushedWaves | None:
     return medium
 
 
-def pushed_body(bed: Bed) -> PushedWaves:
+def pushed_body(bed: Bed, owner: str = "Tangential") -> PushedWaves:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface.
 
     Raises
@@ -54,7 +54,7 @@ def pushed_body(bed: Bed) -> PushedWaves:
     medium = layers_of_rings(bed)
     if medium is None:
         raise OutsideValidity(
-            f"Tangential: the medium of the bed is a {type(bed.medium).__name__}; rings need kernels of their own, "
+            f"{owner}: the medium of the bed is a {type(bed.medium).__name__}; rings need kernels of their own, "
             "those of a CoatedHalfSpace, of a StackedHalfSpace whose layers are bonded or of a DepthGradedHalfSpace "
             "under a body of revolution: leave the method out, or give springs, for other media and shapes."
         )

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.last_cycle import loss_factor
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.problems.surface_friction.joint_loops import loops_of_stiffness
 from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
@@ -122,7 +123,7 @@ class JointStiffnessSolution:
     @property
     def loss_factor(self) -> Array:
         """Loss per cycle over pi times the amplitudes of shift and shear force [-], ``(amplitudes,)``."""
-        return np.asarray(self.loss_per_cycle / (np.pi * self.shift_amplitude * self.shear_amplitude))
+        return np.asarray(loss_factor(self.loss_per_cycle, self.shift_amplitude, self.shear_amplitude))
 
     def slip_loop(self, amplitude: int = -1, count: int = 60) -> tuple[Array, Array]:
         """Return shift [m] and shear force [N] of the closed loop of one amplitude by springs, ``(2 count,)``."""
