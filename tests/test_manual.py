@@ -173,7 +173,7 @@ QUICK_CELLS = [
     ("torsion", "coated_half_space", "exact"),
     ("elliptic_indentation", "coated_half_space", "exact"),
     ("roller_contact", "coated_half_space", "refused"),
-    ("viscoelastic_tangential", "relaxing_in_proportion", "refused"),
+    ("tangential", "relaxing_in_proportion", "refused"),
 ]
 
 

@@ -21,7 +21,7 @@ def shaken(amplitude, frequency, cycles=3, points=64):
     turn = np.linspace(0.0, cycles, cycles * points + 1)
     time = np.concatenate([[0.0], 1.0 + turn / frequency])
     shift = np.concatenate([[0.0], amplitude * np.sin(2.0 * np.pi * turn)])
-    return wk.ViscoelasticTangential(bed, MU, wk.Path(time, wk.Depth(DEPTH), wk.Shift(shift)), count=200).solve()
+    return wk.Tangential(bed, MU, wk.Path(time, wk.Depth(DEPTH), wk.Shift(shift)), count=200).solve()
 
 
 # %%

@@ -115,7 +115,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, V
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
 from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
-from winkler.problems.viscoelastic.tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
 from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
@@ -168,8 +167,8 @@ __all__ = [
     "TangentialSolution", "ThermalConstriction", "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution",
     "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution",
     "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
-    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "ViscoelasticTangential",
-    "ViscoelasticTangentialSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction", "creep_coefficients",
-    "design_for_pressure", "design_profile", "flow_factors", "linear_creep_coefficients", "maugis_parameter",
-    "mean_separation", "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter", "which_model",
+    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "YieldOnset", "YieldOnsetSolution",
+    "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile", "flow_factors",
+    "linear_creep_coefficients", "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce",
+    "restore_conduction", "tabor_parameter", "which_model",
 ]  # fmt: skip

@@ -116,7 +116,6 @@ RELAXING = {
     "creep_test": wk.CreepTest(ON_RUBBER, force=1.0, time=np.geomspace(1e-3, 10.0, 33)),
     "relaxation_test": wk.RelaxationTest(ON_RUBBER, depth=100e-6, time=np.geomspace(1e-3, 10.0, 33)),
     "harmonic_indentation": wk.HarmonicIndentation(ON_RUBBER, wk.Depth(100e-6), np.geomspace(0.1, 1000.0, 33)),
-    "viscoelastic_tangential": wk.ViscoelasticTangential(ON_RUBBER, FRICTION, RUBBED, count=100),
     "sliding_resistance": wk.SlidingResistance(ON_RUBBER, wk.Force(1.0), np.geomspace(1e-4, 1.0, 17)),
     "viscoelastic_impact": wk.ViscoelasticImpact(ON_RUBBER, mass=30e-3, velocity=1.0, count=100, tolerance=1e-3),
 }

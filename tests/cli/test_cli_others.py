@@ -116,7 +116,7 @@ def test_show_what_is_not_known(name, sentence, code, capsys):
 
 KNOWN_TO_SMALL_RADII = {"measured", "designed", "calibrated_tip", "tabulated_tip"}
 """Profiles whose examples end at radii that soft bodies reach."""
-SOFT = ("viscoelastic_indentation", "relaxation_test", "harmonic_indentation", "viscoelastic_tangential")
+SOFT = ("viscoelastic_indentation", "relaxation_test", "harmonic_indentation")
 
 
 OTHER_LINES = (

@@ -88,9 +88,7 @@ def test_a_relaxing_ellipse_sticks_with_the_stiffness_of_its_direction():
     """A step of depth and a small shift under stick: the shear force falls as c_T/c_N of the ellipse, times k."""
     bed = wk.EllipticFoundation(wk.CurvedBodies(10e-3, 1e-3), GEL)
     path = wk.Path([0.0, 0.01], wk.Depth(1e-5), wk.Shift([0.0, 1e-9]))
-    moved = [
-        wk.ViscoelasticTangential(one, wk.Coulomb(10.0), path).solve().shear_force[-1] for one in (bed, bed.turned)
-    ]
+    moved = [wk.Tangential(one, wk.Coulomb(10.0), path).solve().shear_force[-1] for one in (bed, bed.turned)]
     with mpmath.workdps(30):
         along, across = (sheared_ratio(hertz(10.0), 0.45, along=which) for which in (True, False))
     assert moved[0] / moved[1] == pytest.approx(along / across, rel=1e-3)

@@ -250,8 +250,12 @@ GROUPS: dict[str, Callable[[int], Any]] = {
     **slip_groups(wk.Tangential, "coated", "shift", STEADY[:1], method=wk.Method.SPRINGS),
     **slip_groups(wk.Tangential, "coated", "shift shear", name="CoatedTangential"),
     **slip_groups(wk.Tangential, "stacked film", "shift shear", STEADY, name="CoatedTangential"),
-    **slip_groups(wk.ViscoelasticTangential, "relaxing", "shift", CONTROLS[1:3], count=50, tolerance=1e-4),
-    **slip_groups(wk.ViscoelasticTangential, "relaxing", "shear", CONTROLS[1::2], count=50, tolerance=1e-4),
+    **slip_groups(
+        wk.Tangential, "relaxing", "shift", CONTROLS[1:3], name="ViscoelasticTangential", count=50, tolerance=1e-4
+    ),
+    **slip_groups(
+        wk.Tangential, "relaxing", "shear", CONTROLS[1::2], name="ViscoelasticTangential", count=50, tolerance=1e-4
+    ),
     **slip_groups(wk.Torsion, "half_space transverse coated stacked", "angle torque", STEADY),
     **slip_groups(wk.Torsion, "half_space coated", "angle torque", CONTROLS[3:]),
     **groups(swung, "FrictionDamping", "half_space power_law transverse coated stacked", "depth-shift force-shear"),

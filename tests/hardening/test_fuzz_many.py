@@ -89,7 +89,7 @@ SOLVED = {
     ),
     "relaxing and rolling": (
         *("viscoelastic_indentation", "creep_test", "relaxation_test", "harmonic_indentation", "sliding_resistance"),
-        *("viscoelastic_tangential", "viscoelastic_impact", "tangential", "torsion", "rolling", "rolling_start"),
+        *("viscoelastic_impact", "tangential", "torsion", "rolling", "rolling_start"),
         *("simplified_rolling", "oscillating_rolling", "elastomer_friction", "master_curve", "poroelastic_relaxation"),
         *("held_contacts",),
         *("line_rolling", "line_rolling_start", "line_rolling_resistance", "line_viscoelastic_indentation"),

@@ -84,7 +84,7 @@ PROBLEMS = {
     "SlidingResistance": lambda bed: wk.SlidingResistance(bed, LOAD, 1.0, count=10),
     "SlidingWear": lambda bed: wk.SlidingWear(bed, wk.Archard(1e-3), LOAD, [0.0, 1.0], count=30, tolerance=1e-2),
     "SpringMarch": lambda bed: wk.SpringMarch(bed, MU, PUSH, count=40),
-    "Tangential": lambda bed: wk.Tangential(bed, MU, PUSH),
+    "Tangential": lambda bed: wk.Tangential(bed, MU, PUSH, count=20),
     "Tangential, springs": lambda bed: wk.Tangential(bed, MU, PUSH, wk.Method.SPRINGS),
     "ThermalConstriction": lambda bed: wk.ThermalConstriction(bed, STEEL, LOAD, 1.0),
     "Torsion": lambda bed: wk.Torsion(bed, MU, TWIST),
@@ -92,7 +92,6 @@ PROBLEMS = {
     "ViscoelasticAdhesion": lambda bed: wk.ViscoelasticAdhesion(bed, CRACK, RISE),
     "ViscoelasticImpact": lambda bed: wk.ViscoelasticImpact(bed, 1.0, 0.01, count=20),
     "ViscoelasticIndentation": lambda bed: wk.ViscoelasticIndentation(bed, RISE, count=20),
-    "ViscoelasticTangential": lambda bed: wk.ViscoelasticTangential(bed, MU, PUSH, count=20),
     "YieldOnset": lambda bed: wk.YieldOnset(bed),
     "YieldOnset, sliding": lambda bed: wk.YieldOnset(bed, MU),
 }  # fmt: skip

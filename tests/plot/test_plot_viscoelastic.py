@@ -37,7 +37,7 @@ def states():
 @functools.cache
 def dragged():
     path = wk.Path([0.0, 0.1, 0.2], wk.Depth([5e-5, 1e-4, 8e-5]), wk.Shift([0.0, 3e-5, -3e-5]))
-    return wk.ViscoelasticTangential(BED, wk.Coulomb(0.5), path, count=40).solve()
+    return wk.Tangential(BED, wk.Coulomb(0.5), path, count=40).solve()
 
 
 def pulled():

@@ -116,7 +116,7 @@ def test_a_body_that_hardly_relaxes_loses_what_an_elastic_one_loses():
     slow = wk.StandardSolid(relaxed_shear=0.5 * STEEL.shear, shear=0.5 * STEEL.shear, relaxation_time=1e9, poisson=0.3)
     bed = wk.Foundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(slow))
     path = wk.Path.through(wk.Depth(1e-6), wk.Shift([0.0, 2e-7, -2e-7, 2e-7]))
-    late = wk.ViscoelasticTangential(bed, wk.Coulomb(MU), path).solve()
+    late = wk.Tangential(bed, wk.Coulomb(MU), path).solve()
     elastic = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(STEEL))
     now = wk.Tangential(elastic, wk.Coulomb(MU), path).solve()
     assert late.loss_per_cycle == pytest.approx(now.loss_per_cycle, rel=1e-2)

@@ -25,7 +25,7 @@ from winkler.web.pictures.moments import Moments
 from winkler.web.pictures.words import symbol_html
 
 LONG = {
-    "friction_heating", "viscoelastic_indentation", "viscoelastic_impact", "viscoelastic_tangential", "map_stress",
+    "friction_heating", "viscoelastic_indentation", "viscoelastic_impact", "map_stress",
     "simplified_rolling", "sliding_resistance", "transient_heating", "rolling_start", "reduced_friction", "seal",
     "viscoelastic_adhesion", "surface_rolling_start", "sliding_wear", "elliptic_wear", "fretting_wear",
     "reduction", "surface_tangential", "profile_pair_rolling", "surface_adhesion",

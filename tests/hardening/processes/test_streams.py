@@ -41,7 +41,7 @@ MARCHES = {
     "viscoelastic": lambda count: wk.ViscoelasticIndentation(
         SOFT, wk.Path(times(count), wk.Depth(deep(count))), count=50
     ),
-    "viscoelastic tangential": lambda count: wk.ViscoelasticTangential(
+    "viscoelastic tangential": lambda count: wk.Tangential(
         SOFT, FRICTION, wk.Path(times(count), wk.Depth(1e-4 + deep(count)), wk.Shift(wave(count, 5e-5))), count=50
     ),
     "sliding wear": lambda count: wk.SlidingWear(

@@ -168,7 +168,7 @@ COUNTS = [
     ("surface_conduction", "realisations"),
     ("viscoelastic_impact", "count"),
     ("viscoelastic_indentation", "count"),
-    ("viscoelastic_tangential", "count"),
+    ("tangential", "count"),
 ]
 
 

@@ -113,7 +113,7 @@ def test_a_body_that_is_dragged_keeps_account(name, ratio):
     path = wk.Path(
         [0.0, 1.0, 2.0, 3.0], wk.Depth([0.0, DEPTH, 0.5 * DEPTH, -0.1 * DEPTH]), wk.Shift([0.0, 4e-3, -2e-3, 6e-3])
     )
-    problem = wk.ViscoelasticTangential(bed(solids(ratio)[name]), wk.Coulomb(0.5), path, count=20, tolerance=1e-2)
+    problem = wk.Tangential(bed(solids(ratio)[name]), wk.Coulomb(0.5), path, count=20, tolerance=1e-2)
     result = problem.solve()
     assert missing_energy(result.work, result.stored_energy, result.dissipation) <= 1e-12
     assert standing(result) is Standing.EXACT

@@ -47,7 +47,6 @@ UNKNOWN = {
     "conductance_bounds", "creep_test", "harmonic_indentation", "line_rolling_resistance",
     "line_viscoelastic_indentation", "nearly_round_indentation", "reduction", "relaxation_test", "sliding_resistance",
     "surface_adhesion", "surface_wear", "viscoelastic_adhesion", "viscoelastic_impact", "viscoelastic_indentation",
-    "viscoelastic_tangential",
 }  # fmt: skip
 """Whose stresses are not computed: they state it, whatever the strength is."""
 PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and name not in WITHOUT)

@@ -18,7 +18,7 @@ from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardS
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
-from winkler.problems.viscoelastic.tangential import ViscoelasticTangential
+from winkler.problems.friction.tangential import Tangential
 from winkler.problems.viscoelastic.tangential_march import shear_relaxation
 
 STANDARD = StandardSolid(0.05, 0.2, 0.2)
@@ -33,7 +33,7 @@ def bed(solid, profile=None) -> wk.Foundation:
 
 def dragged(solid, time, normal, lateral, law=None, profile=None, **more):
     law = Coulomb(MU) if law is None else law
-    return ViscoelasticTangential(bed(solid, profile), law, Path(time, normal, lateral), **more).solve()
+    return Tangential(bed(solid, profile), law, Path(time, normal, lateral), **{"count": 500, **more}).solve()
 
 
 @pytest.mark.parametrize("profile", [wk.Paraboloid(1.0), wk.Cone(half_angle=1.4)])
@@ -129,7 +129,7 @@ def test_brute_force(seed):
     # of first order in the step, so that two give the limit
     once, twice = (np.array(brute_force(STANDARD, path, 200, n, MU)) for n in (400, 800))
     forces, lost = 2.0 * twice - once
-    result = ViscoelasticTangential(bed(STANDARD), Coulomb(MU), path, tolerance=1e-6).solve()
+    result = Tangential(bed(STANDARD), Coulomb(MU), path, tolerance=1e-6).solve()
     assert result.shear_force == pytest.approx(forces, abs=3e-3 * np.max(np.abs(forces)))
     assert result.friction_loss == pytest.approx(lost, abs=3e-3 * lost[-1])
 
@@ -246,14 +246,18 @@ def test_solids_that_recover_are_touched_again():
     assert 0.0 < abs(result.shear_force[4]) < 0.05 * result.shear_force[5]
 
 
+FILM = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.1)], wk.Elastic(1.0, 0.3))
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"bed": wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3)))}, "HalfSpace"),
+        ({"bed": wk.Foundation(wk.Paraboloid(1.0), FILM)}, "ViscoelasticCoatedHalfSpace"),
         ({"law": StaticKinetic(0.5, 0.3)}, "StaticKinetic"),
         ({"path": Depth(1.0)}, "path is a Depth"),
-        ({"path": Path([0.0, 1.0], Depth(0.01), Angle(0.1))}, "leaves its line"),
+        ({"path": Path([0.0, 1.0], Depth(0.01), Angle(0.1))}, "prescribes a Angle"),
         ({"path": Path([0.0, 1.0], Depth(0.01), Shift(np.zeros((2, 2))))}, "leaves its line"),
+        ({"method": wk.Method.RINGS}, "the method rings"),
         ({"path": Path([0.0, 1.0], Force(-1.0))}, "tensile"),
         ({"count": 1}, "count"),
         ({"tolerance": 2.0}, "tolerance"),
@@ -262,11 +266,11 @@ def test_solids_that_recover_are_touched_again():
 def test_wrong_input_is_refused(given, message):
     right = {"bed": bed(STANDARD), "law": Coulomb(MU), "path": Path([0.0, 1.0], Depth(0.01), Shift([0.0, 0.001]))}
     with pytest.raises(InvalidInput, match=message):
-        ViscoelasticTangential(**{**right, **given})
+        Tangential(**{**right, **given})
 
 
 def test_what_cannot_be_is_refused_where_it_happens():
-    slides = ViscoelasticTangential(
+    slides = Tangential(
         bed(STANDARD), Coulomb(MU), Path([0.0, 1.0, 2.0], Depth(0.01), ShearForce([0.0, 1e-5, 1.0]))
     ).steps()
     assert len(list(itertools.islice(slides, 2))) == 2

@@ -149,7 +149,7 @@ WITHOUT_OUTLINE = {
     "line_rolling_resistance", "line_rolling_start", "line_shakedown", "line_sliding_wear", "line_tangential",
     "line_viscoelastic_indentation",
     "line_yield_onset", "periodic_indentation", "relaxation_damper", "relaxation_test", "tangential",
-    "thermal_constriction", "viscoelastic_impact", "viscoelastic_indentation", "viscoelastic_tangential",
+    "thermal_constriction", "viscoelastic_impact", "viscoelastic_indentation",
     "yield_onset",
 }  # fmt: skip
 """Problems that are solved by force, depth and stiffness whatever the outline, and lines, which take no such bed."""

@@ -61,13 +61,13 @@ TRACTION = r"$\tau$"
 ENERGY_NAMES = {"dissipation": "lost", "stored_energy": "stored"}
 
 
-@without_extent(TangentialSolution)
 def tangential_sheet(item: TangentialSolution) -> Sheet:
     """Return the loop, the forces and the energies along a path; below springs, traction and slip at its last contact.
 
     Parameters
     ----------
     item : TangentialSolution
+        Of elastic bodies.
     """
     touching = np.flatnonzero(item.radius > 0.0)
     last = int(touching[-1]) if touching.size else 0
@@ -79,7 +79,7 @@ def tangential_sheet(item: TangentialSolution) -> Sheet:
     reached = item.states[last] if touching.size else None
     if isinstance(reached, PushedState):
         return Sheet((*panels, ring_panel(reached, TRACTION).plus(title="traction along the motion")), 2, height=3.2)
-    if reached and (sheared := _sheared(reached)):
+    if isinstance(reached, TangentialState | SpringState) and (sheared := _sheared(reached)):
         stick, radius = float(item.stick_radius[last]), sheared.pressed.radius
         fields = around_contact(sheared, RADII_DRAWN * radius)
         below = (

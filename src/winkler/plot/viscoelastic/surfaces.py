@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from winkler.laws.friction import Coulomb
 from winkler.plot import style
 from winkler.plot.decades import Quantity, decades_around, decades_panel
 from winkler.plot.dispatch import without_extent
@@ -18,14 +19,15 @@ from winkler.plot.friction.curves import (
     mirrored_bounds,
     stick_band,
 )
+from winkler.plot.friction.sheets import tangential_sheet
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
 from winkler.plot.series import common_scale, headline, series, series_of, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius
 from winkler.plot.viscoelastic.springs import recovering_panel, width_of
+from winkler.problems.friction.tangential import TangentialSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
-from winkler.problems.viscoelastic.tangential import ViscoelasticTangentialSolution
-from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState
+from winkler.problems.viscoelastic.tangential import DraggedState
 
 __all__ = ["adhesion_sheet", "dragged_sheet", "dragged_state_sheet", "sliding_sheet"]
 
@@ -34,11 +36,14 @@ FACTOR_AROUND = 300.0
 """Range drawn around a single speed, as a factor."""
 
 
-@without_extent(ViscoelasticTangentialSolution)
-def dragged_sheet(item: ViscoelasticTangentialSolution) -> Sheet:
-    """Return the loop, forces, energies and contact along a path; springs and their loads of a late contact."""
+@without_extent(TangentialSolution)
+def dragged_sheet(item: TangentialSolution) -> Sheet:
+    """Return the loop, forces and energies along a path; of bodies that relax springs and loads of a late contact."""
     bearing = np.flatnonzero(item.force >= LEAST_FORCE_SHARE * np.max(item.force))
     state, time = item.states[int(bearing[-1]) if bearing.size else 0], series_of(item, "time")
+    if not isinstance(state, DraggedState):
+        return tangential_sheet(item)
+    assert isinstance(item.problem.law, Coulomb)
     mu = item.problem.law.coefficient
     lines = [(series_of(item, "shear_force"), "$F_x$")]
     lines += bounds("shear_force", mu * item.force) if math.isfinite(mu) else []
@@ -57,15 +62,15 @@ def dragged_sheet(item: ViscoelasticTangentialSolution) -> Sheet:
     return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
-@without_extent(ViscoelasticTangentialState)
-def dragged_state_sheet(item: ViscoelasticTangentialState) -> Sheet:
+@without_extent(DraggedState)
+def dragged_state_sheet(item: DraggedState) -> Sheet:
     """Return the springs at one time, and their loads in both directions."""
     title = headline(item, "force", "shear_force", "depth", "shift")
     panels = titled((recovering_panel(item), _loads_panel(item, math.inf)), "springs", "their loads")
     return Sheet(panels, height=3.3, title=title)
 
 
-def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Panel:
+def _loads_panel(state: DraggedState, coefficient: float) -> Panel:
     """Return the load of the springs along the surface, and the bound of friction."""
     if state.radius == 0.0:
         return NO_CONTACT.plus(bare=True)

@@ -15,18 +15,20 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, between
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, slipping_depth, slipping_springs
 from winkler.laws.friction import Coulomb
+from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.pushed import PushedState, pushed_notes, pushed_states
 from winkler.problems.friction.spring_run import SingleSprings
@@ -40,14 +42,13 @@ from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffne
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.push_bound import layers_of_rings, pushed_body
 from winkler.problems.row import follow
+from winkler.problems.viscoelastic.tangential import DraggedState, dragged_notes, dragged_states, pressed_alone
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["Tangential", "TangentialSolution"]
 
-SPRINGS = 400
-"""How many springs there are where they are followed one by one."""
-State = TangentialState | SpringState | PushedState
+State = TangentialState | SpringState | PushedState | DraggedState
 """The contact at one point of a path, by whichever method it was followed."""
 
 
@@ -65,13 +66,20 @@ class Tangential:
         Depth or normal force, and shift or shear force, over time.
     method : Method, optional
         How slip is followed.  By default rings on bonded layers and gradings, springs by gap on homogeneous and
-        power-law media; in the plane, and under other laws than Coulomb's, springs one by one.
+        power-law media; in the plane, under other laws than Coulomb's, and on bodies that relax, springs one by one.
+    count : int, optional
+        How many springs, where they are followed one by one; the error falls with its square, on bodies that relax with
+        itself where the load does not vanish at the edge.
+    tolerance : float, optional
+        On bodies that relax the error of a step: of the shear force over what friction can bear, of the energy lost to
+        friction over that force times the greatest shift, and of depth and shift under forces over the greatest ones.
 
     Raises
     ------
     InvalidInput
         If the path twists the bodies (use Torsion), the law is none of friction, or the method follows neither this law
-        nor paths in the plane.
+        nor paths in the plane.  If bodies relax and are no half-spaces, or their law is not Coulomb's, or their path
+        leaves its line.
     OutsideValidity
         If rings are asked for on another medium, or a contact that is no disc.
 
@@ -96,16 +104,21 @@ class Tangential:
     """
 
     __words__ = words(
-        method=("", None, "how slip is followed"), by_rings=("", None, "whether rings are followed, not springs")
+        method=("", None, "how slip is followed"),
+        by_rings=("", None, "whether rings are followed, not springs"),
+        relaxes=("", None, "whether the bodies relax"),
+        count=("n", "", "how many springs"),
     )
 
     bed: Bed
     law: SpringLaw
     path: Path
     method: Method = Method.AUTO
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 400
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "cattaneo_1938", "mindlin_1949", "jaeger_1995")
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce):
@@ -119,8 +132,21 @@ class Tangential:
                 f"Tangential: the method {self.method} follows Coulomb's law on a path along one line; give the method "
                 f"{Method.SPRINGS}, which follows each law and paths in the plane."
             )
-        if self.by_rings:
+        if self.relaxes:
+            if not self._coulomb_line or self.method in (Method.EXACT, Method.RINGS):
+                raise InvalidInput(
+                    f"Tangential: bodies that relax are followed by Coulomb's law, along one line and by the method "
+                    f"{Method.SPRINGS}; the law is a {type(self.law).__name__}, the method {self.method}, and the path "
+                    f"{'leaves' if self.path.in_plane else 'keeps to'} its line."
+                )
+            pressed_alone(self.bed, self.path, self.count, self.tolerance)
+        elif self.by_rings:
             pushed_body(self.bed)
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether the bodies relax, so that each spring remembers its loads over time."""
+        return hasattr(self.bed.medium, "timeless")
 
     @property
     def _coulomb_line(self) -> bool:
@@ -131,7 +157,7 @@ class Tangential:
     def by_rings(self) -> bool:
         """Whether rings are followed: those of layers and gradings, unless another method is named."""
         if self.method is Method.AUTO:
-            return self._coulomb_line and layers_of_rings(self.bed) is not None
+            return self._coulomb_line and not self.relaxes and layers_of_rings(self.bed) is not None
         return self.method is Method.RINGS
 
     @property
@@ -157,6 +183,10 @@ class Tangential:
         NotConverged
             If a step that is curved by prescribed forces is too long to be followed; give more points.
         """
+        if self.relaxes:
+            assert isinstance(self.law, Coulomb)
+            yield from dragged_states(self.bed, self.law, self.path, self.count, self.tolerance)
+            return
         if self.by_rings:
             assert isinstance(self.law, Coulomb)
             yield from pushed_states(self.bed, self.law.coefficient, self.path)
@@ -170,7 +200,7 @@ class Tangential:
                 return
             if self.method is Method.EXACT:
                 exact_ratio("Tangential", bed, widest)
-        yield from SingleSprings("Tangential", self.bed, self.law, self.path, SPRINGS).states()
+        yield from SingleSprings("Tangential", self.bed, self.law, self.path, self.count).states()
 
     def _by_gap(self, contact: IndentationSolution, ratio: float) -> Iterator[TangentialState]:
         """Yield the contact at every point of the path, springs of one gap taken together."""
@@ -225,14 +255,17 @@ class TangentialSolution(Looped, OfPath[State]):
     stick_radius : ndarray, (steps,)
         c [m]: springs within stick; a where all do, zero where the bodies slide or are apart.
     work, stored_energy : ndarray, (steps,)
-        Spent by the lateral motion since the beginning, and in the springs' displacement along the surface [J].
+        Spent by the lateral motion since the beginning, and in the springs' displacement along the surface [J]; of
+        bodies that relax in both directions.
     dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J].
+        Energy lost since the beginning [J]; of bodies that relax to friction and in their dashpots.
     states : tuple
         The states themselves, from which fields are restored.
     """
 
-    __words__ = words(work=("W", "J", "what the lateral motion has spent since the beginning"))
+    __words__ = words(
+        work=("W", "J", "what the lateral motion, of bodies that relax all motion, has spent since the beginning"),
+    )
 
     problem: Tangential
     time: Array
@@ -259,6 +292,38 @@ class TangentialSolution(Looped, OfPath[State]):
         return np.array([state.nested for state in self._rings])
 
     @property
+    def friction_loss(self) -> Array:
+        """Lost to friction since the beginning by bodies that relax [J], ``(steps,)``.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies are elastic.
+        """
+        return np.array([state.friction_loss for state in self._dragged])
+
+    @property
+    def bulk_loss(self) -> Array:
+        """Lost since the beginning in the dashpots of bodies that relax [J], ``(steps,)``.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies are elastic.
+        """
+        return np.array([state.bulk_loss for state in self._dragged])
+
+    @property
+    def _dragged(self) -> tuple[DraggedState, ...]:
+        """The states of bodies that relax."""
+        dragged = tuple(state for state in self.states if isinstance(state, DraggedState))
+        if len(dragged) < len(self.states):
+            raise OutsideValidity(
+                "Tangential: these bodies are elastic, and lose nothing but to friction: read dissipation."
+            )
+        return dragged
+
+    @property
     def _rings(self) -> tuple[PushedState, ...]:
         """The states of rings."""
         rings = tuple(state for state in self.states if isinstance(state, PushedState))
@@ -279,10 +344,13 @@ class TangentialSolution(Looped, OfPath[State]):
         """How far the result can be trusted."""
         problem = self.problem
         notes = energy_note(self.work, self.stored_energy, self.dissipation), *self._cycle_notes
+        if problem.relaxes:
+            assert isinstance(problem.law, Coulomb)
+            return (*dragged_notes(problem.bed, problem.law, self.time, self.depth, self.radius), *notes)
         if problem.by_rings:
             assert isinstance(problem.law, Coulomb)
             by_force = isinstance(problem.path.lateral, ShearForce)
             return (*pushed_notes(problem.bed, problem.law, self._rings, by_force), *notes)
-        states = [state for state in self.states if not isinstance(state, PushedState)]
+        states = [state for state in self.states if not isinstance(state, PushedState | DraggedState)]
         kept = self.depth, self.force, self.shear_force, self.radius
         return (*friction_notes(problem.bed, problem.law, *kept, states), *notes)

@@ -23,6 +23,7 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.problems.row import CURVED_STEP_TOLERANCE
+from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -104,7 +105,7 @@ class TangentialState:
         return sheared_by_pieces(bed, memory.depth, self.shift, memory.edges, memory.left, memory.right)
 
 
-def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState | PushedState]) -> Array:
+def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState | PushedState | DraggedState]) -> Array:
     """Return the stick radii of many states of one bed [m], (steps,)."""
     ours = [state for state in states if isinstance(state, TangentialState)]
     if len(ours) < len(states):

@@ -32,6 +32,7 @@ from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.friction.pushed import PushedState
 from winkler.problems.friction.tangential import State, Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import RubbingBodies
+from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -99,6 +100,14 @@ class FrettingHeat(RubbingBodies):
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY} | BALANCED
     needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
+
+    def __post_init__(self) -> None:
+        if self.motion.relaxes:
+            raise OutsideValidity(
+                "FrettingHeat: the bodies of the motion relax and are heated inside, too; only the heat of friction is "
+                "known: give elastic bodies."
+            )
+        super().__post_init__()
 
     def solve(self) -> FrettingHeatSolution:
         """Return the temperature of the contact, after many cycles.
@@ -181,6 +190,7 @@ def _trapezoids(states: tuple[State, ...], r: Array) -> Array:
     total = np.zeros(r.shape)
     before = None
     for state in states:
+        assert not isinstance(state, DraggedState)  # bodies that relax are refused
         fields = state.surface_fields(r) if isinstance(state, PushedState) else sheared_surface(state.sheared, r)
         now = (fields.traction.reshape(*r.shape, -1), fields.slip.reshape(*r.shape, -1))
         if before is not None:

@@ -117,7 +117,7 @@ class ViscoelasticIndentation:
             relaxation_of("ViscoelasticIndentation", self.bed)
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput(
-                "ViscoelasticIndentation: the path moves along the surface; use ViscoelasticTangential, or leave "
+                "ViscoelasticIndentation: the path moves along the surface; use Tangential, or leave "
                 "the lateral load out."
             )
         if isinstance(self.path.normal, Force) and np.min(self.path.across) < 0.0:

@@ -163,7 +163,7 @@ class ShearedMarch:
         close = FORCE_TOLERANCE * max(most, abs(prescribed))
         if math.isfinite(self.coefficient) and abs(prescribed) > most + close:
             raise OutsideValidity(
-                f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {prescribed:.6g} N "
+                f"Tangential: friction bears {most:.6g} N, less than the shear force of {prescribed:.6g} N "
                 "that is prescribed; the bodies slide away: press them harder, or prescribe a Shift."
             )
         sums, loads, stuck = np.empty(6), np.empty(weights.size), np.empty(weights.size, dtype=bool)
@@ -198,7 +198,7 @@ def sudden_step(row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorS
     rising = row.by_depth and goal.across > max(row.row.depth, 0.0)
     if stubborn and rising:
         raise OutsideValidity(
-            f"ViscoelasticTangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
+            f"Tangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
             "dashpot alongside responds to with an infinite force; give the step some time."
         )
     if row.by_depth or not stubborn:
@@ -208,7 +208,7 @@ def sudden_step(row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorS
             return row
         if goal.along != row.shift and np.any(row.row.pressed):
             raise OutsideValidity(
-                f"ViscoelasticTangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
+                f"Tangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
                 "dashpot alongside responds to with an infinite force; give the step some time."
             )
     return row.step(StepTarget(row.row.depth, goal.along), 0.0, row.turn.force, scales)
@@ -244,9 +244,7 @@ def travel(
         )
         if error > 1.0:
             if dt < SHORTEST_STEP * duration:
-                raise NotConverged(
-                    "ViscoelasticTangential: the springs need ever shorter steps; allow a greater tolerance."
-                )
+                raise NotConverged("Tangential: the springs need ever shorter steps; allow a greater tolerance.")
             pace = dt * max(0.2, 0.9 * error ** (-1.0 / 3.0))
             continue
         row = two

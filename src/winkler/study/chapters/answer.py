@@ -8,7 +8,8 @@ and the formulas.  Its picture is registered with `winkler.plot.draw`, so that n
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from winkler.study.chapters.kind import Kind, kind
@@ -154,11 +155,14 @@ class Chapter(NamedTuple):
         Its loads, laws, bodies and other kinds that are no problems.
     answers
         Kind of problem -> record of its answer.
+    relaxing
+        The same of bodies that relax, where the answer shows more of them.
     """
 
     physics: str
     kinds: Kinds
     answers: dict[str, Answer]
+    relaxing: Mapping[str, Answer] = MappingProxyType({})
 
     @property
     def problems(self) -> dict[str, Kind]:

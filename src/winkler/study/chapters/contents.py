@@ -74,6 +74,10 @@ DEFAULT_ANSWER = Answer(Kind("", {}), normal_formulas)
 """Record for a problem of no chapter, defined by a user."""
 
 
+RELAXING = {answer.kind.path: answer for chapter in CHAPTERS for answer in chapter.relaxing.values()}
+"""Path of a problem -> record of its answer on bodies that relax."""
+
+
 @functools.cache
 def answers() -> dict[str, Answer]:
     """Return the records of all answers, by the kind of the problem."""
@@ -87,6 +91,8 @@ def _by_path() -> dict[str, Answer]:
 
 def answer_of(problem: Any) -> Answer:
     """Return the record of the answer to a problem."""
+    if getattr(problem, "relaxes", False):
+        return RELAXING[path_of(type(problem))]
     return _by_path().get(path_of(type(problem)), DEFAULT_ANSWER)
 
 

@@ -11,19 +11,12 @@ from winkler.study.chapters.viscoelastic import (
     BED,
     DETACHMENT,
     FORCE,
-    IN_AND_OUT,
     PLANE_KEPT,
     SPRINGS,
     relaxing_formulas,
 )
 
 __all__ = ["VISCOELASTIC_SURFACES"]
-
-DRAG_PATH = [
-    *IN_AND_OUT[:2],
-    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "50 um"}, "frequency": "5 Hz", "count": 16},
-    *IN_AND_OUT[2:],
-]
 
 ALONG = Equation(
     "Along the surface the load of every spring is a hereditary integral of its shift; its modulus relaxes as that "
@@ -89,22 +82,6 @@ VISCOELASTIC_SURFACES = Chapter(
         },
     },
     answers={
-        "viscoelastic_tangential": answer(
-            "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
-            headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
-            bed=BED,
-            path={"kind": "program", "steps": DRAG_PATH},
-            count=100,
-            picture=Caption(
-                "dragged",
-                "The contact along its path",
-                "The loop of the shear force, forces, energies and the contact over time; springs and their loads "
-                "of a late contact, with those that have detached and recover.",
-            ),
-            curves=(("shift", "shear_force"), ("time", "shear_force"), ("time", "dissipation")),
-            pictured=PicturedContact.NONE,
-            formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, LOSSES),
-        ),
         "sliding_resistance": answer(
             "winkler.problems.viscoelastic.sliding:SlidingResistance",
             headline=("coefficient", "shear_force", "depth"),
@@ -145,6 +122,21 @@ VISCOELASTIC_SURFACES = Chapter(
             curves=(("position", "force"), ("time", "radius"), ("time", "crack_speed")),
             pictured=PicturedContact.NONE,
             formulas=_peeling_formulas,
+        ),
+    },
+    relaxing={
+        "tangential": answer(
+            "winkler.problems.friction.tangential:Tangential",
+            headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
+            picture=Caption(
+                "dragged",
+                "The contact along its path",
+                "The loop of the shear force, forces, energies and the contact over time; springs and their loads "
+                "of a late contact, with those that have detached and recover.",
+            ),
+            curves=(("shift", "shear_force"), ("time", "shear_force"), ("time", "dissipation")),
+            pictured=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, LOSSES),
         ),
     },
 )

@@ -67,8 +67,10 @@ UNWRITTEN = frozenset(
 )
 """Classes that a study file cannot name: a load that stays as it is, layers of your own, laws that are functions."""
 
-FORMER = {"coated_tangential": "tangential"}
+FORMER = {"coated_tangential": "tangential", "viscoelastic_tangential": "tangential"}
 """Kinds of version 0.2 -> those that answer with the same numbers; studies that name the former still run."""
+FORMER_DEFAULTS: dict[str, dict[str, Any]] = {"viscoelastic_tangential": {"count": 500}}
+"""Keys that have another default today."""
 
 REFUSED: dict[str, Kind] = {"cylinder": kind("winkler.profiles.flat:Cylinder")}
 """Kinds that cannot be solved; creating one raises the reason."""
@@ -97,8 +99,8 @@ def in_present_kinds(content: Any) -> Any:
     if not isinstance(content, dict):
         return content
     table = {key: in_present_kinds(item) for key, item in content.items()}
-    if isinstance(name := table.get("kind"), str):
-        table["kind"] = FORMER.get(name, name)
+    if isinstance(name := table.get("kind"), str) and name in FORMER:
+        return {**FORMER_DEFAULTS.get(name, {}), **table, "kind": FORMER[name]}
     return table
 
 
