@@ -112,7 +112,7 @@ def test_script_on_its_own(script, tmp_path):
     assert solution.returncode == 0, solution.stdout + solution.stderr
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=40)
 @pytest.mark.parametrize(
     "study",
     [pytest.param(study, marks=[] if name(study) in QUICK else [pytest.mark.slow]) for study in STUDIES],

@@ -71,6 +71,7 @@ LONG = {
 """Pages whose Python takes seconds; they run among the slow tests."""
 
 
+@pytest.mark.few(16, slow=30)
 @pytest.mark.parametrize(
     "page",
     [pytest.param(path, marks=pytest.mark.slow) if path.name in LONG else path for path in PAGES],

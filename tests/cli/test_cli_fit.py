@@ -243,7 +243,7 @@ def test_another_fit_is_refused_without_anew(here, monkeypatch, capsys):
     assert "known from the run before" not in capsys.readouterr().out
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork there")
 @pytest.mark.parametrize("moment", ["before the first", "before the second", "in a line", "at the end"])
 def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, moment):

@@ -232,7 +232,7 @@ FIRST = {next(iter(table)) for table in CATALOGUE.values()}
 SOLVED = [kind for kind in PYTHON if kind in CATALOGUE["problem"] or kind in FIRST]
 
 
-@pytest.mark.few(25, slow=70)
+@pytest.mark.few(8, slow=30)
 @pytest.mark.parametrize(
     "kind",
     [*lasting_slow(SOLVED), *(pytest.param(kind, marks=pytest.mark.slow) for kind in PYTHON if kind not in SOLVED)],

@@ -86,7 +86,7 @@ def test_the_same_file_is_cpp(tmp_path, name):
     assert ran(built(tmp_path, name, language="c++"))[0] == 0
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=9)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_python_file_agrees_away_from_winkler(tmp_path, name):
     write_export(export(PROBLEMS[name], "python", name=name, count=8), tmp_path)
@@ -223,7 +223,7 @@ def test_beyond_the_greatest_depth_nothing_is_said(name):
     assert np.all(np.isnan(own.trace(motion)))
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=3)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_heading_states_units_and_validity(name):
     text = export(PROBLEMS[name], "c", name=name, count=6).text

@@ -94,6 +94,7 @@ def test_the_reference_of_the_fractional_solid():
     assert mittag_leffler(0.5, 0.7) == pytest.approx(float(mp.exp(mp.mpf("0.49")) * mp.erfc(mp.mpf("0.7"))), rel=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "alpha", [0.3, pytest.param(0.5, marks=pytest.mark.slow), pytest.param(0.8, marks=pytest.mark.slow)]
 )

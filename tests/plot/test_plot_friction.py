@@ -139,7 +139,7 @@ SLOW = ("path in the plane", "layered: no traction", "graded", "state of a grade
 MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ITEMS]
 
 
-@pytest.mark.few(1, slow=10)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize("name", MARKED)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]
@@ -154,7 +154,7 @@ def test_every_answer_has_a_picture(name):
         figure.savefig(io.BytesIO(), format="png", dpi=30)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", [name for name in ITEMS if name not in SLOW])
 def test_every_other_picture_can_be_saved(name):
     figure = draw(ITEMS[name][0]())

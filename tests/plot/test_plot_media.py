@@ -125,6 +125,7 @@ def test_pictures_of_the_medium_are_for_media_that_have_something_to_show(presse
         typical_width(wk.HalfSpace(STEEL))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", list(PICTURES))
 def test_every_picture_of_a_coated_contact(name, pressed, tmp_path):
     figure = render(method_sheet(name, pressed))

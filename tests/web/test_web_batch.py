@@ -56,6 +56,7 @@ def until_pictures(replies):
     return kept
 
 
+@pytest.mark.slow
 def test_a_folder_is_fitted_as_by_the_command_line(bench, folder, tmp_path):
     replies = until_pictures(bench.replies(Solve(1, tomli_w.dumps(study()), folder.folder, True)))
     assert [(one.done, one.total, one.what) for one in replies if isinstance(one, Progress)] == [

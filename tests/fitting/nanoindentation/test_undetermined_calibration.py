@@ -175,14 +175,14 @@ def hold(apart):
     assert np.all((least * (1.0 - scatter) < size) & (size < most * (1.0 + scatter)))
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("count", [1, 3, 10])
 def test_intervals_hold_in_drawn_worlds(count):
     """The truth includes the choice of the number of coefficients: tips have two, three or four."""
     hold(errors_in_worlds(count, 100, drawn_tip))
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
 @pytest.mark.parametrize("count", [1, 10])
 def test_intervals_hold_for_two_tips(count, tip):

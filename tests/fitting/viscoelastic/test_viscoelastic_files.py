@@ -28,6 +28,7 @@ def measured():
     return read
 
 
+@pytest.mark.slow
 def test_creep_of_a_polymer_gel(measured, shared_data):
     """The free points give 0.43 nN, and the modulus does not depend on when it is subtracted; a bead's first touch is
     sharper than this one, and the flags say that.  Above a tenth of the force alone it was 413 Pa with 1.04 nN.

@@ -78,7 +78,7 @@ def faults(name: str, start: int = 0, step: int = 1) -> list[str]:
     return wrong
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=3)
 @pytest.mark.parametrize("name", QUICK)
 def test_every_number_of_a_problem(name):
     assert faults(name) == []

@@ -36,7 +36,7 @@ def test_loads_are_those_of_singular_integral_equations(contrast, a, expected):
     assert load(graded(contrast), a) == pytest.approx(expected, rel=2e-6)
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_a_cylinder_slips_as_singular_integral_equations_say(contrast, a):
@@ -125,6 +125,7 @@ class Ghost:
     )
 
 
+@pytest.mark.slow
 def test_a_grading_of_no_family_gives_the_same_numbers():
     known = graded(10.0)
     ghost = wk.LayeredLineFoundation(CYLINDER, Ghost(known.medium))

@@ -47,6 +47,7 @@ NOT_ALWAYS_DISCS = NEVER_DISCS | {
 COSTLY = {"a hill that falls back to zero"}
 
 
+@pytest.mark.few(4, slow=4)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow if name in COSTLY else ()) for name in BODIES]
 )

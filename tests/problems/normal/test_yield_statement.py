@@ -216,6 +216,7 @@ def test_friction_on_a_bonded_stack_is_that_on_a_coating():
     assert said[1].standing is wk.Standing.EXACT
 
 
+@pytest.mark.slow
 def test_friction_on_layers_is_known_and_so_are_wide_contacts():
     medium = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-4)], on=wk.Elastic(E, NU))
     bed = wk.Foundation(wk.Paraboloid(R), medium)
@@ -242,7 +243,7 @@ def test_attraction_without_range():
     assert ranged.standing is wk.Standing.EXACT
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("pressure", "standing"),
     [(1.7, wk.Standing.OUTSIDE), (1.2, wk.Standing.ASYMPTOTIC), (0.15, wk.Standing.ASYMPTOTIC)],

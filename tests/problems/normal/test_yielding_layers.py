@@ -20,6 +20,7 @@ def coated(young, thickness, layer=Y, base=Y):
     return wk.Foundation(wk.Paraboloid(R), wk.CoatedHalfSpace(stack, on=wk.Elastic(E, 0.3, strength=base)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("thickness", "part"), [(1e-4, "layer 1"), pytest.param(2e-5, "body under the layers", marks=pytest.mark.slow)]
 )

@@ -42,7 +42,7 @@ def test_coarser_grids_only_begin(creepage, monkeypatch):
     assert rounds < rolled(64, creepage).rounds
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=3)
 @pytest.mark.parametrize("finest", [128, pytest.param(256, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("creepage", CREEPAGES.values(), ids=CREEPAGES)
 def test_the_work_hardly_grows_with_the_grid(creepage, finest, monkeypatch):

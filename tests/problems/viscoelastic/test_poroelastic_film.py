@@ -47,6 +47,7 @@ def through_the_depth(rate, x, poisson):
     return complex(-k / 2 * sum(through[0, j] * found[n] for n, j in enumerate(free)))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("poisson", [-0.5, 0.0, 0.3, 0.49])
 def test_waves_are_those_of_biot_to_eleven_digits(poisson):
     with mp.workdps(60):
@@ -92,6 +93,7 @@ def test_creep_of_waves_is_terzaghis(octave):
     assert creep.after(waves, np.zeros(1))[:, 0] == pytest.approx(undrained_waves(waves), rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("thickness", [0.03, pytest.param(10.0, marks=pytest.mark.slow)])
 def test_at_first_the_film_is_incompressible_and_at_last_the_drained_network(thickness):
     """Under a body that relaxes from 4 to 1."""
@@ -103,6 +105,7 @@ def test_at_first_the_film_is_incompressible_and_at_last_the_drained_network(thi
         assert found.radius[at] == pytest.approx(elastic.radius, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_film_far_thinner_than_the_contact_consolidates_as_terzaghi_says():
     """F = pi R M d^2 / h (1 + 2 sum exp(-n^2 pi^2 D t / h^2)); what flows sideways counts like (h / a)^2."""
     h, d, diffusivity = 1e-4, 1e-4, 1e-8

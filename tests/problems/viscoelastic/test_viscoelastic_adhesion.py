@@ -32,7 +32,7 @@ def pulled(speed, far=50e-6, bed=BALL, law=LAW, press=5e-6, count=2, **more):
     return ViscoelasticAdhesion(bed, law, Path(time, Depth(depth)), **more).solve()
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("profile", [wk.Paraboloid(R), wk.PowerLaw(1e9, 4.0)])
 def test_slow_rubber_is_elastic(profile):
     """The limit of no speed: JKR, with its snap-in, pull-off and loss."""

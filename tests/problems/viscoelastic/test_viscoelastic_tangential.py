@@ -119,6 +119,7 @@ def brute_force(solid, path, count, steps, mu):
     return np.array(forces), np.array(lost)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 def test_brute_force(seed):
     rng = np.random.default_rng(seed)

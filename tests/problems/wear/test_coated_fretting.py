@@ -40,6 +40,7 @@ def test_layers_that_change_nothing_wear_as_none(medium):
     np.testing.assert_allclose(coated.stick_radius, plain.stick_radius, rtol=1e-3)
 
 
+@pytest.mark.slow
 @BOTH
 def test_a_cycle_before_wear_is_that_of_rings_without_a_grid(medium):
     """Those of CoatedTangential, on panels: errors fall with the square of the cells."""

@@ -27,7 +27,7 @@ def worn(profile, medium, force, distance, count=60, **more):
     ).solve()
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("medium", "plain"),
     [
@@ -84,7 +84,7 @@ STACK = wk.StackedHalfSpace([wk.StackLayer(POLYMER, 5e-6, False), wk.StackLayer(
 GRADED = wk.DepthGradedHalfSpace(wk.ExponentialGrading(1e9, 3e9, depth_scale=1e-5, poisson=0.3), tolerance=1e-4)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("medium", [HARD, STACK, GRADED], ids=["hard", "stack", "graded"])
 def test_the_volume_is_rate_times_force_times_distance_on_layers(medium):
     run = worn(wk.Paraboloid(1e-3), medium, 0.1, np.array([1e-3, 5e-3]), count=30)

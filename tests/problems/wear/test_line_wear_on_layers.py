@@ -64,7 +64,7 @@ CASES = {(0.1, 0.3): 1.0, (0.1, 3.0): 50.0, (0.1, 10.0): 300.0, (10.0, 0.3): 1.0
 """Contrast and a/h, and cycles in which about half of what can wear does."""
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("contrast", "a"), CASES)
 def test_before_wear_a_cylinder_slips_as_singular_integral_equations_say(contrast, a):
     expected = by_equations(contrast, a)
@@ -78,7 +78,7 @@ def test_before_wear_a_cylinder_slips_as_singular_integral_equations_say(contras
     assert losses[1] < min(4e-4, 0.6 * losses[0])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("contrast", "a"), CASES)
 def test_fretting_is_that_of_boundary_elements(contrast, a):
     load, amount = by_equations(contrast, a).load, CASES[contrast, a] / a**2
@@ -92,7 +92,7 @@ def test_fretting_is_that_of_boundary_elements(contrast, a):
     np.testing.assert_allclose(pressure[inside], there[inside], atol=2e-3 * pressure[0])
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize(("contrast", "a"), CASES)
 def test_sliding_is_that_of_boundary_elements(contrast, a):
     load = by_equations(contrast, a).load
@@ -143,6 +143,7 @@ def test_the_march_ends_in_the_limiting_profile_of_a_soft_base_and_of_a_hard_one
             assert last.worn_volume_per_length[-1] < limit.worn_volume_per_length
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_flat_punches_of_all_widths_are_those_of_the_strip_equation(contrast):
     """The load profile of layers is that of a half-plane under the kernel; a punch is as steep as its modes say."""
@@ -180,6 +181,7 @@ def volume(bed, load):
     return limiting(bed, load, 0.6 * MU * load).worn_volume_per_length
 
 
+@pytest.mark.slow
 def test_the_substrate_is_felt():
     """At a / h = 3, under equal forces: without the substrate all would wear as on the layer's own half-plane."""
     load = force(layered(0.1), 3.0)
@@ -277,6 +279,7 @@ def test_which_body_wears_and_how_much_of_a_layer_may():
         sliding(plain(), load, [1.0], layer_wears=True)
 
 
+@pytest.mark.slow
 def test_notes_speak_of_layers_and_of_no_half_plane():
     bed = dataclasses.replace(layered(0.1), medium=wk.CoatedHalfSpace([wk.Layer(solid(strength=5.0), 1.0)], solid(0.1)))
     load = force(bed, 3.0)

@@ -88,7 +88,7 @@ def test_a_ball_wears_over_any_distance(monkeypatch):
     assert looks < 10_000
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("wear", [wk.Archard(RATE), Squared()], ids=["Archard", "own"])
 def test_implicit_jumps_go_where_explicit_ones_go(wear):
     problem = wk.SlidingWear(BALL, wear, wk.Force(1.0), np.array([0.3, 1.0, 3.0]), count=50)

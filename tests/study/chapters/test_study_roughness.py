@@ -174,6 +174,7 @@ QUICK = (*NOT_ROUND, "elastomer_friction")
 PROBLEMS = (*ROUGH.answers, *NOT_ROUND)
 
 
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     "name",
     [
