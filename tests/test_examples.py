@@ -112,10 +112,15 @@ def test_script_on_its_own(script, tmp_path):
     assert solution.returncode == 0, solution.stdout + solution.stderr
 
 
-@pytest.mark.few(2, slow=40)
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     "study",
-    [pytest.param(study, marks=[] if name(study) in QUICK else [pytest.mark.slow]) for study in STUDIES],
+    [
+        study
+        if name(study) in QUICK
+        else pytest.param(study, marks=pytest.mark.long if place % 2 else pytest.mark.slow)
+        for place, study in enumerate(STUDIES)
+    ],
     ids=map(name, STUDIES),
 )
 def test_study(study, tmp_path, monkeypatch, capsys):

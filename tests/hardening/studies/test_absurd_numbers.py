@@ -84,7 +84,8 @@ def test_every_number_of_a_problem(name):
     assert faults(name) == []
 
 
-@pytest.mark.parametrize("start", [pytest.param(0, marks=pytest.mark.slow), pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.few(0, slow=20)
+@pytest.mark.parametrize("start", [0, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize("name", OTHERS)
 def test_every_number_of_other_problems(name, start):
     """Each number with every second size, its neighbours with the sizes between; the rest are long tests."""

@@ -185,7 +185,14 @@ CASES = [
 
 @pytest.mark.parametrize(
     ("sides", "poisson", "contrast", "radius"),
-    [CASES[1], CASES[-2], *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES)],
+    [
+        CASES[1],
+        CASES[-2],
+        *(
+            pytest.param(*case, marks=pytest.mark.long if place % 4 else pytest.mark.slow)
+            for place, case in enumerate(CASES)
+        ),
+    ],
 )
 def test_errors_on_layers_by_boundary_elements(sides, poisson, contrast, radius):
     tip = wk.Pyramid(sides, math.radians(45.0))
