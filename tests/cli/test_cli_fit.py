@@ -381,7 +381,7 @@ def test_a_bar_shows_how_far_the_fit_has_come(here, monkeypatch):
     assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", message[-2])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("told", "workers"), [([], Machine()), (["--workers", "1"], 1)])
 def test_a_batch_takes_all_processors_unless_told(here, monkeypatch, told, workers):
     asked, real = [], fit_run.fit_curves

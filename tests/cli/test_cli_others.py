@@ -187,7 +187,7 @@ TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 
 
 def pairs():
-    """Of the rest, every sixteenth: each problem meets other profiles, and each profile other problems."""
+    """Of the usual ones every second, of the rest every 32nd among the slow tests: each problem meets other profiles, and each profile other problems."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
             if (problem, profile) in TOO_LONG:
@@ -197,7 +197,7 @@ def pairs():
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
                 lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
-                more = not usual and (number + place) % 16 != 0
+                more = (number + place) % (2 if usual else 32) != 0
                 yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 

@@ -46,7 +46,7 @@ def test_a_compiled_law_agrees_with_the_trace_it_holds(tmp_path, name):
     assert re.match(rf"{name}: \d+ steps agree with winkler to [\de.+-]+\n", text)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", ["sheared", "powder"])
 def test_in_single_precision_a_law_states_how_far_it_is_off(tmp_path, name):
     exported = export(PROBLEMS[name], "c", name=name, count=8, precision="float")
@@ -79,7 +79,7 @@ def test_a_wrong_law_fails_its_own_test(tmp_path):
     assert "shear_stiffness" in text
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", ["sheared", "beads", "powder"])
 def test_the_same_file_is_cpp(tmp_path, name):
     write_export(export(PROBLEMS[name], "c", name=name, count=8), tmp_path)

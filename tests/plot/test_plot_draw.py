@@ -224,7 +224,7 @@ def test_stresses_that_are_not_known_are_refused_by_the_medium():
         render(method_sheet("stress", solution))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", pictures_of(CONTACT))
 def test_every_picture_of_the_method(name, tmp_path):
     figure = render(method_sheet(name, CONTACT))
@@ -316,6 +316,7 @@ def test_the_same_picture_on_another_day_is_the_same_file(ending, tmp_path, monk
     assert (tmp_path / f"1.{ending}").read_bytes() == (tmp_path / f"86401.{ending}").read_bytes()
 
 
+@pytest.mark.slow
 def test_what_is_stated_with_a_picture_stays():
     stream = io.BytesIO()
     draw(Sphere(1e-2)).savefig(stream, format="svg", metadata={"Title": "A ball"})

@@ -332,6 +332,7 @@ def test_depths_models_and_events_stand_on_the_page(bench, folder_):
     assert all(one.svg for one in others if isinstance(one, DrawnSheet))
 
 
+@pytest.mark.slow
 def test_the_headline_holds_the_error_of_the_calibration(bench, folder_):
     """The interval of 95 % under 8 % of error is at least 1.96 * 8 % wide to either side of 3.99 kPa."""
     table = gel_table()

@@ -55,6 +55,7 @@ def test_pictures_that_take_milliseconds_follow_the_sliders(kind, titles):
     assert list(answer.sheets(outcome)) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["indentation", "pull_off", "constriction"])
 def test_whether_sheets_follow_is_known_before_they_are_drawn(kind):
     outcome = run(parse_study(whole_text(kind)))

@@ -69,6 +69,7 @@ def test_relaxation_of_cells(measured, shared_data):
     assert {"no_baseline", "memory"} <= {flag.name for flag in found.flags}
 
 
+@pytest.mark.slow
 def test_a_loop_as_a_power_law(measured, shared_data):
     """A weak power law through a liquid that drags; what sticks during unloading is not explained, and is flagged."""
     curve = measured(shared_data, "fmt-jpk-fd_spot3-0192.jpk-force")

@@ -75,6 +75,7 @@ def test_equal_layers_are_a_half_space(strength):
     np.testing.assert_allclose(ours.depth, theirs.depth, rtol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("radius", "outer", "stress"),
     [(0.5, 0.7, 0.3), *(pytest.param(*each, marks=pytest.mark.slow) for each in ((3.0, 3.4, 2.0), (1e-9, 0.8, 0.1)))],

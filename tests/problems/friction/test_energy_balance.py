@@ -251,8 +251,7 @@ def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
     assert result[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * track, 0.3 * track, track])), rel=1e-9)
 
 
-@pytest.mark.few(1)
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("coefficient", [math.inf, 0.3])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_torsion_on_a_random_path_balances_energy(profile, coefficient):

@@ -158,6 +158,7 @@ def test_a_loop_as_by_boundary_elements(solve):
     assert lost < 1e-2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solve", [on_weave, pytest.param(on_grading, marks=pytest.mark.slow)])
 def test_damping_and_heat_are_those_of_the_loop(solve):
     bed, unit = solve().problem.bed, float(solve().shift[1])

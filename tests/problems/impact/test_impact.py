@@ -128,6 +128,7 @@ def test_the_oblique_impact_of_a_ball(before, after):
     np.testing.assert_allclose(hit.balance, 1.0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_gross_slip_begins_where_it_should():
     """Beyond psi = 4 chi - 1, chi = (7/4)(G*/E*), the ball slides throughout and psi falls by 4 chi."""
     coefficient, chi = 0.25, 1.75 * ratio(0.3)

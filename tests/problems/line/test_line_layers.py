@@ -388,6 +388,7 @@ def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strength
     assert float(contact.stresses(onset.x, onset.z, mu).von_mises) == pytest.approx(strengths[part], rel=1e-8)
 
 
+@pytest.mark.slow
 def test_the_greatest_stress_of_a_deep_layer_lies_far_beside_a_narrow_strip():
     """A soft layer between stiff ones: 3.5 half-widths beside the middle, on a grid apart from the search."""
     solids = (wk.Elastic(3.4, 0.0), wk.Elastic(1.5, 0.5, strength=0.0251), wk.Elastic(97.0, 0.0))

@@ -315,7 +315,7 @@ def test_bodies_that_relax(medium):
     assert statement(tested).statement.startswith("The onset of yield is not known because the stresses in bodies that")
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("profile", [wk.FlatPunch(1e-3), wk.Cone(1.3), wk.TruncatedCone(1.3, 1e-4)])
 def test_sharp_places(profile):
     """Infinite there whatever the strength; what is beyond a tenth of the contact radius decides."""

@@ -51,7 +51,7 @@ def manchester(shared_data):
     return placed
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("case", [1, 2, 3, 4, 5])
 def test_forces_of_a_wheel_are_those_of_contact(manchester, case):
     """Five positions, placed by the profiles alone; friction of the mirror image changes its sign across.
@@ -281,6 +281,7 @@ def test_friction_that_falls_with_the_velocity_of_slip():
         wk.ProfilePairRolling(partly, falling, speed=1e6).solve()
 
 
+@pytest.mark.slow
 def test_few_pixels_state_an_error():
     """With 16 pixels along a side there is no coarser grid: the error came out as zero."""
     y = np.linspace(-4e-3, 4e-3, 81)

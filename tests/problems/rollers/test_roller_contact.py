@@ -170,7 +170,7 @@ def test_the_usual_grid_is_within_one_per_cent_of_a_refined_one(ends, alignment)
     assert usual.moment == pytest.approx(refined.moment, rel=0.01, abs=1e-6)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("ends", "alignment"), SHAPES[1:3])
 def test_the_stated_error_of_the_grid_holds(ends, alignment):
     rough, fine = (bearing(ends, alignment=alignment, elements=count).solve() for count in (64, 192))

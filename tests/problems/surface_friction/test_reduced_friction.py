@@ -92,6 +92,7 @@ def test_the_error_is_that_of_the_same_loop(found):
     assert share[4] == pytest.approx(0.9, rel=1e-2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ellipse", pytest.param("ball", marks=pytest.mark.slow)])
 def test_without_poissons_ratio_the_springs_are_right(name):
     """Cattaneo, Mindlin, Ciavarella, Jaeger: without Poisson's ratio bodies slip along the shear, of any shape."""

@@ -227,7 +227,7 @@ def test_what_is_said_of_the_coupling(monkeypatch):
         problem.solve()
 
 
-@pytest.mark.few(1, slow=4)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("seed", range(20))
 def test_random_dissimilar_bodies(seed):
     """Any two materials, frictions from a hundredth to two, under loads, depths, forces and moments: all is met."""

@@ -47,7 +47,7 @@ def through_the_depth(rate, x, poisson):
     return complex(-k / 2 * sum(through[0, j] * found[n] for n, j in enumerate(free)))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("poisson", [-0.5, 0.0, 0.3, 0.49])
 def test_waves_are_those_of_biot_to_eleven_digits(poisson):
     with mp.workdps(60):
@@ -186,6 +186,7 @@ def test_cells_and_steps_converge_with_the_square_of_the_count():
     assert changes[2] < 1e-4
 
 
+@pytest.mark.slow
 def test_work_is_stored_or_lost_and_the_notes_state_what_is_assumed():
     path = wk.Path([0.0, 1e-3, 2e-2, 3e-2], wk.Depth([0.0, 1e-2, 1e-2, 7e-3]))
     found = wk.ViscoelasticIndentation(bed(FILM), path, count=100).solve()
@@ -200,6 +201,7 @@ def test_work_is_stored_or_lost_and_the_notes_state_what_is_assumed():
         _ = state.pressed
 
 
+@pytest.mark.slow
 def test_under_a_force_and_shaken_it_goes_from_one_elastic_film_to_the_other():
     sunk = wk.CreepTest(bed(FILM), 0.05, [1e-12, 1e4]).solve()
     for at, stack in ((0, FILM.glassy), (1, FILM.relaxed)):

@@ -47,6 +47,7 @@ def test_slow_rubber_is_elastic(profile):
     assert slow.radius[-1] == slow.force[-1] == 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("speed", "exponent"), [(1e-8, 0.6), (1e-6, 1.0), pytest.param(1e-7, 0.25, marks=pytest.mark.slow)]
 )

@@ -30,6 +30,7 @@ def stack(solid, thickness, base):
     return wk.CoatedHalfSpace([wk.Layer(solid, thickness)], on=base, second=STEEL)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", [
     stack(STEEL, 50e-6, STEEL), stack(STEEL, 100.0, wk.Elastic(3e9, 0.4)),
 ], ids=["of the same solid", "thick"])  # fmt: skip

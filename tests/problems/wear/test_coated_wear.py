@@ -45,7 +45,7 @@ def test_without_contrast_it_is_the_half_space(medium, plain):
         np.testing.assert_allclose(last.pressure, same.pressure, atol=1e-6 * float(np.max(same.pressure)))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", DISCS)
 def test_a_flat_pin_wears_as_rings_of_even_pressure_do(name):
     medium, discs = DISCS[name]

@@ -105,7 +105,7 @@ def test_sliding_is_that_of_boundary_elements(contrast, a):
     np.testing.assert_allclose(worn, there, atol=5e-3 * last.worn_depth)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("contrast", "a"), CASES)
 def test_a_core_that_bears_alone_is_that_of_integral_equations(contrast, a):
     """Where it is the narrower one, wear ends with it; its surroundings lie below its pressure."""
@@ -173,6 +173,7 @@ def worn_alike(bed):
     )
 
 
+@pytest.mark.slow
 def test_layers_of_one_solid_wear_as_a_half_plane():
     np.testing.assert_allclose(worn_alike(layered(1.0)), worn_alike(plain()), rtol=2e-6)
 
@@ -211,6 +212,7 @@ def test_the_base_decides_under_a_thin_layer(contrast):
         assert np.all(away[1] < 0.9 * away[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_pressures_about_the_nodes_converge_on_those_without_a_grid(contrast):
     """At least by the first power of the width of the cells; loads are kept but for rounding."""
@@ -308,6 +310,7 @@ def test_a_march_on_layers_that_was_stopped_and_kept_goes_on_with_the_same_numbe
     assert list(problem.steps(start=kept[-1])) == whole[2:]
 
 
+@pytest.mark.slow
 def test_stresses_of_the_end_are_those_in_the_layers():
     """Along the surface of the core the pressure; the layers and what carries them are in equilibrium below it."""
     bed = layered(0.1)

@@ -38,6 +38,7 @@ def test_the_volume_is_rate_times_force_times_distance():
     assert np.all(np.log2(np.array(misses[:-1]) / misses[1:]) > 1.5)
 
 
+@pytest.mark.slow
 def test_a_wider_grid_loses_nothing():
     run = worn(np.array([1e-3, 1e-2, 0.1]))
     assert run.states[-1].radii[-1] > 1.4 * run.states[0].radii[-1]

@@ -60,6 +60,7 @@ def test_more_faces_come_near_the_cone():
     assert 0.02 < excess[-1] < 0.04
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sides", [3, 4, *(pytest.param(n, marks=pytest.mark.slow) for n in (5, 6, 7, 8))])
 def test_area_and_outline_of_the_contact(sides):
     count = 200

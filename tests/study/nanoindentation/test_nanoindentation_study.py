@@ -157,7 +157,7 @@ def test_wrong_expectations_are_refused(tmp_path, entry, words):
         read_nanoindentation_study(path)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("quantity", "words"),
     [

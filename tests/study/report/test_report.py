@@ -127,7 +127,7 @@ def test_the_page_is_whole_and_needs_nothing_else(name, page):
     assert outside == []
 
 
-@pytest.mark.few(3, slow=3)
+@pytest.mark.few(1, slow=3)
 @pytest.mark.parametrize("name", REPORTED)
 def test_identifiers_are_unique_and_found(name, page):
     text = page(name)
