@@ -68,7 +68,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     found: dict[tuple[pytest.Item, str], list[pytest.Item]] = {}
     for item in items:
         marks = {mark.name for mark in item.iter_markers()}
-        if "few" in marks and not marks & {"slow", "long"}:
+        if "few" in marks and not marks & {"slow", "long", "manual"}:
             found.setdefault((item.parent, item.originalname), []).append(item)
     for members in found.values():
         few = members[0].get_closest_marker("few")

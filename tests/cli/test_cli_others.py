@@ -187,7 +187,7 @@ TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 
 
 def pairs():
-    """Of the usual ones every second, of the rest every 32nd among the slow tests: each problem meets other profiles, and each profile other problems."""
+    """Of the usual ones every second, of the rest every 32nd: each problem meets other profiles, and the reverse."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
             if (problem, profile) in TOO_LONG:

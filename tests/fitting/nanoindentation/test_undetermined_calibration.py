@@ -175,11 +175,13 @@ def hold(apart):
     assert np.all((least * (1.0 - scatter) < size) & (size < most * (1.0 + scatter)))
 
 
-@pytest.mark.few(0, slow=1)
-@pytest.mark.parametrize("count", [1, 3, 10])
-def test_intervals_hold_in_drawn_worlds(count):
+@pytest.mark.parametrize(
+    ("count", "worlds"),
+    [pytest.param(3, 30, marks=pytest.mark.slow), *(pytest.param(n, 100, marks=pytest.mark.long) for n in (1, 3, 10))],
+)
+def test_intervals_hold_in_drawn_worlds(count, worlds):
     """The truth includes the choice of the number of coefficients: tips have two, three or four."""
-    hold(errors_in_worlds(count, 100, drawn_tip))
+    hold(errors_in_worlds(count, worlds, drawn_tip))
 
 
 @pytest.mark.few(0, slow=1)

@@ -192,8 +192,9 @@ def test_the_substrate_is_felt():
 
 
 @pytest.mark.few(0, slow=1)
+@pytest.mark.parametrize("answer", ["ends", pytest.param("slid", marks=pytest.mark.long)])
 @pytest.mark.parametrize("contrast", [0.5, 2.0])
-def test_the_base_decides_under_a_thin_layer(contrast):
+def test_the_base_decides_under_a_thin_layer(contrast, answer):
     """What sticks, where wear ends and how far sliding widens the contact: as h ln(1/h)."""
 
     def ends(bed):
@@ -204,12 +205,12 @@ def test_the_base_decides_under_a_thin_layer(contrast):
     def slid(bed):
         return sliding(bed, force(bed), [0.0, 0.5], count=80).solve().half_width[-1:]
 
-    for read, thicknesses in ((ends, (0.04, 0.02, 0.01)), (slid, (0.32, 0.16, 0.08))):
-        base = read(plain(contrast))
-        away = [np.abs(read(layered(contrast, h)) / base - 1.0) for h in thicknesses]
-        assert np.all(away[0] < 0.1)
-        assert np.all(away[2] < 0.85 * away[1])
-        assert np.all(away[1] < 0.9 * away[0])
+    read, thicknesses = {"ends": (ends, (0.04, 0.02, 0.01)), "slid": (slid, (0.32, 0.16, 0.08))}[answer]
+    base = read(plain(contrast))
+    away = [np.abs(read(layered(contrast, h)) / base - 1.0) for h in thicknesses]
+    assert np.all(away[0] < 0.1)
+    assert np.all(away[2] < 0.85 * away[1])
+    assert np.all(away[1] < 0.9 * away[0])
 
 
 @pytest.mark.slow
