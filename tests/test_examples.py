@@ -118,7 +118,7 @@ def test_script_on_its_own(script, tmp_path):
     [
         study
         if name(study) in QUICK
-        else pytest.param(study, marks=pytest.mark.long if place % 2 else pytest.mark.slow)
+        else pytest.param(study, marks=pytest.mark.long if place % 3 else pytest.mark.slow)
         for place, study in enumerate(STUDIES)
     ],
     ids=map(name, STUDIES),

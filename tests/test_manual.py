@@ -261,7 +261,7 @@ def test_no_page_promises_more_than_was_tested(root):
     assert found == []
 
 
-@pytest.mark.few(3, slow=3)
+@pytest.mark.few(3, slow=2)
 @pytest.mark.parametrize("medium", sorted(CATALOGUE["medium"]))
 def test_elastic_media_are_pressed_stick_and_wear_to_a_limit(medium):
     """As adhesion.md and wear.md state: half-spaces, layers and gradings; bodies that relax are refused.

@@ -72,7 +72,7 @@ LONG = {
 SLOW = {"coatings.md", "line-friction.md", "line-layers.md", "profiles.md", "rough.md", "wear.md"}
 
 
-@pytest.mark.few(16, slow=30)
+@pytest.mark.few(16, slow=12)
 @pytest.mark.parametrize(
     "page",
     [

@@ -187,7 +187,7 @@ TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 
 
 def pairs():
-    """Of the usual ones every second, of the rest every 32nd: each problem meets other profiles, and the reverse."""
+    """Of the usual ones every fourth, of the rest every 32nd: each problem meets other profiles, and the reverse."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
             if (problem, profile) in TOO_LONG:
@@ -197,11 +197,11 @@ def pairs():
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
                 lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
-                more = (number + place) % (2 if usual else 32) != 0
+                more = (number + place) % (4 if usual else 32) != 0
                 yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 
-@pytest.mark.few(3, slow=40)
+@pytest.mark.few(3, slow=20)
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])

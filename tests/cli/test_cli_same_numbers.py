@@ -235,13 +235,13 @@ SOLVED = [kind for kind in PYTHON if kind in CATALOGUE["problem"] or kind in FIR
 PARTS = [kind for kind in PYTHON if kind not in SOLVED]
 
 
-@pytest.mark.few(8, slow=30)
+@pytest.mark.few(8, slow=12)
 @pytest.mark.parametrize(
     "kind",
     [
         *lasting_slow(SOLVED),
-        *(pytest.param(kind, marks=pytest.mark.slow) for kind in PARTS[::4]),
-        *(pytest.param(kind, marks=pytest.mark.long) for kind in PARTS if kind not in PARTS[::4]),
+        *(pytest.param(kind, marks=pytest.mark.slow) for kind in PARTS[::8]),
+        *(pytest.param(kind, marks=pytest.mark.long) for kind in PARTS if kind not in PARTS[::8]),
     ],
 )
 def test_same_numbers(kind, computed):

@@ -287,7 +287,7 @@ def test_what_is_refused():
 # all laws
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_each_contact_does_what_the_exported_law_does_alone(name):
     """The law alone is plain Python, of which other languages are written."""
@@ -304,7 +304,7 @@ def test_each_contact_does_what_the_exported_law_does_alone(name):
         assert np.all(off <= 1e-13 * scale), np.max(off, axis=0) / scale
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_no_law_answers_with_what_is_no_number(name):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)

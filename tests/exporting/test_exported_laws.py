@@ -223,7 +223,7 @@ def test_beyond_the_greatest_depth_nothing_is_said(name):
     assert np.all(np.isnan(own.trace(motion)))
 
 
-@pytest.mark.few(2, slow=3)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_heading_states_units_and_validity(name):
     text = export(PROBLEMS[name], "c", name=name, count=6).text

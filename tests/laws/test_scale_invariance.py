@@ -280,7 +280,7 @@ def test_every_problem_in_other_units(name):
     assert_same(specimen(name), [DECIMAL])
 
 
-@pytest.mark.few(0, slow=25)
+@pytest.mark.few(0, slow=12)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.long) if name in LASTING else name for name in PROBLEMS]
 )
@@ -289,7 +289,7 @@ def test_every_problem_at_all_scales(name):
     assert_same(specimen(name), OTHERS)
 
 
-@pytest.mark.few(0, slow=50)
+@pytest.mark.few(0, slow=30)
 @pytest.mark.parametrize(
     "units", [pytest.param(DECIMAL, id="ten"), pytest.param(BINARY, marks=pytest.mark.long, id="two")]
 )
@@ -305,12 +305,12 @@ SHAPES = {"cone": wk.Cone(1.35), "power_law": wk.PowerLaw(1e6, 4.0), "flat_punch
 
 PLAIN = [
     pytest.param(
-        name, shape, marks=pytest.mark.slow if number % 3 == 0 and number // 3 % 3 == place else pytest.mark.long
+        name, shape, marks=pytest.mark.slow if number % 6 == 0 and number // 6 % 3 == place else pytest.mark.long
     )
     for number, name in enumerate(PROBLEMS)
     for place, shape in enumerate(SHAPES)
 ]
-"""One of these bodies for each third problem, by turns, is a slow test; the others are long tests."""
+"""One of these bodies for each sixth problem, by turns, is a slow test; the others are long tests."""
 
 
 @pytest.mark.parametrize(("name", "shape"), PLAIN)

@@ -59,7 +59,7 @@ ITEMS = {
 }
 
 
-@pytest.mark.few(2, slow=3)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", ITEMS)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]

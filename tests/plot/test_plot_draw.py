@@ -109,7 +109,7 @@ def laid_out(name):
     return figure
 
 
-@pytest.mark.few(4, slow=3)
+@pytest.mark.few(4, slow=2)
 @pytest.mark.parametrize("name", ITEMS)
 def test_every_item_has_a_whole_labelled_figure(name):
     figure = laid_out(name)
@@ -128,7 +128,7 @@ def test_every_item_has_a_whole_labelled_figure(name):
             assert max(box.x1 - frame.x1, box.y1 - frame.y1) < 1.0, cut
 
 
-@pytest.mark.few(1, slow=3)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("name", ["one load", "foundation", "many loads", "onset of yield", "staircase"])
 def test_titles_and_labels_do_not_overlap(name):
     figure = laid_out(name)

@@ -184,7 +184,7 @@ def test_intervals_hold_in_drawn_worlds(count, worlds):
     hold(errors_in_worlds(count, worlds, drawn_tip))
 
 
-@pytest.mark.few(0, slow=1)
+@pytest.mark.long
 @pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
 @pytest.mark.parametrize("count", [1, 10])
 def test_intervals_hold_for_two_tips(count, tip):

@@ -147,7 +147,7 @@ WRONG = {
 }
 
 
-@pytest.mark.few(8, slow=3)
+@pytest.mark.few(8, slow=2)
 @pytest.mark.parametrize("wrong", WRONG)
 @pytest.mark.parametrize("name", ["contacts", "wear"])
 def test_an_archive_with_one_wrong_array(name, wrong, whole, tmp_path):

@@ -291,7 +291,7 @@ LINES = {
 }
 
 
-@pytest.mark.few(1, slow=3)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("case", LINES)
 def test_texts_made_to_harm(case, tmp_path):
     path = tmp_path / "table.csv"

@@ -219,7 +219,7 @@ sys.exit(main(["run", "study.toml"]))
 AT_IMPORTS, IN_CALLBACKS = "sys.addaudithook(imported)", "sys.setprofile(left)"
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("sign", [signal.SIGTERM, signal.SIGINT])
 @pytest.mark.parametrize(("how", "place"), [*((AT_IMPORTS, n) for n in (1, 100, 250, 400)), (IN_CALLBACKS, 150)])
 def test_a_signal_while_winkler_is_loaded_is_not_lost(how, place, sign, tmp_path):

@@ -94,7 +94,7 @@ def drawn(count, seed=20261127):
         yield ratio, random.uniform(0.0, 0.5), random.uniform(0.0, 0.6), random.uniform(-math.pi, math.pi)
 
 
-@pytest.mark.few(1, slow=3)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize(("ratio", "poisson", "friction", "angle"), [*CORNERS, *drawn(12)])
 def test_below_an_ellipse(ratio, poisson, friction, angle):
     """Also for the opposite traction, the mirrored one, and that of the ellipse with its axes exchanged."""

@@ -169,7 +169,7 @@ def test_wide_punches_compress_a_film_like_a_bed(poisson):
 # -------------------------------------------------------------------------------------------------- without lengths
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("shape", ["cone", "paraboloid", "rounded"])
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 def test_thickness_and_modulus_are_units(shape, poisson):

@@ -320,7 +320,7 @@ def test_energy_along_the_equilibria(profile):
             assert gained == pytest.approx(whole, rel=1e-9, abs=1e-12 * size)
 
 
-@pytest.mark.few(1, slow=3)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("stiffness", [0.5 * E * A_UNIT, 1e3 * E * A_UNIT, GRIPS])
 @pytest.mark.parametrize(
     "profile",

@@ -117,7 +117,7 @@ MAW = [
 ]
 
 
-@pytest.mark.few(2, slow=3)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize(("before", "after"), MAW, ids=[f"psi {row[0]}" for row in MAW])
 def test_the_oblique_impact_of_a_ball(before, after):
     """The angles of incidence and reflection of Maw, Barber and Fawcett, psi = (G*/E*) w / (mu v), at nu = 0.3."""

@@ -52,7 +52,7 @@ def test_the_edge_releases_the_work_of_adhesion_by_another_derivation(contrast, 
     assert contact.energy_release_rate == pytest.approx(WORK, rel=1e-13)
 
 
-@pytest.mark.few(2, slow=3)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_an_attraction_ends_where_the_surfaces_stand_apart_by_its_range(contrast, a):

@@ -168,7 +168,7 @@ def test_stresses_inside_layers_are_refused_while_a_contact_slips_in_part():
         state.stresses(0.0, 0.1)
 
 
-@pytest.mark.few(2, slow=3)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_heat_of_a_line_that_slides_on_layers(contrast, a):

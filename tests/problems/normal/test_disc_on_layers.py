@@ -38,7 +38,7 @@ def pushes(bed: wk.Foundation, a: float) -> bool:
     return bool(np.min(pressure) > 0.0)
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("medium", "shape", "a", "disc"),
     [

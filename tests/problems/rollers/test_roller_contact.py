@@ -297,7 +297,7 @@ def test_what_is_no_roller_is_refused(change, sentence):
 
 @pytest.mark.parametrize(
     ("radius", "elements"),
-    [(1e6, 128), pytest.param(2e3, 320, marks=pytest.mark.slow), pytest.param(1e6, 320, marks=pytest.mark.slow)],
+    [(1e6, 128), pytest.param(2e3, 320, marks=pytest.mark.slow), pytest.param(1e6, 320, marks=pytest.mark.long)],
 )
 def test_a_roller_much_shorter_than_its_contact_is_as_wide_as_the_elements_that_bear(radius, elements):
     """The edge lies between the middles of the last element that bears and of the next; a coarse one is within 3 %."""

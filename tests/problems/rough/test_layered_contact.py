@@ -95,7 +95,7 @@ def test_the_force_converges_with_second_order():
     assert -np.polyfit(np.log((32, 64, 128)), np.log(errors), 1)[0] > 1.6
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("shape", ["ball", "cone"])
 @pytest.mark.parametrize("medium", [STIFF, SOFT, RUBBER, GRADED], ids=["stiff", "two", "rubber", "graded"])
 def test_512_pixels_are_within_a_ten_thousandth(medium, shape):

@@ -63,12 +63,12 @@ def differences(found, shares):
 @pytest.mark.parametrize(
     ("name", "count", "poisson"),
     [
-        pytest.param("ball", 41, 0.3, marks=pytest.mark.slow),
+        pytest.param("ball", 41, 0.3, marks=pytest.mark.long),
         pytest.param("ellipse", 41, 0.3, marks=pytest.mark.slow),
-        pytest.param("ellipse", 63, 0.5, marks=pytest.mark.slow),
-        pytest.param("square of nine balls", 63, 0.3, marks=pytest.mark.slow),
+        pytest.param("ellipse", 63, 0.5, marks=pytest.mark.long),
+        pytest.param("square of nine balls", 63, 0.3, marks=pytest.mark.long),
         pytest.param("rough", 63, 0.3, marks=pytest.mark.slow),
-        pytest.param("rough", 95, 0.5, marks=pytest.mark.slow),
+        pytest.param("rough", 95, 0.5, marks=pytest.mark.long),
     ],
 )
 def test_the_error_is_as_stated_at_other_shear_forces(name, count, poisson):

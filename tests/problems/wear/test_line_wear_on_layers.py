@@ -92,7 +92,7 @@ def test_fretting_is_that_of_boundary_elements(contrast, a):
     np.testing.assert_allclose(pressure[inside], there[inside], atol=2e-3 * pressure[0])
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("contrast", "a"), CASES)
 def test_sliding_is_that_of_boundary_elements(contrast, a):
     load = by_equations(contrast, a).load

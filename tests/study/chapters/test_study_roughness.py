@@ -178,7 +178,7 @@ PROBLEMS = (*ROUGH.answers, *NOT_ROUND)
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[] if name in QUICK else pytest.mark.slow)
+        name if name in QUICK else pytest.param(name, marks=pytest.mark.long)
         for name in (*ROUGH.answers, "elliptic_indentation", "nearly_round_indentation")
     ],
 )
