@@ -194,8 +194,14 @@ def test_a_cell_that_answers_otherwise_is_found(media, cells):
     assert not cells.agrees(cells.cells["indentation", "half_space"], media.Cell(media.NO_PLACE))
 
 
-@pytest.mark.few(0, slow=4)
-@pytest.mark.parametrize("medium", list(CATALOGUE["medium"]))
+@pytest.mark.few(0, slow=2)
+@pytest.mark.parametrize(
+    "medium",
+    [
+        pytest.param(medium, marks=pytest.mark.slow) if medium == "stacked_half_space" else medium  # the most problems
+        for medium in CATALOGUE["medium"]
+    ],
+)
 def test_each_cell_is_what_its_problem_answers(media, cells, medium):
     """Those of which the problem is built; of the others the test above knows all."""
     for (kind, column), written in cells.cells.items():

@@ -39,7 +39,7 @@ def here(tmp_path, monkeypatch) -> Path:
 # ------------------------------------------------------------------------------------------------------- show
 
 
-@pytest.mark.few(100, slow=80)
+@pytest.mark.few(100, slow=60)
 @pytest.mark.parametrize("name", list(kinds()))
 def test_show_lists_every_key_and_a_valid_example(name, capsys):
     assert main(["show", name]) == 0
@@ -187,7 +187,7 @@ TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 
 
 def pairs():
-    """Of the usual ones every fourth, of the rest every 32nd: each problem meets other profiles, and the reverse."""
+    """Of the usual ones every eighth, of the rest every 32nd: each problem meets other profiles, and the reverse."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
             if (problem, profile) in TOO_LONG:
@@ -197,7 +197,7 @@ def pairs():
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
                 lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
-                more = (number + place) % (4 if usual else 32) != 0
+                more = (number + place) % (8 if usual else 32) != 0
                 yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 
@@ -221,7 +221,7 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
         assert not re.match(r"^\w+ = .*[^ ]$", line) or "#" in line or line.startswith(("kind", "title"))
 
 
-@pytest.mark.few(1, slow=9)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize(
     ("option", "kind"),
     [("--medium", name) for name in CATALOGUE["medium"]]

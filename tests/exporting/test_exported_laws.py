@@ -86,7 +86,7 @@ def test_the_same_file_is_cpp(tmp_path, name):
     assert ran(built(tmp_path, name, language="c++"))[0] == 0
 
 
-@pytest.mark.few(1, slow=9)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_python_file_agrees_away_from_winkler(tmp_path, name):
     write_export(export(PROBLEMS[name], "python", name=name, count=8), tmp_path)

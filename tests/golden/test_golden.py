@@ -1,7 +1,8 @@
 """The answers of today beside the golden numbers (see `golden`): a part of them by default, the others slow or long.
 
 By default these are a third of one example in four, and of the first seed of one group of histories in three.  Slow
-tests compare the other thirds, a quarter of what takes little and the first seed of each other group, long ones the rest.
+tests compare the other thirds, a quarter of what takes little and the first seed of each other group, long ones the
+rest.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ def find(notes, assumption) -> Note:
     return max(found, key=lambda note: list(Standing).index(note.standing))
 
 
-@pytest.mark.few(3, slow=28)
+@pytest.mark.few(3, slow=15)
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_states_what_it_declares_and_nothing_else(kind):
     solution = result(kind)

@@ -289,7 +289,7 @@ def test_every_problem_at_all_scales(name):
     assert_same(specimen(name), OTHERS)
 
 
-@pytest.mark.few(0, slow=30)
+@pytest.mark.few(0, slow=20)
 @pytest.mark.parametrize(
     "units", [pytest.param(DECIMAL, id="ten"), pytest.param(BINARY, marks=pytest.mark.long, id="two")]
 )

@@ -60,7 +60,7 @@ def check(kind):
     return outcome, large, sentence
 
 
-@pytest.mark.few(20, slow=20)
+@pytest.mark.few(20, slow=10)
 @pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in LONG])
 def test_each_kind_is_headed_by_what_was_asked(kind):
     check(kind)

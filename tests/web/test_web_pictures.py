@@ -20,7 +20,7 @@ from winkler.web.pictures.moments import initial_moment, moments_of
 from winkler.web.pictures.view import NO_VIEW
 
 
-@pytest.mark.few(0, slow=15)
+@pytest.mark.few(0, slow=8)
 @pytest.mark.parametrize(
     "kind",
     [pytest.param(kind, marks=pytest.mark.long) if kind in SHOWN else kind for kind in CATALOGUE["problem"]],

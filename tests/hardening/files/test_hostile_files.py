@@ -188,7 +188,7 @@ ARRAYS = {
 }
 
 
-@pytest.mark.few(2, slow=12)
+@pytest.mark.few(2, slow=6)
 @pytest.mark.parametrize("case", ARRAYS)
 def test_arrays_made_to_harm(case, tmp_path):
     content, sentence = ARRAYS[case]

@@ -82,7 +82,7 @@ CASES = [
 ]
 
 
-@pytest.mark.few(2, slow=25)
+@pytest.mark.few(2, slow=12)
 @pytest.mark.parametrize(("name", "strength"), CASES)
 def test_all_kinds_state_it(name, strength):
     """Elastic solids answer the same whatever their strength is: it is put into the answer of the example."""

@@ -94,7 +94,7 @@ def love(count):
     return (corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]) / np.pi
 
 
-@pytest.mark.few(0, slow=5)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("periodic", [True, False])
 @pytest.mark.parametrize(("contrast", "thickness", "mean"), [(3e3, 0.02, 20.0), (1e6, 0.003, 20.0), (1e6, 0.02, 1e3)])
 def test_contrasts_up_to_a_million_are_solved(periodic, contrast, thickness, mean):
