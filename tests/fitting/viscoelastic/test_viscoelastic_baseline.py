@@ -30,7 +30,7 @@ def deviations(curves, begin, names, truth):
     return found, (np.array([one.values for one in found]) - truth) / errors, np.sum(inside, axis=0)
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_creep_with_a_baseline_on_a_slope():
     """Offset and tilt of 5 % and 2 % of the load; fewer hits than this happen once in a thousand honest tests."""
     found, off, inside = deviations(map(ramp_and_hold, range(8)), start("creep"), NAMES, TRUTH)

@@ -130,7 +130,7 @@ def test_stresses_are_in_equilibrium_and_obey_hooke_and_the_traction():
     np.testing.assert_allclose(on[2], wanted, atol=1e-11 * np.max(np.abs(wanted)))
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_layers_of_one_solid_slide_as_a_half_space():
     """Where the surface yields first, by Hertz' and Johnson's closed forms of it."""
     steel = wk.Elastic(E, 0.3, strength=Y)

@@ -36,7 +36,7 @@ def test_a_ball_on_a_coated_disc_yields_as_by_the_round_engine():
     assert found.grid_error < 0.01
 
 
-@pytest.mark.long
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(("thickness", "mu", "angle"), [(0.02, 0.0, 0.0), (0.01, 0.2, 0.6), (0.05, 0.1, 1.5)])
 def test_equal_layers_yield_as_the_half_space_at_rest_and_dragged(thickness, mu, angle):
     """The layers' share of the field is that of the base: the first part to yield is where the half-space does."""
