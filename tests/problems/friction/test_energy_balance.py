@@ -94,7 +94,7 @@ def test_indentation_to_and_fro_keeps_account(name, ratio):
     assert np.all(result.stored_energy >= 0.0)
 
 
-@pytest.mark.few(2, slow=2)
+@pytest.mark.few(2, slow=1)
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_sudden_depths_and_forces_keep_account(ratio):
     solid = solids(ratio)["standard solid"]
@@ -122,7 +122,7 @@ def test_a_body_that_is_dragged_keeps_account(name, ratio):
     assert result.dissipation == pytest.approx(result.friction_loss + result.bulk_loss, rel=1e-14)
 
 
-@pytest.mark.few(1, slow=2)
+@pytest.mark.few(1, slow=1)
 @pytest.mark.parametrize("ratio", [1e-20, 1e-3, 1.0, 1e4, 1e20])
 def test_what_an_impact_takes_is_stored_or_lost(ratio):
     solid = solids(ratio)["standard solid"]

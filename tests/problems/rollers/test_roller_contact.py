@@ -159,7 +159,7 @@ SHAPES = [
 ]
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(("ends", "alignment"), SHAPES)
 def test_the_usual_grid_is_within_one_per_cent_of_a_refined_one(ends, alignment):
     usual = bearing(ends, alignment=alignment, elements=160).solve()

@@ -128,7 +128,7 @@ def test_friction_that_does_not_slip_or_does_not_bear_is_refused(coefficient):
         ReducedFriction(ball(), pair(0.3), wk.Coulomb(coefficient), 0.05)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("angle", [0.0, 35.0])
 def test_a_depth_that_changes_triples_the_error_of_losses_at_most(angle):
     x, y = square(47)
