@@ -103,6 +103,7 @@ def test_json_with_a_folder_writes_there_too(here, capsys):
     assert PROVENANCE in names(here / "out")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "endings"),
     [
