@@ -10,8 +10,8 @@ import jsonschema
 import pytest
 
 from winkler.cli import main
+from winkler.study.json_schema import json_schema
 from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.json_schema import json_schema
 
 BASE = """title = "Ball"
 

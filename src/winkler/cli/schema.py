@@ -39,7 +39,7 @@ def schema(
 
     from winkler.errors import InvalidInput, suggest
     from winkler.io.whole_file import write_whole
-    from winkler.study.language.json_schema import json_schema
+    from winkler.study.json_schema import json_schema
     from winkler.study.language.template import SCHEMA_FILE
 
     names = _all_kinds()

@@ -46,7 +46,7 @@ def show_nanoindentation() -> None:
 
 def nanoindentation_json() -> dict[str, list[dict[str, str]]]:
     """Return the same as JSON."""
-    from winkler.study.language.nanoindentation_keys import MEANINGS, UNITS
+    from winkler.study.nanoindentation.keys import MEANINGS, UNITS
 
     return {
         section: [{"key": key, "unit": UNITS[section][key] or "", "meaning": line} for key, line in rows.items()]

@@ -30,7 +30,7 @@ from pydantic import (
 from winkler.checks.field_checks import numbers_taken
 from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
-from winkler.study.language import json_forms, maps, number_tables, quantities
+from winkler.study.language import json_forms, maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
 from winkler.study.language.json_forms import checked
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind
@@ -86,13 +86,13 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     unit = quantities.unit_of(owner, field)
     if (owner.__name__, field) in quantities.INDEXED:
         units = quantities.INDEXED[owner.__name__, field]
-        return checked(functools.partial(number_tables.indexed, units=units), json_forms.indexed)
+        return checked(functools.partial(quantities.indexed, units=units), json_forms.indexed)
     if (owner.__name__, field) in quantities.GRIDS:
-        return checked(number_tables.grid, json_forms.grid)
+        return checked(quantities.grid, json_forms.grid)
     if hint == tuple[int, int]:
         return checked(maps.counts, json_forms.counts)
     if hint == tuple[tuple[str, float], ...]:
-        return checked(number_tables.named, json_forms.named)
+        return checked(quantities.named, json_forms.named)
     if (owner.__name__, field) in maps.MAPS:
         return _in_unit(maps.height_map, json_forms.height_map, unit)
     if (owner.__name__, field) in maps.PAIRS:

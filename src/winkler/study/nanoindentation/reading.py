@@ -30,10 +30,10 @@ from winkler.io.tables.given_units import checked_units
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
 from winkler.study.language.compared.expectations import expectations
-from winkler.study.language.nanoindentation_keys import UNITS
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.segmenting import stated_segments
 from winkler.study.language.study import Expectation, Output
+from winkler.study.nanoindentation.keys import UNITS
 from winkler.values import value
 
 __all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]

@@ -20,9 +20,9 @@ from winkler.study.language.fit_grammar import fit_form
 from winkler.study.language.fit_study import FITTED
 from winkler.study.language.grammar import SECTIONS, study_form
 from winkler.study.language.json_forms import KINDS, SHARED, Form
-from winkler.study.language.nanoindentation_keys import MEANINGS, UNITS
 from winkler.study.language.schema import form, required_fields
 from winkler.study.language.study import GRADES, PICTURES
+from winkler.study.nanoindentation.keys import MEANINGS, UNITS
 
 __all__ = ["DIALECT", "json_schema"]
 
