@@ -105,9 +105,7 @@ def bench_a_loop_of_a_thousand_points_on_a_coating(benchmark, below, load):
     layer = wk.Layer(wk.Elastic(400e9, 0.3), thickness=2e-6)
     bed = wk.Foundation(wk.Paraboloid(1e-3), wk.CoatedHalfSpace([layer], on=wk.Elastic(40e9, 0.3)))
     swing = np.sin(6.0 * np.pi * np.linspace(0.0, 1.0, 1000)) * (4e-9 if load is wk.Shift else 5e-3)
-    problem = wk.Tangential(
-        bed, wk.Coulomb(0.3), wk.Path(np.linspace(0.0, 1.0, 1000), wk.Force(0.05), load(swing))
-    )
+    problem = wk.Tangential(bed, wk.Coulomb(0.3), wk.Path(np.linspace(0.0, 1.0, 1000), wk.Force(0.05), load(swing)))
     problem.solve()
     assert benchmark(problem.solve).dissipation[-1] > 0.0
     below(1.0, f"loop of a thousand points on a coating, {load.__name__}")

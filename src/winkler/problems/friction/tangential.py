@@ -289,7 +289,7 @@ class TangentialSolution(Looped, OfPath[State]):
         OutsideValidity
             If springs were followed, not rings.
         """
-        return np.array([state.nested for state in self._rings])
+        return self._known("nested")
 
     @property
     def friction_loss(self) -> Array:
@@ -300,7 +300,7 @@ class TangentialSolution(Looped, OfPath[State]):
         OutsideValidity
             If the bodies are elastic.
         """
-        return np.array([state.friction_loss for state in self._dragged])
+        return self._known("friction_loss")
 
     @property
     def bulk_loss(self) -> Array:
@@ -311,27 +311,13 @@ class TangentialSolution(Looped, OfPath[State]):
         OutsideValidity
             If the bodies are elastic.
         """
-        return np.array([state.bulk_loss for state in self._dragged])
+        return self._known("bulk_loss")
 
-    @property
-    def _dragged(self) -> tuple[DraggedState, ...]:
-        """The states of bodies that relax."""
-        dragged = tuple(state for state in self.states if isinstance(state, DraggedState))
-        if len(dragged) < len(self.states):
-            raise OutsideValidity(
-                "Tangential: these bodies are elastic, and lose nothing but to friction: read dissipation."
-            )
-        return dragged
-
-    @property
-    def _rings(self) -> tuple[PushedState, ...]:
-        """The states of rings."""
-        rings = tuple(state for state in self.states if isinstance(state, PushedState))
-        if len(rings) < len(self.states):
-            raise OutsideValidity(
-                f"Tangential: no rings were followed on this bed; read it of the method {Method.RINGS}."
-            )
-        return rings
+    def _known(self, name: str) -> Array:
+        """Return a number that only rings, or only bodies that relax, have."""
+        if not all(hasattr(state, name) for state in self.states):
+            raise OutsideValidity(f"Tangential: {name} is not known of this method and medium; leave it out.")
+        return np.array([getattr(state, name) for state in self.states])
 
     @property
     def last_cycle(self) -> LastCycle:
@@ -350,7 +336,8 @@ class TangentialSolution(Looped, OfPath[State]):
         if problem.by_rings:
             assert isinstance(problem.law, Coulomb)
             by_force = isinstance(problem.path.lateral, ShearForce)
-            return (*pushed_notes(problem.bed, problem.law, self._rings, by_force), *notes)
+            rings = [state for state in self.states if isinstance(state, PushedState)]
+            return (*pushed_notes(problem.bed, problem.law, rings, by_force), *notes)
         states = [state for state in self.states if not isinstance(state, PushedState | DraggedState)]
         kept = self.depth, self.force, self.shear_force, self.radius
         return (*friction_notes(problem.bed, problem.law, *kept, states), *notes)
