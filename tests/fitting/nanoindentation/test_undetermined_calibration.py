@@ -182,6 +182,29 @@ def test_intervals_hold_in_drawn_worlds(count):
     hold(errors_in_worlds(count, 100, drawn_tip))
 
 
+def expected_tip(random):
+    """A tip as the average expects it before the readings, of a whole area that is measured: one to four coefficients."""
+    area, height = FORCES[-1] / 9.3e9, 172e-9
+    while True:
+        shares = np.abs(random.standard_normal(random.integers(1, 5)))
+        shares = shares * 0.5 ** np.arange(shares.size)
+        if random.uniform() < np.exp(-0.5 * ((shares.sum() - 1.0) / 0.02) ** 2):
+            return shares * area / height ** (2.0 ** (1 - np.arange(shares.size)))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [1, 3])
+def test_the_frame_is_held_by_the_average_that_states_it(count):
+    """Tips, their numbers of coefficients and frames are drawn from what is averaged: no other interval is its own."""
+    apart = np.zeros((80, 1))
+    for seed in range(len(apart)):
+        random = np.random.default_rng([92, count, seed])
+        frame, tip = random.uniform(0.0, 8e-6), expected_tip(random)
+        found = calibrated(silica(random, count, frame, tip))
+        apart[seed] = (found.frame_compliance - frame) / found.frame_compliance_error
+    hold(apart)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
 @pytest.mark.parametrize("count", [1, 10])
