@@ -183,7 +183,7 @@ def test_intervals_hold_in_drawn_worlds(count):
 
 
 def expected_tip(random):
-    """A tip as the average expects it before the readings, of a whole area that is measured: one to four coefficients."""
+    """A tip of one to four coefficients as the average expects it before the readings; its whole area is measured."""
     area, height = FORCES[-1] / 9.3e9, 172e-9
     while True:
         shares = np.abs(random.standard_normal(random.integers(1, 5)))

@@ -129,7 +129,7 @@ class LineViscoelasticIndentation:
             )
         if isinstance(self.bed, LayeredLineFoundation):
             self.bed.refuse_grading(
-                "LineViscoelasticIndentation: strips relax on homogeneous bodies and on layers; in the place of the grading"
+                "LineViscoelasticIndentation: strips relax on half-planes and on layers; in the place of the grading"
             )
         affordable("LineViscoelasticIndentation", "numbers", self.total * self.count, MOST_NUMBERS)
 
