@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from winkler.cli.options import Output, Overwrite, Quiet
+from winkler.cli.options import Output, Overwrite, Quiet, Settings
 from winkler.cli.results import resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -28,6 +28,7 @@ EXPECTATION_MISSED = 1
 def run(
     study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
     output: Output = None,
+    settings: Settings = None,
     overwrite: Overwrite = False,
     workers: Annotated[
         int | None,
@@ -72,7 +73,7 @@ def run(
     started = time.perf_counter()
     if cluster and workers is not None:
         raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
-    content = _with_figures(read_study(study), figures)
+    content = _with_figures(read_study(study, settings=settings or ()), figures)
     solvers = Cluster(cluster) if cluster else Machine() if workers is None else workers
     job = _RunRequest(content, study.name, solvers, started, hidden=quiet or as_json)
     if as_json and output is None:

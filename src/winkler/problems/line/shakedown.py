@@ -232,8 +232,8 @@ def _left(
         z = np.unique(np.concatenate([*finer, z[rivals]]))
         x = np.unique(np.concatenate([x[kept], *(x[i] + beside for i in touched if i >= 0)]))
         near /= CLOSER
-    at = [i for i in least.touched[:, top] if i >= 0]
-    place = max(at, key=lambda i: abs(fields.xz_stress[i, top]), default=0)
+    at = [int(i) for i in least.touched[:, top] if i >= 0]
+    place = max(at, key=lambda i: float(abs(fields.xz_stress[i, top])), default=0)
     return Placed(float(least.level[top]), float(x[place]), float(z[top] if part.first else -z[top]))
 
 
