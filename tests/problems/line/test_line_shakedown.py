@@ -52,7 +52,7 @@ def minimised(stresses):
     return float(best.fun)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(6))
 def test_residual_stresses_leave_the_least_that_simplices_find(seed):
     rng = np.random.default_rng(seed)
@@ -68,7 +68,7 @@ def test_residual_stresses_leave_the_least_that_simplices_find(seed):
 
 def surface(mu, poisson):
     """sigma_x, sigma_y, sigma_z, tau_xz over p0 between the edges of a rubbed cylinder: closed forms."""
-    s = np.cos(np.linspace(0.0, np.pi, 4001))
+    s = np.cos(np.linspace(0.0, np.pi, 1001))
     pressure = np.sqrt(1.0 - s**2)
     along = -pressure - 2.0 * mu * s
     return along, poisson * (along - pressure), -pressure, mu * pressure
@@ -79,7 +79,7 @@ def surface(mu, poisson):
 def test_the_surface_of_a_rubbed_half_plane_limits_the_load(mu, poisson):
     found = limit(half_plane(poisson), mu)
     p0 = 4.0 / math.pi * found.mean_pressure
-    assert p0 * minimised(surface(mu, poisson)) == pytest.approx(STRENGTH, rel=1e-6)
+    assert p0 * minimised(surface(mu, poisson)) == pytest.approx(STRENGTH, rel=5e-6)
     assert p0 < 0.985 * K / mu
     assert (found.z, found.validity[-1].standing) == (0.0, wk.Standing.EXACT)
 

@@ -225,7 +225,7 @@ def _left(
         padded = np.concatenate([[-1.0], least.level, [-1.0]])
         peaks = (least.level >= np.maximum(padded[:-2], padded[2:])) & (least.level >= RIVAL * least.level[top])
         (rivals,) = np.nonzero(peaks)
-        finer = [np.linspace(z[max(i - 1, 0)], z[min(i + 1, z.size - 1)], FINE) for i in rivals]
+        finer = [np.linspace(z[max(i - 1, 0)], z[min(i + 1, z.size - 1)], FINE) for i in rivals.tolist()]
         kept = np.any(least.square[:, rivals] >= ACTIVE, axis=1)
         touched = np.unique(least.touched[:, rivals])
         beside = near * np.linspace(-1.0, 1.0, 2 * FINE_PLACES + 1)
@@ -233,7 +233,7 @@ def _left(
         x = np.unique(np.concatenate([x[kept], *(x[i] + beside for i in touched if i >= 0)]))
         near /= CLOSER
     at = [int(i) for i in least.touched[:, top] if i >= 0]
-    place = max(at, key=lambda i: float(abs(fields.xz_stress[i, top])), default=0)
+    place = at[int(np.argmax(np.abs(fields.xz_stress[at, top])))] if at else 0
     return Placed(float(least.level[top]), float(x[place]), float(z[top] if part.first else -z[top]))
 
 
@@ -294,11 +294,11 @@ def least_stress(fields: LineFields) -> Least:
     They act along x and y and are the same at all places of a depth; the body at rest counts as a place.
     """
     u, v = fields.xx_stress - fields.zz_stress, fields.yy_stress - fields.zz_stress
-    points = [u - 0.5 * v, 0.5 * math.sqrt(3.0) * v, 3.0 * fields.xz_stress**2]
+    points = u - 0.5 * v, 0.5 * math.sqrt(3.0) * v, 3.0 * fields.xz_stress**2
     depths = u.shape[1]
+    across, down, raised = (np.vstack([one, np.zeros((1, depths))]) for one in points)
     squares, centre, touched = np.empty(depths), np.empty((2, depths)), np.empty((3, depths), dtype=np.int64)
-    smallest_balls(*(np.vstack([one, np.zeros((1, depths))]) for one in points), squares, centre, touched)
-    across, down, raised = points
-    reached = (across - centre[0]) ** 2 + (down - centre[1]) ** 2 + raised
+    smallest_balls(across, down, raised, squares, centre, touched)
+    reached = ((across - centre[0]) ** 2 + (down - centre[1]) ** 2 + raised)[:-1]
     safe = np.where(squares > 0.0, squares, 1.0)
     return Least(np.sqrt(squares), reached / safe, np.where(touched < u.shape[0], touched, -1))
