@@ -1,4 +1,4 @@
-"""``winkler run``: solve a study and write its results, or show its numbers alone."""
+"""``winkler run`` and ``merge``: solve a study, or its shards, and write its results, or show its numbers alone."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from winkler.cli.options import Output, Overwrite, Quiet, Settings
+from winkler.cli.options import AsJson, Output, Overwrite, Quiet, Settings
 from winkler.cli.results import resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from winkler.study.batch.pool import Workers
     from winkler.study.language.study import Study
 
-__all__ = ["exit_code", "run"]
+__all__ = ["exit_code", "merge", "run"]
 
 EXPECTATION_MISSED = 1
 
@@ -104,6 +104,32 @@ def run(
         raise Interrupted(f"interrupted; the points that were reached are {'kept ' if folder else ''}{place}.")
     if code == Mistake.exit_code:
         raise _mistake(study.name, outcome, place)
+    return code
+
+
+def merge(
+    study: Annotated[Path, typer.Argument(help="A study file (TOML) with a sweep.", show_default=False)],
+    output: Output = None,
+    settings: Settings = None,
+    overwrite: Overwrite = False,
+    quiet: Quiet = False,
+    as_json: AsJson = False,
+) -> int:
+    """Write the results of a sweep whose shards were solved by `winkler run --shard`.
+
+    The results are those of one run. Exit codes are those of `winkler run`.
+
+    Example: winkler merge study.toml --output results/study
+    """
+    from winkler.study.batch.shards import put_together
+    from winkler.study.language.reading import read_study
+
+    content = read_study(study, settings=settings or ())
+    folder = output or Path(content.output.folder or Path("results") / study.stem)
+    parts = put_together(content, folder)
+    code = run(study, folder, settings, overwrite=overwrite, quiet=quiet, as_json=as_json)
+    for part in parts:
+        part.remove()
     return code
 
 

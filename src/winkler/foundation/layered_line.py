@@ -196,17 +196,18 @@ class LayeredLineFoundation(LineBed):
         OutsideValidity
             If it is a grading, in which stresses are not known.
         """
-        self._refuse_grading(
+        self.refuse_grading(
             "Stresses below a line contact are known in layers and homogeneous bodies; in the place of the grading"
         )
         return cast(LayerStack, self.medium)
 
-    def _refuse_grading(self, why: str) -> None:
+    def refuse_grading(self, why: str) -> None:
+        """Refuse a grading with what is offered in its place after a reason."""
         if isinstance(self.layered_body, GradedBody):
             raise OutsideValidity(f"{why} give a CoatedHalfSpace of layers that follow it.")
 
     def _refuse_sticking_grading(self) -> None:
-        self._refuse_grading(
+        self.refuse_grading(
             "Lines stick on layers and on homogeneous bodies; the edges of flat punches on a grading, whose waves fall "
             "slowly, are not built in:"
         )
@@ -433,7 +434,7 @@ class LayeredLineFoundation(LineBed):
         return pressed, pushed
 
     def _refuse_worn_grading(self) -> None:
-        self._refuse_grading(
+        self.refuse_grading(
             "Lines wear on layers and on homogeneous bodies; flat punches of all widths on a grading, whose waves fall "
             "slowly, are not built in:"
         )
@@ -546,7 +547,7 @@ class PeriodicLayers(LayeredLineFoundation):
 
     def __post_init__(self) -> None:
         LayeredLineFoundation.__post_init__(self)
-        self._refuse_grading(
+        self.refuse_grading(
             "Many strips press on layers and on homogeneous bodies; sums over the waves of their pitch, which fall "
             "slowly on a grading, are not built in:"
         )

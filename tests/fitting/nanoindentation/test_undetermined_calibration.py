@@ -184,6 +184,31 @@ def test_intervals_hold_in_drawn_worlds(count, worlds):
     hold(errors_in_worlds(count, worlds, drawn_tip))
 
 
+def expected_tip(random):
+    """A tip of one to four coefficients as the average expects it before the readings; its whole area is measured."""
+    area, height = FORCES[-1] / 9.3e9, 172e-9
+    while True:
+        shares = np.abs(random.standard_normal(random.integers(1, 5)))
+        shares = shares * 0.5 ** np.arange(shares.size)
+        if random.uniform() < np.exp(-0.5 * ((shares.sum() - 1.0) / 0.02) ** 2):
+            return shares * area / height ** (2.0 ** (1 - np.arange(shares.size)))
+
+
+@pytest.mark.parametrize(
+    ("count", "worlds"),
+    [pytest.param(1, 20, marks=pytest.mark.slow), *(pytest.param(n, 80, marks=pytest.mark.long) for n in (1, 3))],
+)
+def test_the_frame_is_held_by_the_average_that_states_it(count, worlds):
+    """Tips, their numbers of coefficients and frames are drawn from what is averaged: no other interval is its own."""
+    apart = np.zeros((worlds, 1))
+    for seed in range(len(apart)):
+        random = np.random.default_rng([92, count, seed])
+        frame, tip = random.uniform(0.0, 8e-6), expected_tip(random)
+        found = calibrated(silica(random, count, frame, tip))
+        apart[seed] = (found.frame_compliance - frame) / found.frame_compliance_error
+    hold(apart)
+
+
 @pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
 @pytest.mark.parametrize(
     ("count", "worlds"),

@@ -167,6 +167,7 @@ ON_LAYERS = (
     "LineFrictionHeating",
     "LineConstriction",
     "LineYieldOnset",
+    "LineShakedown",
     "LineAdhesion",
     "LineLimitingProfile",
     "LineFrettingWear",
@@ -180,6 +181,7 @@ SLOW_ON_LAYERS = (
     "LineTangential",
     "LineTangential, bulk",
     "LineYieldOnset",
+    "LineShakedown",
     "LineAdhesion, Dugdale",
     "LineRolling, coupled",
 )

@@ -180,3 +180,11 @@ def test_notes_speak_of_layers_and_what_does_not_fit_is_refused():
     )
     with pytest.raises(wk.OutsideValidity, match="has no layers that line contacts know"):
         wk.LayeredLineFoundation(wk.Paraboloid(1.0), soil)
+
+
+def test_gradings_that_relax_are_refused_and_layers_named():
+    """They were accepted, and three solves of three points gave no answer in a minute."""
+    grading = wk.DepthGradedHalfSpace(wk.ExponentialGrading(1.0, 3.0, depth_scale=1e-3, poisson=0.3))
+    bed = wk.LayeredLineFoundation(wk.Paraboloid(1.0), wk.RelaxingInProportion(grading, RUBBER, shear=1.0))
+    with pytest.raises(wk.OutsideValidity, match="in the place of the grading give a CoatedHalfSpace of layers"):
+        wk.LineViscoelasticIndentation(bed, IN_AND_OUT)

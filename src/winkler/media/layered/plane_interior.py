@@ -18,13 +18,14 @@ A traction along x is the same wave a quarter of its length ahead: :math:`-\sin 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import itertools
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.layered.coated_interior import WaveState, refuse_base, wave_states
+from winkler.media.layered.coated_interior import refuse_base, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
 from winkler.media.layered.stack import StackBody
 from winkler.media.offers import LayerStack
@@ -38,6 +39,7 @@ FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0
 MOST_WAVES = 200_000
+IS_SHEAR = np.array([False, False, False, True])[:, None]
 
 
 class PlaneWaves(NamedTuple):
@@ -80,7 +82,7 @@ def plane_waves(
     return PlaneWaves(k, weights * fading(k, response.length, half_width) * transform(k) / np.pi)
 
 
-def added_stresses(medium: LayerStack, waves: PlaneWaves, x: Array, z: Array, *, dragged: bool = False) -> Array:
+def added_stresses(medium: LayerStack, waves: PlaneWaves, x: Array, z: Array, friction: float) -> Array:
     """Return sigma_x, sigma_y, sigma_z and tau_xz [Pa] ``(4, m)``, in the uppermost layer without the half-plane's.
 
     Parameters
@@ -89,8 +91,8 @@ def added_stresses(medium: LayerStack, waves: PlaneWaves, x: Array, z: Array, *,
     waves : PlaneWaves
     x, z : ndarray, (m,)
         Places [m]; a point on an interface belongs to the upper layer.
-    dragged : bool
-        Whether the waves are not a pressure but a traction along +x.
+    friction : float
+        Traction along +x over the pressure [-].
 
     Raises
     ------
@@ -99,23 +101,35 @@ def added_stresses(medium: LayerStack, waves: PlaneWaves, x: Array, z: Array, *,
     """
     body = StackBody(medium.stack, medium.on)
     refuse_base(body, z)
-    result = np.zeros((4, x.size))
-    for depth, state, end in wave_states(body, np.unique(z), waves.k, dragged=dragged):
-        (members,) = np.nonzero(z == depth)
-        result[:, members] = _superposed(state, PlaneWaves(waves.k[:end], waves.weights[:end]), x[members], dragged)
+    result, side = np.zeros((4, x.size)), np.where(x < 0.0, -1.0, 1.0)
+    depths, depth_of = np.unique(z, return_inverse=True)
+    for some in chunks(depths.size, 8 * waves.k.size):
+        (members,) = np.nonzero((depth_of >= some.start) & (depth_of < some.stop))
+        places, place_of = np.unique(np.abs(x[members]), return_inverse=True)
+        levels = list(_amplitudes(body, depths[some], waves, friction))
+        for part in chunks(places.size, waves.k.size):
+            phase = np.outer(waves.k, places[part])
+            cosine, sine, whole = np.cos(phase), np.sin(phase), np.arange(phase.shape[1])  # once for all depths
+            for number, (even, odd) in enumerate(levels, some.start):
+                there = (depth_of[members] == number) & (place_of >= part.start) & (place_of < part.stop)
+                own, (columns, back) = members[there], np.unique(place_of[there] - part.start, return_inverse=True)
+                chosen = slice(None) if np.array_equal(columns, whole) else columns
+                even_part, odd_part = (of @ one[: of.shape[1], chosen] for of, one in ((even, cosine), (odd, sine)))
+                result[:, own] = even_part[:, back] + side[own] * odd_part[:, back]
     return result
 
 
-def _superposed(state: WaveState, waves: PlaneWaves, x: Array, dragged: bool) -> Array:
-    *even, shear, _, _ = state.weighted(np.ones(waves.k.size))
-    level, ahead = waves.weights.real[:, None], waves.weights.imag[:, None]
-    result = np.empty((4, x.size))
-    for part in chunks(x.size, waves.k.size):
-        phase = np.outer(waves.k, x[part])
-        cosine, sine = np.cos(phase), np.sin(phase)
-        cosine, sine = level * cosine - ahead * sine, level * sine + ahead * cosine
-        if dragged:
-            cosine, sine = -sine, cosine
-        result[:3, part] = np.stack(even) @ cosine
-        result[3, part] = shear @ sine
-    return result
+def _amplitudes(body: StackBody, depths: Array, waves: PlaneWaves, friction: float) -> Iterator[tuple[Array, Array]]:
+    """Yield, depth by depth, what multiplies cos kx and sin kx in each stress ``(4, k)``."""
+    dragged = wave_states(body, depths, waves.k, dragged=True) if friction != 0.0 else itertools.repeat(None)
+    for (_, state, end), drag in zip(wave_states(body, depths, waves.k), dragged, strict=False):
+        weights = waves.weights[:end]
+        level, ahead = np.real(weights), np.imag(weights)
+        pressed = np.stack(state.weighted(np.ones(end))[:4])
+        even, odd = pressed * level, -pressed * ahead
+        even[3], odd[3] = pressed[3] * ahead, pressed[3] * level
+        if drag is not None:
+            along = friction * np.stack(drag[1].weighted(np.ones(end))[:4])
+            even += along * np.where(IS_SHEAR, level, -ahead)
+            odd -= along * np.where(IS_SHEAR, ahead, level)
+        yield even, odd

@@ -149,9 +149,7 @@ def in_layers(
         parts[:, upper] = found.xx_stress, found.yy_stress, found.zz_stress, found.xz_stress
     if below and across.size:
         waves = waves_below(float(np.max(np.abs(across))))
-        parts += added_stresses(medium, waves, across, deep)
-        if friction != 0.0:
-            parts += friction * added_stresses(medium, waves, across, deep, dragged=True)
+        parts += added_stresses(medium, waves, across, deep, friction)
     return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
 
 

@@ -1,7 +1,8 @@
-"""The half-width of a strip on layers at which a layer, or a body beside them, reaches its strength."""
+"""The half-width of a strip on layers at which a stress in them, or in a body beside them, reaches a strength."""
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 
@@ -17,7 +18,7 @@ from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 
-__all__ = ["at_strength_on_layers"]
+__all__ = ["at_strength_on_layers", "full_on_layers"]
 
 MOST_STEPS = 60
 NEAREST_END = 1e-3
@@ -30,10 +31,14 @@ COARSE, COARSE_TOLERANCE = 4, 1e-4
 """Refinements while the half-width is sought, and to which part; two full secant steps follow."""
 
 
+Share = Callable[[float, int], Placed]
+"""Takes a half-width [m] and how often grids are refined; returns the greatest of a stress over the strength."""
+
+
 def at_strength_on_layers(
     bed: LayeredLineFoundation, part: StrongPart, friction: float, name: str
 ) -> tuple[float, Placed]:
-    """Return the half-width [m] at which a part reaches its strength, and where; z < 0 in the second body.
+    """Return the half-width [m] at which a part begins to yield, and where; z < 0 in the second body.
 
     Parameters
     ----------
@@ -46,19 +51,46 @@ def at_strength_on_layers(
         Of the problem, for its refusals.
     """
 
-    def excess(logarithm: float, refinements: int = COARSE) -> float:
-        a = bed.flat + math.exp(logarithm)
-        return math.log(_greatest(bed, a, part, friction, refinements).value / part.solid.strength)
+    def share(half_width: float, refinements: int) -> Placed:
+        place = _greatest(bed, half_width, part, friction, refinements)
+        return place._replace(value=place.value / part.solid.strength)
+
+    return full_on_layers(bed, share, (COARSE, REFINEMENTS), COARSE_TOLERANCE, name)
+
+
+def full_on_layers(
+    bed: LayeredLineFoundation, share: Share, refinements: tuple[int, int], tolerance: float, name: str
+) -> tuple[float, Placed]:
+    """Return the half-width [m] at which a share of a strength is one, and where.
+
+    Parameters
+    ----------
+    bed : LayeredLineFoundation
+        Without a sharp tip, kink or rim.
+    share
+        See `Share`.
+    refinements : tuple of int
+        While the half-width is sought, and of the last steps.
+    tolerance : float
+        Of the half-width while it is sought, relative.
+    name : str
+        Of the problem, for its refusals.
+    """
+    few, many = refinements
+
+    @functools.cache
+    def excess(logarithm: float, count: int = few) -> float:
+        return math.log(share(bed.flat + math.exp(logarithm), count).value)
 
     low, high, slope = _bracket(bed, excess, _start(bed), name)
-    coarse = between(excess, low, high, absolute=COARSE_TOLERANCE)
-    first = excess(coarse, REFINEMENTS)
+    coarse = between(excess, low, high, absolute=tolerance)
+    first = excess(coarse, many)
     near = coarse - first / slope
-    second = excess(near, REFINEMENTS)
+    second = excess(near, many)
     if second != first:
         near -= second * (near - coarse) / (second - first)
     a = bed.flat + math.exp(near)
-    return a, _greatest(bed, a, part, friction, REFINEMENTS)
+    return a, share(a, many)
 
 
 def _start(bed: LayeredLineFoundation) -> float:

@@ -1,37 +1,45 @@
-r"""Shakedown of a strip that rolls over a body again and again: Melan's bound on the force per length.
+r"""Shakedown of a strip that rolls over a body again and again: Melan's limit of the force per length.
 
-Each passage leaves residual stresses :math:`\rho_x(z),\ \rho_y(z)`, which can take up differences of normal stresses
-but not the shear :math:`\tau_{xz}` in planes along the surface.  The body can shake down only while
+Residual stresses that no passage changes are :math:`\rho_x(z)` and :math:`\rho_y(z)`: no others are in equilibrium.
+They take up differences of normal stresses but not the shear :math:`\tau_{xz}` in planes along the surface, so that
 
-.. math:: \max_{x,z}\left|\tau_{xz}\right| \le k = \frac{\sigma_Y}{\sqrt3} ,
+.. math:: \max_{x,z}\left|\tau_{xz}\right| \le k = \frac{\sigma_Y}{\sqrt3}
 
-for a cylinder :math:`p_0 = 4k` without friction, where there are residual stresses with which it does, and from a
-coefficient of 0.367 on, where the shear is greatest at the surface, :math:`p_0 = k/\mu`.
+bounds the limit: for a cylinder :math:`p_0 = 4k` without friction.  Each depth is examined by itself: with
+:math:`u=\sigma_x-\sigma_z,\;v=\sigma_y-\sigma_z` the square of von Mises' stress is
+:math:`u^2-uv+v^2+3\tau_{xz}^2`, and residual stresses shift (u, v) of all places of a depth alike.  The least of the
+greatest is the radius of the smallest ball about the points
+:math:`(u-\tfrac v2,\tfrac{\sqrt3}2v,\pm\sqrt3\tau_{xz})`, the body at rest among them.
 
-Whether it is reached is examined at each depth by itself: with :math:`u=\sigma_x-\sigma_z,\;v=\sigma_y-\sigma_z` the
-square of von Mises' stress is :math:`u^2-uv+v^2+3\tau_{xz}^2`, and residual stresses shift (u, v) of all places alike.
-The least of the greatest is the smallest ball about the points
-:math:`(u-\tfrac v2,\tfrac{\sqrt3}2v,\pm\sqrt3\tau_{xz})`, the body at rest among them.  :math:`p_0=k/\mu` is not
-reached: von Mises' stress of :math:`\sigma_x=\pm2\mu p_0` at both edges meets the strength first.
+A half-plane reaches the bound of the shear where that is greatest below its surface.  At the surface
+:math:`p_0=k/\mu` is reached by incompressible bodies only; in others the changes of :math:`\sigma_x` and
+:math:`\sigma_y` from edge to edge meet the strength first.
 """
 
 from __future__ import annotations
 
-import itertools
+import functools
 import math
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
+from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Overcome
+from winkler.numerics.equations.roots import between
+from winkler.numerics.equations.smallest_ball import smallest_balls
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.at_strength import first_at_strength, refuse_without_strength
+from winkler.problems.line.at_strength import first_at_strength, refuse_sharp, refuse_without_strength
 from winkler.problems.line.greatest_stress import Placed
+from winkler.problems.line.half_width import refuse_unless_strips
+from winkler.problems.line.layered_notes import strip_notes
+from winkler.problems.line.layered_stress import layered_fields
+from winkler.problems.line.layered_yield import Share, full_on_layers
 from winkler.problems.line.stress import LineContact, LineFields, stresses
+from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yielding import FRICTIONLESS
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
@@ -41,14 +49,20 @@ from winkler.values import value, words
 __all__ = ["LineShakedown", "LineShakedownSolution"]
 
 MELAN = "E. Melan, Ing.-Arch. 9 (1938) 116-126, doi:10.1007/BF02084409; K. L. Johnson (1985) sec. 9.2"
-PLACES, DEPTHS, WIDTHS, FINEST = 81, 25, 6.0, 1e-4
-"""Places beside the middle and depths of the first grid, how far it reaches over the width of the load, and its first
-depth over the half-width."""
-CLOSER, FINE = 4.0, 5
-"""How much narrower each finer grid of depths is, and the places about the greatest ones and depths of it."""
-EXAMINED, REACHED = 4, 1e-4
-"""How often grids are refined while a bound is examined, and by how much of the strength it may be exceeded."""
-EXCHANGES, SETTLED = 400, 1e-12
+BESIDE, AWAY, DEPTHS = 40, 20, 18
+"""Places from the middle to the edge and beyond it, and depths, of the first grid."""
+SPREADS, SPANS, DEEPEST, FINEST = 2.0, 3.0, 3.0, 1e-3
+"""How far a grid reaches: over the width of the load at the top of a part, and beyond the edge over the length on which
+layers bend; how deep, and its first depth, over the width."""
+FINE, FINE_PLACES, CLOSER, ACTIVE, RIVAL = 7, 6, 3.0, 0.5, 0.95
+"""Depths and places to each side of a finer grid, by how much it is narrower; which squares over the greatest have the
+places that stay in it, and which stresses over the greatest the depths that are looked at closer."""
+COARSE, COARSE_TOLERANCE, REFINED = 0, 1e-3, 5
+"""How often grids close in on the greatest while the half-width is sought, to which part it is, and how often then."""
+REACHED = 1e-9
+"""By which part of the strength the bound of the shear may be exceeded."""
+LOWERED = 1e-10
+"""To which part the half-width of other profiles is found below that bound."""
 
 
 @value
@@ -57,8 +71,8 @@ class LineShakedown:
 
     Parameters
     ----------
-    bed : LineFoundation
-        Profile and bodies, on a `HalfSpace` of which at least one body was given a strength.
+    bed : LineFoundation or LayeredLineFoundation
+        Profile and bodies, on a `HalfSpace` or on layers, of which at least one part was given a strength.
     friction : Coulomb, optional
         The rolling contact slides everywhere, and drags each body by mu p; none unless given.
 
@@ -66,6 +80,8 @@ class LineShakedown:
     ------
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
+    OutsideValidity
+        If there is friction on a layer that slides on what lies below it.
 
     References
     ----------
@@ -74,7 +90,7 @@ class LineShakedown:
 
     __words__ = words(bed=("", None, "profile and bodies of the line contact"))
 
-    bed: LineFoundation
+    bed: LineFoundation | LayeredLineFoundation
     friction: Overcome = FRICTIONLESS
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985",)
@@ -82,18 +98,31 @@ class LineShakedown:
 
     def __post_init__(self) -> None:
         refuse_without_strength(self.bed, "LineShakedown")
+        self.bed.refuse_dragged(self.friction.coefficient)
 
     def solve(self) -> LineShakedownSolution:
-        """Return the greatest load, and where the shear is at its limit then.
+        """Return the greatest load, and where the stress is at its limit then.
 
         Raises
         ------
         OutsideValidity
             If the profile has a sharp tip, kink or rim, or the limit is not met within its reach.
         """
-        bed = self.bed
-        mu = self.friction.coefficient
-        a, place = first_at_strength(bed, mu, _shear_along, "LineShakedown")
+        bed, mu = self.bed, self.friction.coefficient
+
+        def share(half_width: float, refinements: int) -> Placed:
+            return _greatest_share(bed, half_width, mu, refinements)
+
+        if isinstance(bed, LayeredLineFoundation):
+            refuse_sharp(bed, "LineShakedown")
+            a, place = full_on_layers(bed, share, (COARSE, REFINED), COARSE_TOLERANCE, "LineShakedown")
+            refuse_unless_strips(bed, np.array([a]))
+        else:
+            a, place = first_at_strength(bed, mu, _shear_along, "LineShakedown")
+            left = share(a, REFINED)
+            if left.value > 1.0 + REACHED:
+                a = a / left.value if bed.hertzian else _lowered(bed, share, a)
+                place = share(a, REFINED)
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
         return LineShakedownSolution(self, force, a, place.x, place.z)
 
@@ -109,8 +138,8 @@ class LineShakedownSolution:
     force_per_length, half_width : float
         [N/m], [m] of the limit.
     x, z : float
-        Where the shear reaches its limit [m], in the axes of the body, which is dragged along x; below zero (also
-        -0.0) in the second.
+        Where the shear reaches its limit [m], or von Mises' stress beside the best residual stresses where these limit
+        the load; in the axes of the body, which is dragged along x; below zero (also -0.0) in the second.
     """
 
     __words__ = words(x=("x", "m", "place along the surface"))
@@ -128,26 +157,18 @@ class LineShakedownSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What is assumed; whether the limit is reached or only bounds what is."""
+        """What is assumed."""
         bed = self.problem.bed
         slid = sliding_note(bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
-        mu = self.problem.friction.coefficient
-        shares = [
-            _least_of_part(bed, self.half_width, part, mu, EXAMINED).value / part.solid.strength
-            for part in strong_parts(bed.medium)
-        ]
-        most = max(shares)
-        reached = "residual stresses exist with which the body shakes down at this load"
-        bound = (
-            f"it bounds the limit from above, as von Mises' stress is {most:.4g} strengths with the best residual ones"
-        )
         note = Note(
             Assumption.ELASTIC,
-            Standing.EXACT if most <= 1.0 + REACHED else Standing.APPROXIMATE,
-            "An elastic, perfectly plastic body; the limit is that of the shear in planes along the surface: "
-            f"{reached if most <= 1.0 + REACHED else bound}.",
+            Standing.EXACT,
+            "Elastic, perfectly plastic solids (von Mises), each with its own strength; the limit is Melan's: residual "
+            "stresses along and across the way exist at each depth with which the body stays elastic.",
             MELAN,
         )
+        if isinstance(bed, LayeredLineFoundation):
+            return (*strip_notes(bed, self.half_width, 0.0), slid, note)
         return (*line_notes(bed, self.half_width), slid, note)
 
 
@@ -156,75 +177,128 @@ def _shear_along(fields: LineFields) -> Array:
     return np.asarray(math.sqrt(3.0) * np.abs(fields.xz_stress))
 
 
-def _least_of_part(
-    bed: LineFoundation, half_width: float, part: StrongPart, friction: float, refinements: int
+def _lowered(bed: LineFoundation, share: Share, bound: float) -> float:
+    """Return the half-width [m] below a bound at which the share of the strength is one."""
+
+    @functools.cache
+    def excess(logarithm: float) -> float:
+        return math.log(share(bed.flat + math.exp(logarithm), REFINED).value)
+
+    high = math.log(bound - bed.flat)
+    low = high - math.log(2.0)
+    while excess(low) >= 0.0:  # stresses vanish with the load
+        low -= math.log(2.0)
+    return bed.flat + math.exp(between(excess, low, high, absolute=LOWERED))
+
+
+def _greatest_share(
+    bed: LineFoundation | LayeredLineFoundation, half_width: float, friction: float, refinements: int
 ) -> Placed:
-    """Return the greatest over all depths of a part of the least von Mises stress that residual stresses leave."""
-    a = half_width
-    wide = math.hypot(a, part.top)
-    end = min(part.bottom, part.top + 4.0 * wide)
-    first = part.top if part.top == 0.0 else float(np.nextafter(part.top, math.inf))
-    z = first + (end - first) * np.geomspace(FINEST * a / wide, 1.0, DEPTHS)
-    z = np.unique(np.append(np.minimum(z, end), [first, end if math.isfinite(part.bottom) else z[-1]]))
-    away = np.concatenate(
-        [a * np.linspace(0.0, 1.0, PLACES), a + WIDTHS * wide * np.linspace(0.0, 1.0, PLACES // 2)[1:] ** 2]
-    )
-    x = np.concatenate([-away[:0:-1], away])
-    near, best = 2.0 * a / PLACES, Placed(-1.0, 0.0, 0.0)
-    for _ in range(refinements + 1):
-        signed = z if part.first else -z
-        fields = stresses(LineContact(bed, a, 0.0, part.solid.poisson, friction), x[:, None], z[None, :])
-        levels = [least_stress(_row(fields, j)) for j in range(z.size)]
-        top = int(np.argmax([level for level, _ in levels]))
-        touched = levels[top][1]
-        place = max(touched, key=lambda i: abs(fields.xz_stress[i, top])) if touched else 0
-        best = Placed(levels[top][0], float(x[place]), float(signed[top]))
-        low, high = z[max(top - 1, 0)], z[min(top + 1, z.size - 1)]
-        z = np.unique(np.append(np.linspace(low, high, FINE), z[top]))
-        beside = near * np.linspace(-1.0, 1.0, 2 * FINE + 1)
-        x = np.unique(np.concatenate([x, *(x[i] + beside for i in touched)]))
-        near /= CLOSER
+    """Return the greatest over all parts of the stress that residual stresses leave, over the strength."""
+    best = Placed(0.0, 0.0, 0.0)
+    for part in strong_parts(bed.medium):
+        place = _left(bed, half_width, part, friction, refinements, best.value * part.solid.strength)
+        best = max(best, place._replace(value=place.value / part.solid.strength), key=lambda one: one.value)
     return best
 
 
-def _row(fields: LineFields, depth: int) -> LineFields:
-    names = ("xx_stress", "yy_stress", "zz_stress", "xz_stress")
-    return LineFields(
-        fields.x[:, depth], fields.z[:, depth], *(np.asarray(getattr(fields, name))[:, depth] for name in names)
-    )
+def _left(
+    bed: LineFoundation | LayeredLineFoundation,
+    half_width: float,
+    part: StrongPart,
+    friction: float,
+    refinements: int,
+    rival: float = 0.0,
+) -> Placed:
+    """Return the greatest over all depths of a part of the least stress that residual stresses leave, and its place.
+
+    Grids do not close in on one that is far below another (`rival`) [Pa].
+    """
+    x, z = _grid(bed, half_width, part, friction)
+    near, farthest = half_width / BESIDE, float(x[-1])
+    for refinement in range(refinements + 1):
+        fields = _fields(bed, half_width, part, friction, (x, z), farthest)
+        least = least_stress(fields)
+        top = int(np.argmax(least.level))
+        if refinement == refinements or least.level[top] < RIVAL * rival:
+            break
+        padded = np.concatenate([[-1.0], least.level, [-1.0]])
+        peaks = (least.level >= np.maximum(padded[:-2], padded[2:])) & (least.level >= RIVAL * least.level[top])
+        (rivals,) = np.nonzero(peaks)
+        finer = [np.linspace(z[max(i - 1, 0)], z[min(i + 1, z.size - 1)], FINE) for i in rivals.tolist()]
+        kept = np.any(least.square[:, rivals] >= ACTIVE, axis=1)
+        touched = np.unique(least.touched[:, rivals])
+        beside = near * np.linspace(-1.0, 1.0, 2 * FINE_PLACES + 1)
+        z = np.unique(np.concatenate([*finer, z[rivals]]))
+        x = np.unique(np.concatenate([x[kept], *(x[i] + beside for i in touched if i >= 0)]))
+        near /= CLOSER
+    at = [int(i) for i in least.touched[:, top] if i >= 0]
+    place = at[int(np.argmax(np.abs(fields.xz_stress[at, top])))] if at else 0
+    return Placed(float(least.level[top]), float(x[place]), float(z[top] if part.first else -z[top]))
 
 
-def least_stress(fields: LineFields) -> tuple[float, list[int]]:
-    """Return the least greatest von Mises stress of places at one depth that residual stresses leave, and where it is.
+def _grid(
+    bed: LineFoundation | LayeredLineFoundation, half_width: float, part: StrongPart, friction: float
+) -> tuple[Array, Array]:
+    """Return the places and depths [m] of the first grid in a part."""
+    a, wide = half_width, math.hypot(half_width, part.top)
+    first = part.top if part.top == 0.0 else float(np.nextafter(part.top, math.inf))
+    last, end = min(part.bottom, first + DEEPEST * wide), SPREADS * wide
+    if isinstance(bed, LayeredLineFoundation):
+        end = max(end, a + SPANS * math.cbrt(bed.layered.thickness**2 * bed.medium.response.span))
+    z = first + (last - first) * np.append(0.0, np.geomspace(FINEST, 1.0, DEPTHS))
+    if math.isfinite(part.bottom):
+        z = np.unique(np.concatenate([np.minimum(z, last), np.linspace(first, last, DEPTHS // 2), [part.bottom]]))
+    within = a * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, BESIDE + 1))
+    x = np.concatenate([within, a + (end - a) * np.linspace(0.0, 1.0, AWAY + 1)[1:] ** 2])
+    return x if friction == 0.0 else np.concatenate([-x[:0:-1], x]), z
 
-    Residual stresses along x and y, the same at all places; the body at rest counts as a place.
+
+def _fields(
+    bed: LineFoundation | LayeredLineFoundation,
+    half_width: float,
+    part: StrongPart,
+    friction: float,
+    at: tuple[Array, Array],
+    farthest: float,
+) -> LineFields:
+    """Return the stresses of a part at places and depths [m] ``(n, d)``, with waves for the farthest place."""
+    strip, x, z = Strip(half_width, 0.0), at[0][:, None], at[1][None, :]
+    if not isinstance(bed, LayeredLineFoundation):
+        return stresses(LineContact(bed, *strip, part.solid.poisson, friction), x, z)
+    waves = bed.waves_below(*strip, farthest) if part.first else None
+    return layered_fields(bed, strip, x, z if part.first else -z, part.first, waves, friction)
+
+
+class Least(NamedTuple):
+    """What residual stresses leave at each depth.
+
+    Parameters
+    ----------
+    level
+        The least of the greatest von Mises stress ``(d,)`` [Pa].
+    square
+        That of each place ``(n, d)``, squared, over the level squared [-].
+    touched
+        Numbers of up to three places that have that stress ``(3, d)``; -1 for none.
+    """
+
+    level: Array
+    square: Array
+    touched: Array
+
+
+def least_stress(fields: LineFields) -> Least:
+    """Return the least of the greatest von Mises stress of places at depths ``(n, d)`` that residual stresses leave.
+
+    They act along x and y and are the same at all places of a depth; the body at rest counts as a place.
     """
     u, v = fields.xx_stress - fields.zz_stress, fields.yy_stress - fields.zz_stress
-    points = np.vstack([np.stack([u - 0.5 * v, 0.5 * math.sqrt(3.0) * v], axis=1), np.zeros((1, 2))])
-    raised = np.append(3.0 * fields.xz_stress**2, 0.0)
-    basis = [int(np.argmax(raised))]
-    centre, level = points[basis[0]], float(raised[basis[0]])
-    for _ in range(EXCHANGES):
-        squares = np.sum((points - centre) ** 2, axis=1) + raised
-        worst = int(np.argmax(squares))
-        if squares[worst] <= level + SETTLED * float(np.max(squares)):
-            return math.sqrt(level), [i for i in basis if i < raised.size - 1]
-        basis, centre, level = _smallest(points, raised, [*basis, worst])
-    raise NotConverged("the residual stresses at one depth were not found; give a smoother profile.")
-
-
-def _smallest(points: Array, raised: Array, among: list[int]) -> tuple[list[int], Array, float]:
-    """Return which of a few points determine the smallest ball about all, its centre and the square of its radius."""
-    found: tuple[list[int], Array, float] = ([], points[0], math.inf)
-    for count in range(1, min(len(among), 3) + 1):
-        for chosen in itertools.combinations(among, count):
-            rows = list(chosen)
-            q, w = points[rows], raised[rows]
-            # equal squares of distances: 2 (q_i - q_0) . c = |q_i|^2 + w_i - |q_0|^2 - w_0, in the plane of the points
-            apart, grown = 2.0 * (q[1:] - q[0]), np.sum(q[1:] ** 2, axis=1) + w[1:] - np.sum(q[0] ** 2) - w[0]
-            centre = q[0] + np.linalg.lstsq(apart, grown - apart @ q[0], rcond=None)[0] if count > 1 else q[0]
-            square = float(np.sum((q[0] - centre) ** 2) + w[0])
-            within = np.sum((points[among] - centre) ** 2, axis=1) + raised[among] <= square * (1.0 + 1e-13)
-            if np.all(within) and square < found[2]:
-                found = rows, centre, square
-    return found
+    points = u - 0.5 * v, 0.5 * math.sqrt(3.0) * v, 3.0 * fields.xz_stress**2
+    depths = u.shape[1]
+    across, down, raised = (np.vstack([one, np.zeros((1, depths))]) for one in points)
+    squares, centre, touched = np.empty(depths), np.empty((2, depths)), np.empty((3, depths), dtype=np.int64)
+    smallest_balls(across, down, raised, squares, centre, touched)
+    reached = ((across - centre[0]) ** 2 + (down - centre[1]) ** 2 + raised)[:-1]
+    safe = np.where(squares > 0.0, squares, 1.0)
+    return Least(np.sqrt(squares), reached / safe, np.where(touched < u.shape[0], touched, -1))

@@ -76,6 +76,8 @@ class LineViscoelasticIndentation:
     ------
     InvalidInput
         If the bodies do not relax, or layers not in proportion, or a number is out of range.
+    OutsideValidity
+        If a body is graded with depth.
 
     References
     ----------
@@ -124,6 +126,10 @@ class LineViscoelasticIndentation:
                 f"LineViscoelasticIndentation: the bed stands on a {type(medium).__name__}; give "
                 "LineFoundation(profile, ViscoelasticHalfSpace(solid)), LayeredLineFoundation(profile, "
                 "RelaxingInProportion(medium, solid, shear)), or LineIndentation for bodies that do not relax."
+            )
+        if isinstance(self.bed, LayeredLineFoundation):
+            self.bed.refuse_grading(
+                "LineViscoelasticIndentation: strips relax on half-planes and on layers; in the place of the grading"
             )
         affordable("LineViscoelasticIndentation", "numbers", self.total * self.count, MOST_NUMBERS)
 

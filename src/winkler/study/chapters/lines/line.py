@@ -116,8 +116,8 @@ GRADED_PRESSURE = Equation(
 STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
-    "Residual stresses cannot take up the shear in planes along the surface, which limits shakedown (after Melan)",
-    r"\max\left|\tau_{xz}\right| = \frac{\sigma_Y}{\sqrt{3}}",
+    "The best residual stresses along and across the way leave no more than the strength at each depth (Melan)",
+    r"\max_z\,\min_{\rho_x,\rho_y}\,\max_x\,\sigma_{\mathrm{vM}}(\sigma + \rho) = \sigma_Y",
 )
 
 
@@ -135,6 +135,11 @@ def line_yield_formulas(problem: Any) -> tuple[Equation, ...]:
     if is_a(problem.bed, "winkler.foundation.layered_line:LayeredLineFoundation"):
         return (*line_formulas(problem), PLANE_STRAIN, ONSET)
     return (MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, PLANE_STRAIN, ONSET)
+
+
+def line_shakedown_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a strip that rolls over the bodies of a problem again and again."""
+    return (*line_yield_formulas(problem)[:-1], SHAKEDOWN)
 
 
 def periodic_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -292,7 +297,7 @@ LINE = Chapter(
             friction={"kind": "coulomb", "coefficient": 0.1},
             picture=Caption("line_shakedown", "Shakedown limit", "The shear in planes along the surface at the limit."),
             pictured=PicturedContact.NONE,
-            formulas=(MODULUS, LOAD_PROFILE, LOAD, POTENTIAL, STRESSES, SHAKEDOWN),
+            formulas=line_shakedown_formulas,
         ),
     },
 )
