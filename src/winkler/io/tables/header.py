@@ -10,11 +10,21 @@ from typing import NamedTuple
 from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column, example_of
 from winkler.io.tables.given_units import filled_units, refuse_contradiction
-from winkler.io.tables.table_cells import cells_of, is_number, like_number, named
+from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, unit_in
 from winkler.io.text_file import head_of
 from winkler.units import scale
 
-__all__ = ["Header", "header_lines", "header_of", "names_columns", "needs_of", "separator_of", "zero_of"]
+__all__ = [
+    "Header",
+    "header_lines",
+    "header_of",
+    "names_columns",
+    "names_seen",
+    "needs_of",
+    "placed_header",
+    "separator_of",
+    "zero_of",
+]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
@@ -114,6 +124,44 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
     raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
 
 
+def placed_header(
+    lines: Sequence[str],
+    columns: Sequence[Column],
+    numbers: Mapping[str, int],
+    file: str,
+    given: Mapping[str, str] | None,
+) -> Header:
+    """Return the header of a table whose columns are given by their numbers, counted from 1.
+
+    Names, and units in brackets behind them, are those of the row above the first numbers, if it has as many cells.
+
+    Raises
+    ------
+    InvalidInput
+        If no line has numbers in these columns, or a unit is missing.
+    """
+    places = tuple(numbers[column.word] - 1 for column in columns)
+    for index, line in enumerate(lines):
+        for separator in SEPARATORS_TRIED:
+            row = cells_of(line.partition("#")[0].strip("\r\n "), separator)
+            if len(row) <= max(places) or not all(like_number(row[place]) for place in places):
+                continue
+            above = next((text for text in reversed(lines[:index]) if text.strip()), "")
+            names = cells_of(above.lstrip(COMMENT_MARKS).rstrip(), separator)
+            if len(names) != len(row):
+                names = [f"column {place + 1}" for place in range(len(row))]
+            stated = [unit_in(names[place], column.unit) for place, column in zip(places, columns, strict=True)]
+            header = Header(index, separator, tuple(names), places, tuple(stated))
+            units = filled_units(stated, names, places, columns, given or {}, file)
+            for column, unit in zip(columns, units, strict=True):
+                if column.unit:
+                    scale(unit, column.unit, what=f"{file}, {column.word}")
+                    refuse_contradiction(column, unit, given, file)
+            return header._replace(units=units)
+    wanted = ", ".join(f"{column.word} in column {place + 1}" for column, place in zip(columns, places, strict=True))
+    raise InvalidInput(f"{file}: no line has numbers for {wanted}; count the columns from 1.")
+
+
 def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
     """Return the places whose unit fits, if there is one such: instruments repeat a depth in m and in volts."""
     fitting = []
@@ -178,9 +226,21 @@ def _are_units(cells: Sequence[str]) -> bool:
     return bool(texts) and all(len(text) <= LONGEST_UNIT and known(text) for text in texts)
 
 
-def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
-    """Return why no header was found."""
-    example = example_of(columns)
+def names_seen(path: str | os.PathLike[str], columns: Sequence[Column]) -> str:
+    """Return the row of names above the first numbers of a file, as a phrase; empty if there is none.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    above, _ = _names_above(head_of(path, needs_of(columns)))
+    listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
+    return f", whose columns are {listed}" if listed else ""
+
+
+def _names_above(lines: Sequence[str]) -> tuple[list[str], int]:
+    """Return the names above the first row of numbers, and the place of that row; the number of lines without one."""
     above: list[str] = []
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT_MARKS).rstrip()
@@ -188,12 +248,19 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
         if text == line.strip() and any(
             any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
         ):
-            if not above:
-                return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
-            break
+            return above, index
         if text:
             row = next((cells for cells in splits if len(cells) > 1), [text])
             above = row if not above or not _are_units(row) else above
+    return above, len(lines)
+
+
+def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
+    """Return why no header was found."""
+    example = example_of(columns)
+    above, index = _names_above(lines)
+    if not above and index < len(lines):
+        return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
     missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
     wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)

@@ -22,7 +22,7 @@ from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
-from winkler.io.tables.header import header_of, needs_of, separator_of, zero_of
+from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, zero_of
 from winkler.io.tables.table_cells import cells_of, number_in
 from winkler.io.text_file import headed, lines_of
 from winkler.numerics.types import Array
@@ -64,6 +64,7 @@ def read_table(
     units: Mapping[str, str] | None = None,
     decimal_comma: bool = False,
     repeated: bool = False,
+    numbers: Mapping[str, int] | None = None,
 ) -> Table:
     """Read columns of numbers from a text file with a header.
 
@@ -79,6 +80,8 @@ def read_table(
         Whether ``1,5`` is read as 1.5 where it can mean nothing else.
     repeated : bool, optional
         Whether the header may stand again between rows; it is passed over, and the numbers of the lines show it.
+    numbers : mapping of str to int, optional
+        The number of each column, counted from 1, in place of its name.
 
     Returns
     -------
@@ -92,13 +95,13 @@ def read_table(
     file = str(path)
     lines = lines_of(path, needs_of(columns))
     head = headed(lines, file)
-    header = header_of(head, columns, file, units)
+    header = placed_header(head, columns, numbers, file, units) if numbers else header_of(head, columns, file, units)
     separator = separator_of(lines, header)
     commas = DecimalCommas(file) if decimal_comma and separator != "," else None
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
     again = above if repeated else frozenset[str]()
     repeats = list[int]()
-    numbers, places, gaps = array("d"), array("q"), list[int]()
+    cells_read, places, gaps = array("d"), array("q"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
@@ -130,7 +133,7 @@ def read_table(
             ]
         if not all(map(math.isfinite, row)):
             gaps.append(index + 1)
-        numbers.extend(row)
+        cells_read.extend(row)
         places.append(index + 1)
     if gaps:
         listed = ", ".join(map(str, gaps[:5])) + (f" and {len(gaps) - 5} more" if len(gaps) > 5 else "")
@@ -148,7 +151,7 @@ def read_table(
         ]
     )
     with np.errstate(over="ignore"):
-        values = np.array(numbers).reshape(-1, len(columns)) / factors + np.array(zeros)
+        values = np.array(cells_read).reshape(-1, len(columns)) / factors + np.array(zeros)
     computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]

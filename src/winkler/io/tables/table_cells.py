@@ -10,9 +10,9 @@ from collections.abc import Iterator
 
 from winkler.errors import InvalidInput
 from winkler.limits import CELL_LETTERS
-from winkler.units import comma_hint, comma_readings
+from winkler.units import comma_hint, comma_readings, scale
 
-__all__ = ["cells_of", "is_number", "like_number", "named", "number_in"]
+__all__ = ["cells_of", "is_number", "like_number", "named", "number_in", "unit_in"]
 
 ABSENT = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
@@ -74,6 +74,17 @@ def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
         if name.lower() in names:
             return True, unit.strip(" -")
     return cell.lower() in names, ""
+
+
+def unit_in(cell: str, wanted: str) -> str:
+    """Return the unit behind the name in a cell of the header that measures the same as another; empty if none does."""
+    for _, unit in _readings(cell) if len(cell) <= CELL_LETTERS else ():
+        try:
+            scale(unit.strip(" -"), wanted)
+        except InvalidInput:
+            continue
+        return unit.strip(" -")
+    return ""
 
 
 def _readings(cell: str) -> Iterator[tuple[str, str]]:

@@ -13,6 +13,10 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
         "contact_point": ("m", "position of first touch, with contact_point_error; found if left out"),
         "contact_point_error": ("m", "its standard error"),
         "units": (None, "units that the files do not state: { position = 'nm', force = 'uN', time = 's' }"),
+        "columns": (
+            None,
+            "numbers of columns of a text table without names: { depth = 1, force = 2, time = 3 }",
+        ),
         "drift": (None, "'measured' (if left out), 'none', or the rate as a number, with drift_error"),
         "drift_error": ("m/s", "standard error of a given drift"),
         "segments": (None, "'found', or kinds with their beginnings, such as ['loading 2.1 s', 'hold 36 s', ...]"),
@@ -27,6 +31,8 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
     },
     "calibration": {
         "reference": (None, "reference samples, one [[calibration.reference]] each"),
+        "units": (None, "units that the files do not state, as in [indentation]"),
+        "columns": (None, "numbers of columns of text tables without names, as in [indentation]"),
         "terms": (None, "number of area coefficients, 1 to 8; the mean over 1 to 4 if left out"),
         "frame_stiffness": ("N/m", "of the frame, where it is known and not fitted"),
         "young": ("Pa", "Young's modulus of the tip; 1141 GPa if left out"),

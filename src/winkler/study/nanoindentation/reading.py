@@ -26,7 +26,7 @@ from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter
-from winkler.io.tables.given_units import checked_units
+from winkler.io.tables.given_units import checked_columns, checked_units
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
 from winkler.study.language.compared.expectations import expectations
@@ -68,6 +68,8 @@ class NanoindentationStudy:
         Stated segments of the curves; none where they are those of the file, or found.
     units : tuple of (str, str)
         Units that the files do not state.
+    columns : tuple of (str, int)
+        Numbers of columns that the files do not name.
     expect
         Expected numbers.
     source, grade
@@ -87,6 +89,7 @@ class NanoindentationStudy:
     grade: str = ""
     segments: tuple[str, ...] = ()
     units: tuple[tuple[str, str], ...] = ()
+    columns: tuple[tuple[str, int], ...] = ()
 
     @property
     def calibrates(self) -> bool:
@@ -131,9 +134,9 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
     title, output = str(raw.get("title", path.stem)), _output(raw.get("output", {}))
     folder = path.parent
     segments: tuple[str, ...] = ()
-    units: tuple[tuple[str, str], ...] = ()
     if "calibration" in raw:
         section = _section(raw["calibration"], UNITS["calibration"], "calibration")
+        units, columns = _tables(section, "calibration")
         if "indenter" in raw:
             raise InvalidInput("[indenter] is what a calibration finds; leave it out, or take [indentation].")
         sources, references = _references(section.pop("reference", []), folder)
@@ -158,7 +161,7 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
             segments = quantities.read_at(
                 "indentation.segments", section.pop("segments"), None, lambda stated, _: stated_segments(stated)
             )
-        units = tuple(sorted(checked_units(section.pop("units", {}), "indentation.units").items()))
+        units, columns = _tables(section, "indentation")
         _state_drift(section)
         seeks = section.pop("pop_ins", False)
         if not isinstance(seeks, bool):
@@ -184,7 +187,15 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         *of_case,
         segments,
         units,
+        columns,
     )
+
+
+def _tables(section: dict[str, Any], where: str) -> tuple[tuple[tuple[str, str], ...], tuple[tuple[str, int], ...]]:
+    """Return what the files do not state: units, and numbers of columns."""
+    units = checked_units(section.pop("units", {}), f"{where}.units")
+    columns = checked_columns(section.pop("columns", {}), f"{where}.columns")
+    return tuple(sorted(units.items())), tuple(sorted(columns.items()))
 
 
 def _state_drift(section: dict[str, Any]) -> None:
