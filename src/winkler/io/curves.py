@@ -55,9 +55,10 @@ def read_curve(
     Parameters
     ----------
     path : str or path
-        A text table (see `winkler.io.tables.curve_table`); a file of a nanoindenter (Hysitron, FischerScope, Micro
-        Materials, FemtoTools, with the extra ``nanoindentation`` workbooks of Agilent, Keysight, KLA and MTS); or with
-        the extra ``afm`` what afmformats reads: JPK, NT-MDT, Asylum, AFM workshop and others.
+        A text table (see `winkler.io.tables.curve_table`); a file of NanoScope; the text that JPK exports; a file of a
+        nanoindenter (Hysitron, FischerScope, Micro Materials, FemtoTools, with the extra ``nanoindentation`` workbooks
+        of Agilent, Keysight, KLA and MTS); or with the extra ``afm`` what afmformats reads: JPK, NT-MDT, Asylum, AFM
+        workshop and others.
     spring_constant : float, optional
         Of the cantilever [N/m]; needed where the file does not state it; replaces that of the file.
     sensitivity : float, optional

@@ -13,6 +13,7 @@ from winkler.io.instruments.hysitron import is_hld, is_nano_dma, tests_of_hld, t
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.jpk_text import is_jpk_text, tests_of_jpk_text
 from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_micro_materials
+from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.instruments.workbook_cells import is_workbook
@@ -44,6 +45,8 @@ def instrument_tests(path: Path, given: Given, *, is_text: bool) -> Tests | None
         return tests_of_workbook(path)
     if is_archive_of_tests(path):
         return tests_of_archive(path)
+    if is_nanoscope(path):
+        return tests_of_nanoscope(path, given)
     if not is_text:
         return None
     head = head_of(path, "a force curve")
