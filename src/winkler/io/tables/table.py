@@ -22,9 +22,10 @@ from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
-from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, zero_of
+from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, stated_header, zero_of
 from winkler.io.tables.table_cells import cells_of, number_in
-from winkler.io.text_file import headed, lines_of
+from winkler.io.tables.table_lines import table_lines
+from winkler.io.text_file import headed
 from winkler.numerics.types import Array
 from winkler.units import scale
 from winkler.values import value
@@ -65,6 +66,7 @@ def read_table(
     decimal_comma: bool = False,
     repeated: bool = False,
     numbers: Mapping[str, int] | None = None,
+    stated: str = "",
 ) -> Table:
     """Read columns of numbers from a text file with a header.
 
@@ -82,6 +84,8 @@ def read_table(
         Whether the header may stand again between rows; it is passed over, and the numbers of the lines show it.
     numbers : mapping of str to int, optional
         The number of each column, counted from 1, in place of its name.
+    stated : str, optional
+        A header in place of that of the file.
 
     Returns
     -------
@@ -93,9 +97,14 @@ def read_table(
         If the file cannot be read; the message names the line.
     """
     file = str(path)
-    lines = lines_of(path, needs_of(columns))
+    lines = table_lines(path, needs_of(columns))
     head = headed(lines, file)
-    header = placed_header(head, columns, numbers, file, units) if numbers else header_of(head, columns, file, units)
+    if stated:
+        header = stated_header(head, columns, stated, file)
+    elif numbers:
+        header = placed_header(head, columns, numbers, file, units)
+    else:
+        header = header_of(head, columns, file, units)
     separator = separator_of(lines, header)
     commas = DecimalCommas(file) if decimal_comma and separator != "," else None
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
@@ -123,6 +132,8 @@ def read_table(
             if commas is not None:
                 commas.see_points(cells)
         except ValueError:
+            if not any(cells[place] for place in header.places):
+                continue  # only columns that are not asked for go on
             row = [
                 number_in(
                     cells[p] if commas is None else commas.with_point(cells[p], index + 1),

@@ -22,9 +22,18 @@ NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 def cells_of(line: str, separator: str | None) -> list[str]:
     """Return the cells of a line; without a separator those between spaces."""
     if separator is not None:
-        return [cell.strip(" \t\"'") for cell in line.split(separator)]
+        return [_unquoted(cell.strip(" \t")) for cell in line.split(separator)]
     # a unit in brackets belongs to the name before it
     return NAME_WITH_UNIT.findall(line) if "[" in line or "(" in line else line.split()
+
+
+def _unquoted(cell: str) -> str:
+    """Return a cell without the quotes around it; primes that end a name, as in ``G'`` and ``G''``, stay."""
+    mark = cell[:1]
+    if mark not in ("'", '"') or len(cell) < 2 or cell[-1] != mark:
+        return cell
+    inner = cell[1:-1]
+    return (inner.replace('""', '"') if mark == '"' else inner).strip(" \t")
 
 
 def is_number(cell: str) -> bool:
@@ -70,10 +79,12 @@ def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
     """Return whether a cell of the header has one of the names, and the unit behind it if there is one."""
     if len(cell) > CELL_LETTERS:
         return False, ""
+    if cell.lower() in names:  # before "Storage Modulus" is a storage in a unit of "Modulus"
+        return True, ""
     for name, unit in _readings(cell):
         if name.lower() in names:
             return True, unit.strip(" -")
-    return cell.lower() in names, ""
+    return False, ""
 
 
 def unit_in(cell: str, wanted: str) -> str:
