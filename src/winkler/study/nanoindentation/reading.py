@@ -25,7 +25,7 @@ from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
-from winkler.io.indenter_file import read_indenter
+from winkler.io.indenter_file import read_area, read_indenter
 from winkler.io.tables.given_units import checked_columns, checked_units
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
@@ -264,14 +264,34 @@ def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
         raise InvalidInput("the indenter is given twice; give indentation.indenter, a file, or the section [indenter].")
     if named:
         if not isinstance(named, str) or not (folder / named).is_file():
-            raise InvalidInput(f"indentation.indenter is {named!r}; give the indenter.toml of a calibration.")
-        return read_indenter(folder / named)
+            raise InvalidInput(
+                f"indentation.indenter is {named!r}; give the indenter.toml of a calibration, or a table of depth and "
+                "area."
+            )
+        path = folder / named
+        return read_indenter(path) if named.endswith(".toml") else CalibratedIndenter(read_area(path))
     if raw is None:
         raise InvalidInput(
             "there is no indenter; give indentation.indenter, a file, or [indenter] with its area function."
         )
     content = _section(raw, UNITS["indenter"], "indenter")
-    coefficients = content.get("area")
+    stiffness = content.get("frame_stiffness", math.inf)
+    if not stiffness > 0.0:
+        raise InvalidInput(f"indenter.frame_stiffness is {stiffness:g} N/m; it must be positive.")
+    area = _area(content, folder)
+    solid = Elastic(content.get("young", DIAMOND.young), content.get("poisson", DIAMOND.poisson))
+    return CalibratedIndenter(area, 1.0 / stiffness, solid=solid, shape_factor=content.get("shape_factor", 1.0))
+
+
+def _area(content: dict[str, Any], folder: Path) -> CalibratedArea:
+    """Return the area of a tip by its coefficients, or a file of it."""
+    coefficients, header = content.get("area"), content.get("header", "")
+    if not isinstance(header, str) or (header and not isinstance(coefficients, str)):
+        raise InvalidInput(f"indenter.header is {header!r}; it names the columns of a file, which area gives.")
+    if isinstance(coefficients, str):
+        table = read_area(folder / coefficients, header)
+        ends = content.get("shallowest", table.shallowest), content.get("deepest", table.deepest)
+        return CalibratedArea(table.coefficients, *ends)
     if not isinstance(coefficients, list) or not coefficients:
         raise InvalidInput('indenter.area is missing; give a list C0, C1, ..., such as [24.5, "1.1 um"].')
     exponents = ["", "m", "m^1.5", "m^1.75", "m^1.875", "m^1.9375", "m^1.96875", "m^1.984375", "m^1.9921875"]
@@ -281,12 +301,7 @@ def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
         float(quantities.read_at(f"indenter.area[{n}]", c, exponents[n], quantities.number))
         for n, c in enumerate(coefficients)
     ]
-    stiffness = content.get("frame_stiffness", math.inf)
-    if not stiffness > 0.0:
-        raise InvalidInput(f"indenter.frame_stiffness is {stiffness:g} N/m; it must be positive.")
-    area = CalibratedArea(tuple(numbers), content.get("shallowest", 0.0), content.get("deepest", math.inf))
-    solid = Elastic(content.get("young", DIAMOND.young), content.get("poisson", DIAMOND.poisson))
-    return CalibratedIndenter(area, 1.0 / stiffness, solid=solid, shape_factor=content.get("shape_factor", 1.0))
+    return CalibratedArea(tuple(numbers), content.get("shallowest", 0.0), content.get("deepest", math.inf))
 
 
 def _files(given: Any, folder: Path, where: str) -> tuple[str, ...]:
