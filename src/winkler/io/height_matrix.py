@@ -13,7 +13,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays
 from winkler.io.tables.table_cells import number_in
-from winkler.io.text_file import lines_of
+from winkler.io.tables.table_lines import table_lines
 from winkler.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.units import quantity
@@ -63,7 +63,7 @@ def text_map(path: Path) -> MapContents:
     InvalidInput
         If the file is none; the message names the line.
     """
-    lines = lines_of(path, "a matrix of heights")
+    lines = table_lines(path, "a matrix of heights")
     stated = {match[1]: match[2].strip() for line in lines if (match := HEADER.match(line)) and match[2].strip()}
     numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(COMMENTS)]
     if not numbered:

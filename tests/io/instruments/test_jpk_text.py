@@ -58,6 +58,13 @@ def test_a_deflection_becomes_a_force_by_what_the_head_states(tmp_path, unit, di
     assert _read(tmp_path, text).force.max() == pytest.approx(FORCE.max(), rel=1e-5)
 
 
+def test_a_place_of_the_tip_needs_no_bending(tmp_path):
+    """Where the program has subtracted the bending, nothing bends any more, whatever spring made the force."""
+    curve = _read(tmp_path, _text().replace("measuredHeight", "tipSampleSeparation"), spring_constant=2.0)
+    assert np.isinf(curve.machine_stiffness)
+    assert curve.position == pytest.approx(-np.r_[HEIGHT, HEIGHT[::-1]], abs=1e-12)
+
+
 def test_what_the_head_does_not_state_is_asked_for(tmp_path):
     with pytest.raises(InvalidInput, match="give spring_constant"):
         _read(tmp_path, _text(spring=""))

@@ -10,6 +10,7 @@ import pytest
 from winkler.errors import InvalidInput
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps
+from winkler.io.topography_file import read_topography
 
 OMEGA = np.array([0.1, 1.0, 10.0, 100.0])
 STORAGE, LOSS = 1e5 * OMEGA**0.2, 3e4 * OMEGA**0.1
@@ -74,3 +75,13 @@ def test_a_sheet_of_a_rheometer_is_read(tmp_path):
         sheet.append([None, 0.002])
     book.save(tmp_path / "sweep.xlsx")
     _same(read_dynamic(tmp_path / "sweep.xlsx"))
+
+
+def test_a_sheet_of_heights_is_a_map(tmp_path):
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    for y in range(5):
+        book.active.append([float(x * y) for x in range(6)])
+    book.save(tmp_path / "map.xlsx")
+    found = read_topography(tmp_path / "map.xlsx", unit="nm", lengths=(1e-6, 1e-6))
+    assert found.heights == pytest.approx(1e-9 * np.outer(np.arange(5.0), np.arange(6.0)))

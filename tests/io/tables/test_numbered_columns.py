@@ -56,8 +56,8 @@ def test_units_are_asked_for_and_wrong_columns_refused(tmp_path):
 
 
 def test_a_table_without_known_names_shows_those_it_has(tmp_path):
-    with pytest.raises(InvalidInput, match=r"whose columns are 'Tiefe \[nm\]', 'Last \[N\]'"):
-        read_curve(_file(tmp_path, "Tiefe [nm]; Last [N]\n1;2\n3;4\n", "a.csv"))
+    with pytest.raises(InvalidInput, match=r"whose columns are 'Foo \[nm\]', 'Bar \[N\]'"):
+        read_curve(_file(tmp_path, "Foo [nm]; Bar [N]\n1;2\n3;4\n", "a.csv"))
 
 
 def test_a_displacement_is_that_of_the_tip_where_no_cantilever_bends(tmp_path):
@@ -75,3 +75,13 @@ def test_a_map_of_nanoscope_is_in_the_unit_of_its_head(tmp_path):
     rows = "\n".join(" ".join(f"{x * y:.3e}" for x in range(8)) for y in range(8))
     found = read_topography(_file(tmp_path, f"\\Exported image units: nm\n{rows}\n", "map.txt"), lengths=(1e-6, 1e-6))
     assert np.ptp(found.heights) == pytest.approx(49e-9)
+
+
+def test_places_and_heights_of_a_map_may_have_two_units(tmp_path):
+    """Points in mm and um took one unit for both: a root mean square slope of 349 for 0.35."""
+    text = "".join(f"{0.005 * x:.4f},{0.005 * y:.4f},{0.1 * x * y:.4f}\n" for y in range(12) for x in range(12))
+    found = read_topography(_file(tmp_path, text, "points.txt"), unit="mm, um")
+    assert np.ptp(found.heights) == pytest.approx(12.1e-6)
+    assert found.lengths == pytest.approx(np.full(2, 60e-6))
+    with pytest.raises(InvalidInput, match="unit"):
+        read_topography(_file(tmp_path, text, "points.txt"), unit="mm, s")

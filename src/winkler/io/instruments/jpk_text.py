@@ -6,6 +6,7 @@ states what makes a force of it.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -28,6 +29,8 @@ HEIGHTS = (
     "straingaugeheight", "smoothedstraingaugeheight", "height",
 )  # fmt: skip
 """Columns of heights, those that were measured before that which was demanded."""
+TIP_PLACES = ("verticaltipposition", "tipsampleseparation")
+"""Columns from which JPK's program has subtracted the bending of the cantilever."""
 DEFLECTION, TIMES = "vdeflection", ("seriestime", "time")
 PLACES = ("xPosition", "yPosition")
 
@@ -62,16 +65,18 @@ def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: Give
         raise InvalidInput(f"{path}: it names {len(words)} columns and {len(units)} units; export the curve again.")
     places = {word.lower(): place for place, word in enumerate(words)}
     rows = np.concatenate([one.rows for one in segments])
-    height = next((word for word in HEIGHTS if word in places), "")
+    height = next((word for word in (*HEIGHTS, *TIP_PLACES) if word in places), "")
     if not height:
         raise InvalidInput(f"{path}: none of its columns {', '.join(words)} is a height; export one, too.")
+    of_tip = height in TIP_PLACES
+    place = "depth" if of_tip else "position"
     spring = given.spring_constant or _number(first, "springConstant")
     factor, facts = _force_factor(units[places[DEFLECTION]], spring, given.sensitivity, first, path)
     position, force = -rows[:, places[height]], rows[:, places[DEFLECTION]] * factor
     numbers = np.repeat(np.arange(len(segments)), [len(one.rows) for one in segments])
     kinds = ", ".join(one.settings.get("segment", "?") for one in segments)
     columns = [
-        InstrumentColumn("position", units[places[height]], position),
+        InstrumentColumn(place, units[places[height]], position),
         InstrumentColumn("force", "N", force),
         *(
             InstrumentColumn("time", units[places[word]], rows[:, places[word]])
@@ -79,7 +84,7 @@ def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: Give
         ),
     ]
     notes = (
-        f"position from '{words[places[height]]}', its sign changed, force from '{words[places[DEFLECTION]]}'",
+        f"{place} from '{words[places[height]]}', its sign changed, force from '{words[places[DEFLECTION]]}'",
         *facts,
         f"segments {kinds}; {segment_fact(position, force, numbers, 'segment')}",
     )
@@ -92,7 +97,7 @@ def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: Give
         float("nan") if x is None else x,
         float("nan") if y is None else y,
         directions(position, force, numbers),
-        spring_constant=spring,
+        spring_constant=math.inf if of_tip else spring,
     )
 
 

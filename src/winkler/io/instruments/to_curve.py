@@ -61,7 +61,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: Given) -> list[Pla
         If there is no depth or no force, a unit is missing or contradicts the file, or hardly a row has both.
     """
     where, units = f"{path}: '{test.name}'", given.units
-    spring_constant = given.spring_constant if given.spring_constant is not None else test.spring_constant
+    spring_constant = test.spring_constant if test.spring_constant is not None else given.spring_constant
     found = {role: _column(test.columns, names, unit) for role, (names, unit) in ROLES.items()}
     if missing := [role for role in NEEDED if found[role] is None]:
         there = ", ".join(f"'{column.name}'" for column in test.columns[:20])

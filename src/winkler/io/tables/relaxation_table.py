@@ -25,12 +25,13 @@ __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
 TIME = Column("time", ("time", "t", "step time", "test time", "zeit"), "s", "s")
-FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz"), "Hz")
+FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz", "fréquence", "frecuencia"), "Hz")
 FREQUENCY_IN_RADIANS = Column(FREQUENCY.word, FREQUENCY.names, "rad/s")
 ANGULAR = Column(
     "angular frequency",
     (
-        "angular_frequency", "angular frequency", "omega", "w", "ω", "ang. freq.", "ang. freq", "ang. frequency"
+        "angular_frequency", "angular frequency", "omega", "w", "ω", "ang. freq.", "ang. freq", "ang. frequency",
+        "kreisfrequenz",
     ),
     "rad/s",
 )  # fmt: skip
@@ -44,9 +45,14 @@ SHEAR_COMPLIANCE = Column(
 )
 TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
 SHEAR_STORAGE = Column(
-    "storage modulus in shear", ("storage_shear", "storage", "g'", "g_stor", "storage modulus"), "Pa", "kPa"
+    "storage modulus in shear",
+    ("storage_shear", "storage", "g'", "g_stor", "storage modulus", "speichermodul"),
+    "Pa",
+    "kPa",
 )
-SHEAR_LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "g_loss", "loss modulus"), "Pa", "kPa")
+SHEAR_LOSS = Column(
+    "loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "g_loss", "loss modulus", "verlustmodul"), "Pa", "kPa"
+)
 TENSILE_STORAGE = Column(
     "storage modulus in tension", ("tensile_storage", "e'", "e_stor", "tensile storage modulus"), "Pa", "MPa"
 )
@@ -141,7 +147,7 @@ def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], head
     try:
         return read_table(path, columns, decimal_comma=True, stated=header)
     except InvalidInput as error:
-        if header or "header" not in str(error):
+        if header:
             raise
         example = example_of(columns)
         raise error.reworded(lambda one: f'{one.rstrip(".")}; or give header = "{example}".') from None

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from array import array
 from collections.abc import Mapping, Sequence
 
@@ -31,6 +32,10 @@ from winkler.units import scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "read_table"]
+
+
+MARK = re.compile(r"<[A-Za-z /]{1,40}>")
+"""A line by which some instruments end a block of numbers."""
 
 
 @value
@@ -114,6 +119,8 @@ def read_table(
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
+            continue
+        if repeated and MARK.fullmatch(line.strip()):
             continue
         if line.strip() in again:
             repeats.append(index + 1)

@@ -19,6 +19,10 @@ NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 """A name with a unit in brackets behind it, or a word."""
 
 
+SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
+"""A symbol in brackets behind a name, as in "Position (z), mm"."""
+
+
 def cells_of(line: str, separator: str | None) -> list[str]:
     """Return the cells of a line; without a separator those between spaces."""
     if separator is not None:
@@ -99,7 +103,10 @@ def unit_in(cell: str, wanted: str) -> str:
 
 
 def _readings(cell: str) -> Iterator[tuple[str, str]]:
-    """Yield how a cell of the header may be name and unit: ``r [um]``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    """Yield how a cell may be name and unit: ``r [um]``, ``r, um``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    name, _, unit = cell.rpartition(", ")
+    if name and unit:
+        yield SYMBOL.sub("", name.rstrip()), unit
     if cell[-1:] in ("]", ")"):
         closed = max(cell.rfind("]", 1, -1), cell.rfind(")", 1, -1))
         opened = min((place for mark in "[(" if (place := cell.find(mark, max(closed, 0) + 1)) > 0), default=0)
