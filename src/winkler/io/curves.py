@@ -20,7 +20,6 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import in_file, quiet, sentence_of
-from winkler.io.given import Given
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.instruments.find import instrument_tests
 from winkler.io.instruments.instrument_test import InstrumentTest
@@ -30,7 +29,7 @@ from winkler.io.memory import limited_memory
 from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
-from winkler.io.tables.given_units import checked_columns, checked_units
+from winkler.io.tables.given_units import Given, checked_columns, checked_units
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 

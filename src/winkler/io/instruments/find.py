@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from winkler.io.given import Given
 from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
 from winkler.io.instruments.femtotools import is_femtotools, tests_of_femtotools
 from winkler.io.instruments.fischerscope import is_fischerscope, tests_of_fischerscope
@@ -16,8 +15,9 @@ from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.workbook import tests_of_workbook
-from winkler.io.instruments.workbook_cells import is_workbook
+from winkler.io.tables.given_units import Given
 from winkler.io.text_file import head_of, lines_of
+from winkler.io.workbook_cells import is_workbook
 
 __all__ = ["instrument_tests"]
 

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.given import Given
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import rows_of
 from winkler.io.segments import directions, segment_fact
+from winkler.io.tables.given_units import Given
 from winkler.numerics.types import Array
 from winkler.units import scale
 
@@ -44,7 +44,7 @@ class _Segment(NamedTuple):
 
 def is_jpk_text(head: Sequence[str]) -> bool:
     """Return whether comment lines name columns, their units, and a deflection among them."""
-    settings = dict(match.groups() for match in map(SETTING.match, head) if match)
+    settings = {match[1]: match[2] for match in map(SETTING.match, head) if match}
     return "units" in settings and DEFLECTION in settings.get("columns", "").lower().split()
 
 

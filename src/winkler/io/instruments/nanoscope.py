@@ -16,8 +16,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
-from winkler.io.given import Given
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
+from winkler.io.tables.given_units import Given
 from winkler.numerics.types import Array
 from winkler.units import scale
 

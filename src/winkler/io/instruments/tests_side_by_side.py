@@ -18,9 +18,9 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES, TIME_NAMES
-from winkler.io.given import Given
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import is_row, rows_of
+from winkler.io.tables.given_units import Given
 from winkler.io.tables.table_cells import like_number
 from winkler.io.text_file import head_of, lines_of
 from winkler.numerics.types import Array

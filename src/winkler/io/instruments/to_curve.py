@@ -19,11 +19,10 @@ from winkler.io.curve_columns import (
     by_preference,
 )
 from winkler.io.foreign import in_file
-from winkler.io.given import Given
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.given_units import USUAL, key_of
+from winkler.io.tables.given_units import USUAL, Given, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.units import scale

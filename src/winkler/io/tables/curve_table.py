@@ -28,10 +28,10 @@ from winkler.io.curve_columns import (
     by_preference,
 )
 from winkler.io.foreign import in_file
-from winkler.io.given import Given
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import swap_note
+from winkler.io.tables.given_units import Given
 from winkler.io.tables.header import header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.several_tests import parts_of_tests

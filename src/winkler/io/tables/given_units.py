@@ -6,13 +6,13 @@ A given unit fills a column without one.  One that contradicts the file is refus
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from winkler.errors import InvalidInput, suggest
 from winkler.io.tables.column import Column, example_of
 from winkler.units import scale
 
-__all__ = ["checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
+__all__ = ["Given", "checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
 
 USUAL = {"position": "nm", "force": "uN", "time": "s", "deflection": "nm", "stiffness": "N/m"}
 """The quantities whose unit can be given, each with a customary unit."""
@@ -22,6 +22,30 @@ LOADS = ("force", "deflection")
 NUMBERED = (*PLACES, *LOADS, "time", "stiffness", "segment")
 """The columns that can be given by their number."""
 EXAMPLE = 'units = { position = "nm", force = "uN", time = "s" }'
+
+
+class Given(NamedTuple):
+    """Facts that a caller gives.
+
+    Parameters
+    ----------
+    spring_constant : float, optional
+        Of the cantilever [N/m]; replaces that of the file.
+    sensitivity : float, optional
+        Deflection per volt [m/V].
+    units : mapping
+        Of columns without one; see `checked_units`.
+    columns : mapping
+        Numbers of columns, counted from 1, by the word of the quantity; names are not looked at then.
+    rigid : bool
+        Whether a position is the travel of the tip where neither file nor caller states a spring, as in nanoindenters.
+    """
+
+    spring_constant: float | None = None
+    sensitivity: float | None = None
+    units: Mapping[str, str] = {}
+    columns: Mapping[str, int] = {}
+    rigid: bool = False
 
 
 def key_of(word: str) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from winkler.io.instruments.workbook_cells import Cell, is_workbook, sheets_of
 from winkler.io.tables.table_cells import is_number
 from winkler.io.text_file import existing, head_of, headed, lines_of
+from winkler.io.workbook_cells import Cell, is_workbook, sheets_of
 
 __all__ = ["table_head", "table_lines"]
 
