@@ -29,7 +29,7 @@ from winkler.io.memory import limited_memory
 from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
-from winkler.io.tables.given_units import Given, checked_columns, checked_units
+from winkler.io.tables.given_units import GivenFacts, checked_columns, checked_units
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 
@@ -135,11 +135,11 @@ def _given(
     columns: Mapping[str, int] | None,
     *,
     rigid: bool = False,
-) -> Given:
-    return Given(spring_constant, sensitivity, checked_units(units or {}), checked_columns(columns or {}), rigid)
+) -> GivenFacts:
+    return GivenFacts(spring_constant, sensitivity, checked_units(units or {}), checked_columns(columns or {}), rigid)
 
 
-def _each(path: str | os.PathLike[str], given: Given) -> Iterator[PlacedCurve | UnreadCurve]:
+def _each(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[PlacedCurve | UnreadCurve]:
     with sentence_of(path, "a force curve cannot be read from it", "check the file, or save it anew"):
         file = existing(path, "a force curve")
         refuse_large(file, FILE_BYTES)
@@ -161,7 +161,9 @@ def _each(path: str | os.PathLike[str], given: Given) -> Iterator[PlacedCurve | 
         yield from _curves_of_afmformats(file, given)
 
 
-def _curves_of_tests(tests: Iterator[InstrumentTest], path: Path, given: Given) -> Iterator[PlacedCurve | UnreadCurve]:
+def _curves_of_tests(
+    tests: Iterator[InstrumentTest], path: Path, given: GivenFacts
+) -> Iterator[PlacedCurve | UnreadCurve]:
     for test in tests:
         try:
             placed = curves_of_test(test, path, given)
@@ -180,7 +182,7 @@ def _is_text(path: Path) -> bool:
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
 
 
-def _curves_of_afmformats(path: Path, given: Given) -> Iterator[PlacedCurve | UnreadCurve]:
+def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve | UnreadCurve]:
     try:
         import afmformats
         from afmformats.errors import AFMFileFormatError, MissingMetaDataError

@@ -15,7 +15,7 @@ from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.workbook import tests_of_workbook
-from winkler.io.tables.given_units import Given
+from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
 from winkler.io.workbook_cells import is_workbook
 
@@ -24,14 +24,14 @@ __all__ = ["instrument_tests"]
 Tests = Iterator[InstrumentTest]
 
 
-def instrument_tests(path: Path, given: Given, *, is_text: bool) -> Tests | None:
+def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests | None:
     """Return the tests of a file of a nanoindenter; None if it is none of those that need an own reader.
 
     Parameters
     ----------
     path : path
         An existing file.
-    given : Given
+    given : GivenFacts
         What the file may not state.
     is_text : bool
         Whether it may be a text.

@@ -17,7 +17,7 @@ from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import rows_of
 from winkler.io.segments import directions, segment_fact
-from winkler.io.tables.given_units import Given
+from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
 from winkler.units import scale
 
@@ -35,7 +35,7 @@ DEFLECTION, TIMES = "vdeflection", ("seriestime", "time")
 PLACES = ("xPosition", "yPosition")
 
 
-class _Segment(NamedTuple):
+class _SegmentRows(NamedTuple):
     """The settings of a segment, including those above it, and its rows."""
 
     settings: dict[str, str]
@@ -48,7 +48,7 @@ def is_jpk_text(head: Sequence[str]) -> bool:
     return "units" in settings and DEFLECTION in settings.get("columns", "").lower().split()
 
 
-def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: Given) -> Iterator[InstrumentTest]:
+def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: GivenFacts) -> Iterator[InstrumentTest]:
     """Yield the one curve of a text.
 
     Raises
@@ -101,7 +101,7 @@ def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: Give
     )
 
 
-def _segments(lines: Sequence[str], path: object) -> list[_Segment]:
+def _segments(lines: Sequence[str], path: object) -> list[_SegmentRows]:
     settings: dict[str, str] = {}
     segments = []
     above = True
@@ -114,7 +114,7 @@ def _segments(lines: Sequence[str], path: object) -> list[_Segment]:
             if "columns" in settings and "units" in settings:
                 count = len(settings["columns"].split())
                 block = rows_of(lines, index, count, path, separator=None)
-                segments.append(_Segment(dict(settings), block))
+                segments.append(_SegmentRows(dict(settings), block))
     segments = [one for one in segments if len(one.rows)]
     if not segments:
         raise InvalidInput(f"{path}: there are no numbers below the names of the columns; export the curve again.")

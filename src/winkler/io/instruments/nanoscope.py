@@ -17,7 +17,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
-from winkler.io.tables.given_units import Given
+from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
 from winkler.units import scale
 
@@ -58,7 +58,7 @@ def is_nanoscope(path: Path) -> bool:
     return start == FORCES or start.startswith(IMAGES)
 
 
-def tests_of_nanoscope(path: Path, given: Given) -> Iterator[InstrumentTest]:
+def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest]:
     """Yield the curves of a file, those of a volume line by line.
 
     Raises
@@ -206,7 +206,7 @@ def _least(channel: _Channel, path: Path) -> float:
     return float(_volts(channel.settings.get("@4:Z scale", ""), f"the scale of '{channel.name}'", path)["least"])
 
 
-def _sensitivity(channel: _Channel, head: _Head, given: Given, path: Path) -> tuple[float, str]:
+def _sensitivity(channel: _Channel, head: _Head, given: GivenFacts, path: Path) -> tuple[float, str]:
     """Return deflection per volt [m/V], and where it comes from."""
     if given.sensitivity is not None:
         return given.sensitivity, f"sensitivity {given.sensitivity:g} m/V given"

@@ -20,7 +20,7 @@ from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES, TIME_NAMES
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import is_row, rows_of
-from winkler.io.tables.given_units import Given
+from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.table_cells import like_number
 from winkler.io.text_file import head_of, lines_of
 from winkler.numerics.types import Array
@@ -54,7 +54,7 @@ class _Named(NamedTuple):
     label: tuple[str, ...]
 
 
-def tests_side_by_side(path: str | os.PathLike[str], given: Given) -> Iterator[InstrumentTest] | None:
+def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
     """Return the tests of a text with several groups of columns; None if it is no such table.
 
     Raises

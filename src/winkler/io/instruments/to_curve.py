@@ -22,7 +22,7 @@ from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.given_units import USUAL, Given, key_of
+from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.units import scale
@@ -40,7 +40,7 @@ ROLES = {
 NEEDED = ("depth", "force")
 
 
-def curves_of_test(test: InstrumentTest, path: object, given: Given) -> list[PlacedCurve]:
+def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> list[PlacedCurve]:
     """Return the curve of a test, or those of several below each other in its columns.
 
     Their ``reading`` states what was taken for what.
@@ -50,7 +50,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: Given) -> list[Pla
     test : InstrumentTest
     path
         The file, for messages.
-    given : Given
+    given : GivenFacts
         Units of columns without one, and the spring constant of a spring behind the tip whose bending the depth still
         contains.
 

@@ -31,7 +31,7 @@ from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.given_units import Given
+from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.several_tests import parts_of_tests
@@ -51,7 +51,7 @@ VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", 
 TIME = Column("time", TIME_NAMES, "s")
 STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
-NOTHING = Given()
+NOTHING = GivenFacts()
 SPRING_CONSTANT_LINE = re.compile(
     r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
 )
@@ -73,7 +73,7 @@ def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
     return any(names_columns(path, pair, head=head) for pair in pairs)
 
 
-def read_curve_tables(path: str | os.PathLike[str], given: Given = NOTHING) -> list[PlacedCurve]:
+def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING) -> list[PlacedCurve]:
     """Read the force curves of a text table: one, or those of several tests below each other.
 
     Parameters
@@ -82,7 +82,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: Given = NOTHING) -> l
         The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.  A column ``segment``
         numbers the segments in which the tip approaches, is held, and retracts; one number throughout says nothing, and
         a segment in which the tip turns is not believed: turns then follow from position and force.
-    given : Given, optional
+    given : GivenFacts, optional
         What the table does not state.  With a column ``depth`` no spring constant is needed: that is the travel of the
         tip itself.
 
@@ -204,7 +204,7 @@ def _place(path: str | os.PathLike[str], head: Sequence[str], *, prefer_position
     return GAP if names_columns(path, (GAP,), head=head) else None
 
 
-def _load(path: str | os.PathLike[str], head: Sequence[str], given: Given) -> Column | None:
+def _load(path: str | os.PathLike[str], head: Sequence[str], given: GivenFacts) -> Column | None:
     if names_columns(path, (FORCE,), head=head):
         return FORCE
     for column in (DEFLECTION, VOLTAGE):

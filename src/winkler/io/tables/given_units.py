@@ -12,7 +12,7 @@ from winkler.errors import InvalidInput, suggest
 from winkler.io.tables.column import Column, example_of
 from winkler.units import scale
 
-__all__ = ["Given", "checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
+__all__ = ["GivenFacts", "checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
 
 USUAL = {"position": "nm", "force": "uN", "time": "s", "deflection": "nm", "stiffness": "N/m"}
 """The quantities whose unit can be given, each with a customary unit."""
@@ -24,7 +24,7 @@ NUMBERED = (*PLACES, *LOADS, "time", "stiffness", "segment")
 EXAMPLE = 'units = { position = "nm", force = "uN", time = "s" }'
 
 
-class Given(NamedTuple):
+class GivenFacts(NamedTuple):
     """Facts that a caller gives.
 
     Parameters
