@@ -250,6 +250,7 @@ ALL_KEYS = {
     "spring_constant": "0.04 N/m",
     "sensitivity": "50 nm/V",
     "units": {"position": "nm", "force": "nN"},
+    "columns": {"position": 1, "force": 2},
     "frame_stiffness": "1 MN/m",
     "correct": ["baseline"],
     "noise": "10 pN",

@@ -9,7 +9,18 @@ from collections.abc import Sequence
 
 __all__ = ["DEPTH_NAMES", "FORCE_NAMES", "POSITION_NAMES", "STIFFNESS_NAMES", "TIME_NAMES", "by_preference"]
 
-POSITION_NAMES = ("position", "piezo", "stage", "z", "displacement", "travel", "z-piezo", "calc ramp", "calc_ramp")
+POSITION_NAMES = (
+    "position",
+    "piezo",
+    "stage",
+    "z",
+    "displacement",
+    "travel",
+    "z-piezo",
+    "calc ramp",
+    "calc_ramp",
+    "weg",
+)
 """Travel of a machine whose cantilever bends."""
 DEPTH_NAMES = (
     "depth",
@@ -25,6 +36,10 @@ DEPTH_NAMES = (
     "sample displacement",
     "sample displace",
     "indent disp.",
+    "eindringtiefe",
+    "tiefe",
+    "profondeur",
+    "profundidad",
 )
 """Travel of the tip."""
 FORCE_NAMES = (
@@ -33,6 +48,7 @@ FORCE_NAMES = (
     "f",
     "p",
     "fn",
+    "fz",
     "normal force",
     "load on sample",
     "force on surface",
@@ -40,8 +56,14 @@ FORCE_NAMES = (
     "indent load",
     "indent act. load",
     "force a",
+    "kraft",
+    "normalkraft",
+    "last",
+    "charge",
+    "fuerza",
+    "carga",
 )
-TIME_NAMES = ("time", "t", "time on sample", "time in contact", "test time")
+TIME_NAMES = ("time", "t", "time on sample", "time in contact", "test time", "zeit", "temps", "tiempo")
 STIFFNESS_NAMES = (
     "stiffness",
     "harmonic contact stiffness",

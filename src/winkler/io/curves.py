@@ -29,7 +29,7 @@ from winkler.io.memory import limited_memory
 from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
-from winkler.io.tables.given_units import checked_units
+from winkler.io.tables.given_units import GivenFacts, checked_columns, checked_units
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.limits import FILE_BYTES
 
@@ -47,21 +47,25 @@ def read_curve(
     spring_constant: float | None = None,
     sensitivity: float | None = None,
     units: Mapping[str, str] | None = None,
+    columns: Mapping[str, int] | None = None,
 ) -> ForceCurve:
     """Read the force curve of a file.
 
     Parameters
     ----------
     path : str or path
-        A text table (see `winkler.io.tables.curve_table`); a file of a nanoindenter (Hysitron, FischerScope, Micro
-        Materials, FemtoTools, with the extra ``nanoindentation`` workbooks of Agilent, Keysight, KLA and MTS); or with
-        the extra ``afm`` what afmformats reads: JPK, NT-MDT, Asylum, AFM workshop and others.
+        A text table (see `winkler.io.tables.curve_table`); a file of NanoScope; the text that JPK exports; a file of a
+        nanoindenter (Hysitron, FischerScope, Micro Materials, FemtoTools, with the extra ``nanoindentation`` workbooks
+        of Agilent, Keysight, KLA and MTS); or with the extra ``afm`` what afmformats reads: JPK, NT-MDT, Asylum, AFM
+        workshop and others.
     spring_constant : float, optional
         Of the cantilever [N/m]; needed where the file does not state it; replaces that of the file.
     sensitivity : float, optional
         Deflection per volt [m/V], likewise.
     units : mapping of str to str, optional
         Units of columns that the file does not state: ``{"position": "nm", "force": "uN", "time": "s"}``.
+    columns : mapping of str to int, optional
+        Of a text table without names, the number of each column from 1: ``{"depth": 1, "force": 2, "time": 3}``.
 
     Returns
     -------
@@ -74,7 +78,9 @@ def read_curve(
         If the file cannot be read, needs a number or unit that it does not hold, contradicts a given unit, or holds
         several curves.
     """
-    curves = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity, units=units))
+    curves = list(
+        read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity, units=units, columns=columns)
+    )
     if len(curves) > 1:
         raise InvalidInput(f"{path}: the file holds {len(curves)} curves; take read_curves(path), it yields them all.")
     if not curves:
@@ -88,6 +94,7 @@ def read_curves(
     spring_constant: float | None = None,
     sensitivity: float | None = None,
     units: Mapping[str, str] | None = None,
+    columns: Mapping[str, int] | None = None,
 ) -> Iterator[PlacedCurve]:
     """Yield every force curve of a file, of a force map one after the other; parameters as for `read_curve`.
 
@@ -96,7 +103,7 @@ def read_curves(
     InvalidInput
         As `read_curve`; of a curve within a map the message names its number.
     """
-    for placed_or_unread in _each(path, spring_constant, sensitivity, checked_units({} if units is None else units)):
+    for placed_or_unread in _each(path, _given(spring_constant, sensitivity, units, columns)):
         if isinstance(placed_or_unread, UnreadCurve):
             raise InvalidInput(placed_or_unread.reason)
         yield placed_or_unread
@@ -108,39 +115,58 @@ def try_curves(
     spring_constant: float | None = None,
     sensitivity: float | None = None,
     units: Mapping[str, str] | None = None,
+    columns: Mapping[str, int] | None = None,
+    rigid: bool = False,
 ) -> Iterator[PlacedCurve | UnreadCurve]:
-    """Yield every curve of a file like `read_curves`, and in the place of one that cannot be read the reason."""
+    """Yield every curve of a file like `read_curves`, and in the place of one that cannot be read the reason.
+
+    With `rigid` a position without a spring constant is the travel of the tip, as in nanoindenters.
+    """
     try:
-        yield from _each(path, spring_constant, sensitivity, checked_units({} if units is None else units))
+        yield from _each(path, _given(spring_constant, sensitivity, units, columns, rigid=rigid))
     except InvalidInput as error:
         yield UnreadCurve(Path(path).name, str(error))
 
 
-def _each(
-    path: str | os.PathLike[str], spring_constant: float | None, sensitivity: float | None, units: Mapping[str, str]
-) -> Iterator[PlacedCurve | UnreadCurve]:
+def _given(
+    spring_constant: float | None,
+    sensitivity: float | None,
+    units: Mapping[str, str] | None,
+    columns: Mapping[str, int] | None,
+    *,
+    rigid: bool = False,
+) -> GivenFacts:
+    return GivenFacts(spring_constant, sensitivity, checked_units(units or {}), checked_columns(columns or {}), rigid)
+
+
+def _each(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[PlacedCurve | UnreadCurve]:
     with sentence_of(path, "a force curve cannot be read from it", "check the file, or save it anew"):
         file = existing(path, "a force curve")
         refuse_large(file, FILE_BYTES)
         is_text = _is_text(file)
-        if (tests := instrument_tests(file, is_text=is_text, units=units)) is not None:
-            yield from _curves_of_tests(tests, file, units, spring_constant)
+        if given.columns:
+            if not is_text:
+                raise InvalidInput(f"{file}: columns are counted in text tables, and this is none; leave columns out.")
+            yield from read_curve_tables(file, given)
             return
-        if is_text and (wide := tests_side_by_side(file, spring_constant)) is not None:
-            yield from _curves_of_tests(wide, file, units, spring_constant)
+        if (tests := instrument_tests(file, given, is_text=is_text)) is not None:
+            yield from _curves_of_tests(tests, file, given)
+            return
+        if is_text and (wide := tests_side_by_side(file, given)) is not None:
+            yield from _curves_of_tests(wide, file, given)
             return
         if is_text and is_curve_table(file):
-            yield from read_curve_tables(file, spring_constant=spring_constant, sensitivity=sensitivity, units=units)
+            yield from read_curve_tables(file, given)
             return
-        yield from _curves_of_afmformats(file, spring_constant, sensitivity)
+        yield from _curves_of_afmformats(file, given)
 
 
 def _curves_of_tests(
-    tests: Iterator[InstrumentTest], path: Path, units: Mapping[str, str], spring_constant: float | None
+    tests: Iterator[InstrumentTest], path: Path, given: GivenFacts
 ) -> Iterator[PlacedCurve | UnreadCurve]:
     for test in tests:
         try:
-            placed = curves_of_test(test, path, units, spring_constant=spring_constant)
+            placed = curves_of_test(test, path, given)
         except InvalidInput as error:
             yield UnreadCurve(test.name, str(error))
         else:
@@ -156,9 +182,7 @@ def _is_text(path: Path) -> bool:
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
 
 
-def _curves_of_afmformats(
-    path: Path, spring_constant: float | None, sensitivity: float | None
-) -> Iterator[PlacedCurve | UnreadCurve]:
+def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve | UnreadCurve]:
     try:
         import afmformats
         from afmformats.errors import AFMFileFormatError, MissingMetaDataError
@@ -168,7 +192,7 @@ def _curves_of_afmformats(
             "this is no text table, and the formats of microscopes need the extra afm; install it with "
             "pip install 'winkler[afm]'",
         ) from None
-    stated = {"spring constant": spring_constant, "sensitivity": sensitivity}
+    stated = {"spring constant": given.spring_constant, "sensitivity": given.sensitivity}
     overrides = {key: number for key, number in stated.items() if number}
     known = afmformats.formats.supported_extensions
     if path.suffix.lower() not in known:
@@ -179,7 +203,10 @@ def _curves_of_afmformats(
             _refuse_large_contents(path)
             group = afmformats.load_data(path, meta_override=overrides)
         except MissingMetaDataError:
-            other = "; if it is no curve of a microscope, write a header such as 'depth [nm], force [uN]'"
+            other = (
+                "; if it is no curve of a microscope but numbers without names, give columns = { depth = 1, "
+                "force = 2 } and units, or write a header such as 'depth [nm], force [uN]'"
+            )
             raise InvalidInput(
                 f"{path}: the file does not state how a deflection becomes a force; give spring_constant in N/m and "
                 f"sensitivity in m/V{other * _is_text(path)}."
@@ -276,6 +303,8 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
 def _reading(data: Any, height: str, timed: bool, overrides: dict[str, float]) -> str:
     """Return what was taken for what, and where spring constant and sensitivity come from."""
     software = str(data.metadata.get("software", "") or data.metadata.get("format", "")).strip()
+    if software.startswith("NT-MDT"):  # nothing in such a file says so
+        software = "numbers without names, taken as NT-MDT exports height [nm] and deflection there and back [nA]"
     facts = [f"position from '{height}', its sign changed, force from 'force'" + ", time from 'time'" * timed]
     for word, unit in (("spring constant", "N/m"), ("sensitivity", "m/V")):
         number = overrides.get(word, data.metadata.get(word, np.nan))

@@ -13,8 +13,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays
 from winkler.io.tables.table_cells import number_in
-from winkler.io.text_file import lines_of
-from winkler.limits import MOST_NUMBERS
+from winkler.io.tables.table_lines import table_lines
+from winkler.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.units import quantity
 
@@ -25,6 +25,9 @@ LEAST_ROWS = 4
 NO_HEIGHT = "is no height; give a matrix of numbers, nan where they are missing"
 HEADER = re.compile(r"#\s*+(Width|Height|Value units)\s*+:(.*)")
 """Header lines that Gwyddion writes above a matrix."""
+NANOSCOPE_UNIT = re.compile(r"\\Exported image units\s*+:\s*+(\S{1,12})\s*+")
+"""Header line of an export of NanoScope; those of its other settings begin with the same mark."""
+COMMENTS = ("#", "%", "\\")
 
 
 class MapContents(NamedTuple):
@@ -60,11 +63,9 @@ def text_map(path: Path) -> MapContents:
     InvalidInput
         If the file is none; the message names the line.
     """
-    lines = lines_of(path, "a matrix of heights")
+    lines = table_lines(path, "a matrix of heights")
     stated = {match[1]: match[2].strip() for line in lines if (match := HEADER.match(line)) and match[2].strip()}
-    numbered = [
-        (n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(("#", "%"))
-    ]
+    numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(COMMENTS)]
     if not numbered:
         raise InvalidInput(f"{path}: there are no heights; give a matrix, one row in a line.")
     separator = next((mark for mark in ("\t", ";", ",") if mark in numbered[0][1].strip()), None)
@@ -79,7 +80,8 @@ def text_map(path: Path) -> MapContents:
         raise InvalidInput(
             f"{path}: the first row and the first column count 0, 1, 2 and so on; these are no heights, delete both."
         )
-    lengths, unit = np.full(2, np.nan), stated.get("Value units", "")
+    exported = next((match[1] for match in map(NANOSCOPE_UNIT.fullmatch, lines[:HEADER_LINES]) if match), "")
+    lengths, unit = np.full(2, np.nan), stated.get("Value units", exported)
     if unit:
         for axis, word in enumerate(("Height", "Width")):  # rows are counted along the first direction
             if word in stated:

@@ -1,4 +1,8 @@
-"""Files of calibrated indenters: area function, frame compliance and their covariance, in TOML, all numbers SI."""
+"""Files of calibrated indenters, in TOML, all numbers SI; and tables of cross-sections over the contact depth.
+
+A table becomes the coefficients of an area function: so many, and from so shallow a depth on, that the area is that of
+the table within one per cent.
+"""
 
 from __future__ import annotations
 
@@ -13,14 +17,23 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.contact_reading import CalibratedArea
-from winkler.io.foreign import sentence_of
+from winkler.io.foreign import in_file, sentence_of
+from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import lines_of
 from winkler.io.whole_file import write_whole_text
 from winkler.materials.elastic import Elastic
+from winkler.numerics.types import Array
 
-__all__ = ["indenter_text", "read_indenter", "write_indenter"]
+__all__ = ["indenter_text", "read_area", "read_indenter", "write_indenter"]
 
 KIND = "calibrated_indenter"
+DEPTH = Column("contact depth", ("contact depth", "contact_depth", "depth", "hc", "h_c", "h", "d"), "m", "nm")
+AREA = Column("area", ("area", "projected area", "contact area", "a", "ac", "a_c", "ap", "a_p"), "m^2", "nm^2")
+MOST_TERMS, FEWEST_ROWS = 9, 20
+LARGEST_ERROR = 0.01
+"""Greatest relative difference between the area function and the table."""
+SHALLOWEST = (0.01, 0.02, 0.05, 0.1, 0.2, 0.3)
+"""Parts of the greatest depth from which on the area function may hold."""
 NEEDED = ("area", "frame_compliance", "young", "poisson")
 ALLOWED = (*NEEDED, "kind", "shallowest", "deepest", "covariance", "shape_factor", "made_from")
 
@@ -57,6 +70,63 @@ def indenter_text(indenter: CalibratedIndenter, *, made_from: str = "") -> str:
         "shape_factor": indenter.shape_factor,
     }
     return tomli_w.dumps(content)
+
+
+def read_area(path: str | os.PathLike[str], header: str = "") -> CalibratedArea:
+    """Read the cross-sections of a tip from a table with the columns contact depth (h) and area (a).
+
+    Parameters
+    ----------
+    path : str or path
+        The file, with units in its header as in ``depth [nm], area [nm^2]``.
+    header : str, optional
+        That line, where the file has none.
+
+    Returns
+    -------
+    CalibratedArea
+        Its coefficients have both signs in general; it holds between its depths within one per cent.
+
+    Raises
+    ------
+    InvalidInput
+        If the file is no such table, or no area function of nine terms is within one per cent of it.
+    """
+    with sentence_of(path, "no area of a tip can be read from it", "give a table of contact depth and area"):
+        try:
+            table = read_table(path, (DEPTH, AREA), decimal_comma=True, stated=header)
+        except InvalidInput as error:
+            if header:
+                raise
+            key = f"give [indenter] with area = '{Path(path).name}' and header = \"depth [nm], area [nm^2]\""
+            raise error.reworded(lambda one: f"{one.rstrip('.')}; or {key}.") from None
+    depth, area = table.values.T
+    with in_file(str(path)):
+        return _fitted_area(depth[area > 0.0], area[area > 0.0])
+
+
+def _fitted_area(depth: Array, area: Array) -> CalibratedArea:
+    order = np.argsort(depth, kind="stable")
+    h, a = depth[order], area[order]
+    if h.size < FEWEST_ROWS or h[0] < 0.0:
+        raise InvalidInput(f"the table has {h.size} depths with an area; give {FEWEST_ROWS} or more, from zero on.")
+    deepest = float(h[-1])
+    for share in SHALLOWEST:
+        chosen = h >= share * deepest
+        if np.count_nonzero(chosen) < FEWEST_ROWS:
+            break
+        x, sizes = h[chosen] / deepest, a[chosen]
+        for terms in range(1, MOST_TERMS + 1):
+            powers = 2.0 ** (1.0 - np.arange(terms))
+            basis = x[:, None] ** powers / sizes[:, None]
+            found = np.linalg.lstsq(basis, np.ones(x.size))[0]
+            if float(np.abs(basis @ found - 1.0).max()) <= LARGEST_ERROR:
+                coefficients = tuple((found / deepest**powers).tolist())
+                return CalibratedArea(coefficients, float(h[chosen][0]), deepest)
+    raise InvalidInput(
+        f"no area function of {MOST_TERMS} terms is within {LARGEST_ERROR:.0%} of the table beyond "
+        f"{SHALLOWEST[-1] * deepest:.3g} m; smooth its areas, or leave out depths at which they jump."
+    )
 
 
 def read_indenter(path: str | os.PathLike[str]) -> CalibratedIndenter:

@@ -12,6 +12,7 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.height_matrix import MapContents, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import content_of, existing
+from winkler.io.workbook_cells import is_workbook
 from winkler.limits import TEXT_BYTES
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
@@ -54,7 +55,7 @@ def read_topography(
         Lengths [m] of the map; needed where the file does not state them; they replace those of the file.
     unit : str, optional
         Of heights, and of lengths that stand in the file as well, where it does not name one: any unit of length, such
-        as um or nm.
+        as um or nm; two units, such as "mm, um", where places and heights differ.
     periodic : bool, optional
         Whether the map is periodic, where the file does not state it.
     channel : str, optional
@@ -78,7 +79,7 @@ def read_topography(
         raise InvalidInput(f"{file}: an array has no channels; leave channel {channel!r} out.")
     if suffix in ARRAY_ENDINGS:
         contents = array_map(file)
-    elif suffix in TEXT_ENDINGS and not channel:
+    elif (suffix in TEXT_ENDINGS or is_workbook(file)) and not channel:
         try:
             contents = text_map(file)
         except InvalidInput as reason:
@@ -89,8 +90,10 @@ def read_topography(
         raise InvalidInput(f"{file}: unit is {unit!r}; give the name of a unit, such as 'nm' or 'um'.")
     if not (contents.unit or unit):
         raise InvalidInput(f"{file}: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'.")
-    per_metre = _per_metre(contents.unit or unit, f"{file}, unit")
-    if unit and _per_metre(unit, "unit") != per_metre:
+    of_lengths, _, of_heights = (part.strip() for part in unit.partition(","))
+    per_metre = _per_metre(contents.unit or of_lengths, f"{file}, unit")
+    per_height = _per_metre(contents.unit or of_heights or of_lengths, f"{file}, unit")
+    if contents.unit and any(_per_metre(one, "unit") != per_metre for one in (of_lengths, of_heights) if one):
         raise InvalidInput(f"{file}: the file states its unit, {contents.unit}, and {unit} was given; leave it out.")
     try:
         stated_lengths = np.array(lengths, dtype=float)
@@ -103,7 +106,7 @@ def read_topography(
         raise InvalidInput(f"{file}: the file does not state the lengths of the map; give lengths=(x, y) in m.")
     with in_file(file):
         tip = tip_radius or contents.tip_radius * (scale(contents.tip_unit, "m") if contents.tip_unit else 1.0)
-        heights, _ = without_marks(contents.heights / per_metre)
+        heights, _ = without_marks(contents.heights / per_height)
         rough = Topography(heights, map_lengths, periodic or contents.periodic, tip_radius=tip)
     steep = rough.rms_height / min(rough.pixel)
     if steep > STEEPEST_RATIO:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
@@ -10,28 +10,31 @@ from winkler.io.instruments.femtotools import is_femtotools, tests_of_femtotools
 from winkler.io.instruments.fischerscope import is_fischerscope, tests_of_fischerscope
 from winkler.io.instruments.hysitron import is_hld, is_nano_dma, tests_of_hld, tests_of_nano_dma
 from winkler.io.instruments.instrument_test import InstrumentTest
+from winkler.io.instruments.jpk_text import is_jpk_text, tests_of_jpk_text
 from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_micro_materials
+from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.workbook import tests_of_workbook
-from winkler.io.instruments.workbook_cells import is_workbook
+from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
+from winkler.io.workbook_cells import is_workbook
 
 __all__ = ["instrument_tests"]
 
 Tests = Iterator[InstrumentTest]
 
 
-def instrument_tests(path: Path, *, is_text: bool, units: Mapping[str, str]) -> Tests | None:
+def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests | None:
     """Return the tests of a file of a nanoindenter; None if it is none of those that need an own reader.
 
     Parameters
     ----------
     path : path
         An existing file.
+    given : GivenFacts
+        What the file may not state.
     is_text : bool
         Whether it may be a text.
-    units : mapping
-        Given units.
 
     Raises
     ------
@@ -42,6 +45,8 @@ def instrument_tests(path: Path, *, is_text: bool, units: Mapping[str, str]) -> 
         return tests_of_workbook(path)
     if is_archive_of_tests(path):
         return tests_of_archive(path)
+    if is_nanoscope(path):
+        return tests_of_nanoscope(path, given)
     if not is_text:
         return None
     head = head_of(path, "a force curve")
@@ -49,7 +54,8 @@ def instrument_tests(path: Path, *, is_text: bool, units: Mapping[str, str]) -> 
     readers: list[tuple[bool, Callable[[list[str]], Tests]]] = [
         (is_hld(head), lambda lines: tests_of_hld(lines, path.name, path)),
         (is_nano_dma(head), lambda lines: tests_of_nano_dma(lines, path.name, path)),
-        (is_fischerscope(head), lambda lines: tests_of_fischerscope(lines, path.name, path, dict(units))),
+        (is_fischerscope(head), lambda lines: tests_of_fischerscope(lines, path.name, path, dict(given.units))),
+        (is_jpk_text(head), lambda lines: tests_of_jpk_text(lines, path.name, path, given)),
         (is_femtotools(head), lambda lines: tests_of_femtotools(lines, path.name, path)),
         (is_micro_materials(head, path.name), lambda lines: tests_of_micro_materials(lines, path.name, path)),
     ]

@@ -41,6 +41,8 @@ class InstrumentTest(NamedTuple):
         +1, 0 and -1 as the file states its segments; empty where it does not.
     rows : ndarray, (n,) or (0,)
         Numbers of the rows in the file, which jump where rows are blank; empty where the file parts its tests itself.
+    spring_constant : float, optional
+        Of a cantilever whose bending the depth still contains [N/m].
     """
 
     instrument: str
@@ -51,6 +53,7 @@ class InstrumentTest(NamedTuple):
     y: float = math.nan
     direction: Array = np.zeros(0)
     rows: Array = np.zeros(0)
+    spring_constant: float | None = None
 
 
 def measures(unit: str, wanted: str) -> bool:

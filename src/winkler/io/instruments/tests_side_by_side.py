@@ -20,6 +20,7 @@ from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES, TIME_NAMES
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import is_row, rows_of
+from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.table_cells import like_number
 from winkler.io.text_file import head_of, lines_of
 from winkler.numerics.types import Array
@@ -53,7 +54,7 @@ class _Named(NamedTuple):
     label: tuple[str, ...]
 
 
-def tests_side_by_side(path: str | os.PathLike[str], spring_constant: float | None) -> Iterator[InstrumentTest] | None:
+def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
     """Return the tests of a text with several groups of columns; None if it is no such table.
 
     Raises
@@ -72,7 +73,8 @@ def tests_side_by_side(path: str | os.PathLike[str], spring_constant: float | No
             has_units = len(below) == len(cells) and not any(like_number(cell) for cell in below if cell)
             groups = _groups(cells, below if has_units else [""] * len(cells))
             if groups and is_row(_first_row(head, index + 1 + has_units), len(cells), separator):
-                if spring_constant is None and not all("depth" in group for group in groups.values()):
+                bends = given.spring_constant is None and not given.rigid
+                if bends and not all("depth" in group for group in groups.values()):
                     raise InvalidInput(
                         f"{path}: the table holds a position, and so the depth needs the bending of the cantilever; "
                         "give spring_constant in N/m, infinite where the position is the travel of the tip itself."

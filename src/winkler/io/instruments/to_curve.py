@@ -22,7 +22,7 @@ from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.given_units import USUAL, key_of
+from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.units import scale
@@ -40,9 +40,7 @@ ROLES = {
 NEEDED = ("depth", "force")
 
 
-def curves_of_test(
-    test: InstrumentTest, path: object, units: Mapping[str, str], *, spring_constant: float | None = None
-) -> list[PlacedCurve]:
+def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> list[PlacedCurve]:
     """Return the curve of a test, or those of several below each other in its columns.
 
     Their ``reading`` states what was taken for what.
@@ -52,17 +50,17 @@ def curves_of_test(
     test : InstrumentTest
     path
         The file, for messages.
-    units : mapping
-        Given units of columns without one; see `winkler.io.tables.given_units`.
-    spring_constant : float, optional
-        Of a spring behind the tip whose bending the depth still contains [N/m].
+    given : GivenFacts
+        Units of columns without one, and the spring constant of a spring behind the tip whose bending the depth still
+        contains.
 
     Raises
     ------
     InvalidInput
         If there is no depth or no force, a unit is missing or contradicts the file, or hardly a row has both.
     """
-    where = f"{path}: '{test.name}'"
+    where, units = f"{path}: '{test.name}'", given.units
+    spring_constant = test.spring_constant if test.spring_constant is not None else given.spring_constant
     found = {role: _column(test.columns, names, unit) for role, (names, unit) in ROLES.items()}
     if missing := [role for role in NEEDED if found[role] is None]:
         there = ", ".join(f"'{column.name}'" for column in test.columns[:20])
@@ -82,6 +80,7 @@ def curves_of_test(
         time = np.zeros(0)
     direction = test.direction[usable] if test.direction.size else np.zeros(0)
     machine = spring_constant if spring_constant is not None else math.inf
+    origin = "given" if given.spring_constant is not None else "from the file"
     rows = (test.rows if test.rows.size else np.arange(usable.size))[usable]
     # rows without numbers within a test are no gap between two
     parts = parts_of_tests(depth, force, time, rows) if test.rows.size and not direction.size else [slice(None)]
@@ -102,7 +101,7 @@ def curves_of_test(
             else "",
             "an average of several tests, whose time falls and is left out" if falling else "",
             f"{left_out} row{'s' * (left_out != 1)} without numbers left out" if left_out else "",
-            f"spring constant {spring_constant:g} N/m given" if spring_constant is not None else "",
+            f"spring constant {spring_constant:g} N/m {origin}" if spring_constant is not None else "",
             *test.notes,
             f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
             swap_note(at, load),

@@ -11,7 +11,7 @@ import dataclasses
 import math
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -31,7 +31,8 @@ from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import swap_note
-from winkler.io.tables.header import header_lines, names_columns
+from winkler.io.tables.given_units import GivenFacts
+from winkler.io.tables.header import header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
@@ -50,6 +51,7 @@ VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", 
 TIME = Column("time", TIME_NAMES, "s")
 STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
+NOTHING = GivenFacts()
 SPRING_CONSTANT_LINE = re.compile(
     r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
 )
@@ -71,13 +73,7 @@ def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
     return any(names_columns(path, pair, head=head) for pair in pairs)
 
 
-def read_curve_tables(
-    path: str | os.PathLike[str],
-    *,
-    spring_constant: float | None = None,
-    sensitivity: float | None = None,
-    units: Mapping[str, str] | None = None,
-) -> list[PlacedCurve]:
+def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING) -> list[PlacedCurve]:
     """Read the force curves of a text table: one, or those of several tests below each other.
 
     Parameters
@@ -86,12 +82,9 @@ def read_curve_tables(
         The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.  A column ``segment``
         numbers the segments in which the tip approaches, is held, and retracts; one number throughout says nothing, and
         a segment in which the tip turns is not believed: turns then follow from position and force.
-    spring_constant : float, optional
-        Of the cantilever [N/m].  With a column ``depth`` it is not needed: that is the travel of the tip itself.
-    sensitivity : float, optional
-        Deflection per volt [m/V], where the table holds the detector's voltage.
-    units : mapping of str to str, optional
-        Units that the header lacks; see `winkler.io.tables.given_units`.
+    given : GivenFacts, optional
+        What the table does not state.  With a column ``depth`` no spring constant is needed: that is the travel of the
+        tip itself.
 
     Returns
     -------
@@ -103,23 +96,24 @@ def read_curve_tables(
     InvalidInput
         If columns, units or numbers are missing; the message names the line.
     """
-    units = units or {}
-    head = header_lines(path, (DEPTH, FORCE))
-    place, load = _place(path, head, prefer_position=spring_constant is not None), _load(path, head, units)
+    spring_constant, sensitivity, units = given.spring_constant, given.sensitivity, given.units
+    stated = header_lines(path, (DEPTH, FORCE))
+    head = ["\t".join(given.columns)] if given.columns else stated
+    place, load = _place(path, head, prefer_position=spring_constant is not None), _load(path, head, given)
     if place is None or load is None or not _is_curve(path, head):
         raise InvalidInput(
-            f"{path}: there is no table of a force curve in this text; it needs one line that names a {DEPTH.word} "
-            f"({', '.join(DEPTH.names[:5])} ...) or {POSITION.word} ({', '.join(POSITION.names)}) and a {FORCE.word} "
-            f"({', '.join(FORCE.names[:5])} ...) with units, as in '{DEPTH.example}, {FORCE.example}', and "
-            "numbers below."
+            f"{path}: there is no table of a force curve in this text{names_seen(path, (DEPTH, FORCE))}; it needs one "
+            f"line that names a {DEPTH.word} ({', '.join(DEPTH.names[:5])} ...) or {POSITION.word} "
+            f"({', '.join(POSITION.names)}) and a {FORCE.word} ({', '.join(FORCE.names[:5])} ...) with units, as in "
+            f"'{DEPTH.example}, {FORCE.example}', and numbers below; or give columns = {{ depth = 1, force = 2 }}."
         )
     further = tuple(
         column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
     )
     wanted = [_narrowed(path, head, column) for column in (place, load, *further)]
-    table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True)
+    table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True, numbers=given.columns)
     found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
-    stiffness = _stiffness(path, head, spring_constant)
+    stiffness = _stiffness(path, stated, spring_constant)
     position, force = table.values[:, 0] * (-1.0 if place is GAP else 1.0), table.values[:, 1]
     if load is not FORCE:
         if stiffness is None:
@@ -130,6 +124,9 @@ def read_curve_tables(
             raise InvalidInput(f"{path}: the deflection is a voltage; give sensitivity, deflection per volt in m/V.")
         force = force * stiffness * (sensitivity if load is VOLTAGE and sensitivity is not None else 1.0)
     travels = place in (POSITION, GAP)
+    needs_spring = travels or load is not FORCE
+    rigid = travels and stiffness is None and given.rigid
+    stiffness = math.inf if rigid else stiffness
     if travels and stiffness is None:
         raise InvalidInput(
             f"{path}: the table holds a {place.word} ({', '.join(place.names[:3])} ...) and so the depth needs the "
@@ -142,7 +139,7 @@ def read_curve_tables(
     measured = "stiffness" in found and place is DEPTH
     parts = parts_of_tests(position, force, found.get("time", none), table.lines)
     _refuse_unparted(path, table, parts, place)
-    where = place_in(head, path)
+    where = place_in(stated, path)
     curves = []
     for number, part in enumerate(parts, start=1):
         name = Path(path).name if len(parts) == 1 else f"{Path(path).name}, test {number}"
@@ -157,13 +154,14 @@ def read_curve_tables(
                 + (f", time from '{read_as['time']}'" if "time" in found else ""),
                 stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
                 segment_fact(at, load_at, segment, read_as.get("segment", "")),
-                _origin_of_spring(stiffness, spring_constant) if travels or load is not FORCE else "",
+                _origin_of_spring(stiffness, spring_constant) if needs_spring and not rigid else "",
+                f"the {place.word} is taken as that of the tip, for no spring constant is stated" if rigid else "",
                 f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
                 f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
                 f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
                 swap_note(at, load_at),
             )
-            reading = f"{maker_in(head)}: " + "; ".join(fact for fact in facts if fact)
+            reading = f"{maker_in(stated)}: " + "; ".join(fact for fact in facts if fact)
             directed = directions(at, load_at, segment)
             curves.append(
                 PlacedCurve(ForceCurve(at, load_at, machine, time, directed, name, reading=reading), *where, continuous)
@@ -206,13 +204,13 @@ def _place(path: str | os.PathLike[str], head: Sequence[str], *, prefer_position
     return GAP if names_columns(path, (GAP,), head=head) else None
 
 
-def _load(path: str | os.PathLike[str], head: Sequence[str], units: Mapping[str, str]) -> Column | None:
+def _load(path: str | os.PathLike[str], head: Sequence[str], given: GivenFacts) -> Column | None:
     if names_columns(path, (FORCE,), head=head):
         return FORCE
     for column in (DEFLECTION, VOLTAGE):
         if names_columns(path, (column,), head=head):
             try:
-                read_table(path, (column,), units=units, decimal_comma=True)
+                read_table(path, (column,), units=given.units, decimal_comma=True, numbers=given.columns)
             except InvalidInput:
                 continue
             return column

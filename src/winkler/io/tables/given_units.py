@@ -1,4 +1,4 @@
-"""Units that a file does not state, given by one key: ``units = { position = "nm", force = "uN", time = "s" }``.
+"""What a table does not state: ``units = { position = "nm", force = "uN" }``, ``columns = { depth = 1, force = 2 }``.
 
 A given unit fills a column without one.  One that contradicts the file is refused.
 """
@@ -6,18 +6,46 @@ A given unit fills a column without one.  One that contradicts the file is refus
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from winkler.errors import InvalidInput, suggest
 from winkler.io.tables.column import Column, example_of
 from winkler.units import scale
 
-__all__ = ["checked_units", "filled_units", "key_of", "refuse_contradiction"]
+__all__ = ["GivenFacts", "checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
 
 USUAL = {"position": "nm", "force": "uN", "time": "s", "deflection": "nm", "stiffness": "N/m"}
 """The quantities whose unit can be given, each with a customary unit."""
 KINDS = {"position": ("m",), "force": ("N",), "time": ("s",), "deflection": ("m", "V"), "stiffness": ("N/m",)}
+PLACES = ("position", "depth", "gap")
+LOADS = ("force", "deflection")
+NUMBERED = (*PLACES, *LOADS, "time", "stiffness", "segment")
+"""The columns that can be given by their number."""
 EXAMPLE = 'units = { position = "nm", force = "uN", time = "s" }'
+
+
+class GivenFacts(NamedTuple):
+    """Facts that a caller gives.
+
+    Parameters
+    ----------
+    spring_constant : float, optional
+        Of the cantilever [N/m]; replaces that of the file.
+    sensitivity : float, optional
+        Deflection per volt [m/V].
+    units : mapping
+        Of columns without one; see `checked_units`.
+    columns : mapping
+        Numbers of columns, counted from 1, by the word of the quantity; names are not looked at then.
+    rigid : bool
+        Whether a position is the travel of the tip where neither file nor caller states a spring, as in nanoindenters.
+    """
+
+    spring_constant: float | None = None
+    sensitivity: float | None = None
+    units: Mapping[str, str] = {}
+    columns: Mapping[str, int] = {}
+    rigid: bool = False
 
 
 def key_of(word: str) -> str:
@@ -54,6 +82,40 @@ def checked_units(raw: Any, what: str = "units") -> dict[str, str]:
                 reasons.append(str(error))
         if len(reasons) == len(KINDS[quantity]):
             raise InvalidInput(reasons[0])
+    return dict(raw)
+
+
+def checked_columns(raw: Any, what: str = "columns") -> dict[str, int]:
+    """Return given numbers of columns, checked.
+
+    Parameters
+    ----------
+    raw
+        Quantity -> number of its column, counted from 1.
+    what : str, optional
+        How it is named in messages.
+
+    Raises
+    ------
+    InvalidInput
+        If it is no such mapping, a quantity is unknown, two have one number, or a place or a load is missing.
+    """
+    example = "columns = { depth = 1, force = 2 }"
+    if not isinstance(raw, Mapping) or not all(
+        isinstance(word, str) and isinstance(number, int) and not isinstance(number, bool) and number > 0
+        for word, number in raw.items()
+    ):
+        raise InvalidInput(f"{what} is {raw!r}; give the number of each column, counted from 1, as in {example}.")
+    for word in raw:
+        if word not in NUMBERED:
+            hint = suggest(word, list(NUMBERED))
+            raise InvalidInput(f"{what}: '{word}' is not known{hint}; there are {', '.join(NUMBERED)}.")
+    twice = len(set(raw.values())) < len(raw)
+    if raw and (twice or any(len(set(needed) & set(raw)) != 1 for needed in (PLACES, LOADS))):
+        raise InvalidInput(
+            f"{what} is {dict(raw)!r}; give one of {', '.join(PLACES)} and one of {', '.join(LOADS)}, each a column of "
+            f"its own, as in {example}."
+        )
     return dict(raw)
 
 

@@ -10,17 +10,28 @@ from typing import NamedTuple
 from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column, example_of
 from winkler.io.tables.given_units import filled_units, refuse_contradiction
-from winkler.io.tables.table_cells import cells_of, is_number, like_number, named
-from winkler.io.text_file import head_of
+from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, unit_in
+from winkler.io.tables.table_lines import table_head
 from winkler.units import scale
 
-__all__ = ["Header", "header_lines", "header_of", "names_columns", "needs_of", "separator_of", "zero_of"]
+__all__ = [
+    "Header",
+    "header_lines",
+    "header_of",
+    "names_columns",
+    "names_seen",
+    "needs_of",
+    "placed_header",
+    "separator_of",
+    "stated_header",
+    "zero_of",
+]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
 COMMENT_MARKS = "#% \t"
-MOST_EMPTY = 1
-"""Most empty rows between the names and their units."""
+MOST_BETWEEN = 1
+"""Most rows between the names and their units: empty, or such as "Waveform"."""
 LONGEST_UNIT = 12
 NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 NAME_LETTER = re.compile(r"[^\W\d_eE]")
@@ -56,7 +67,7 @@ def names_columns(
     InvalidInput
         If the file cannot be read.
     """
-    lines = head_of(path, needs_of(columns)) if head is None else head
+    lines = table_head(path, needs_of(columns)) if head is None else head
     texts = [
         line.lstrip(COMMENT_MARKS).rstrip()
         for line in lines
@@ -74,7 +85,7 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
     InvalidInput
         If the file cannot be read.
     """
-    return [line for line in head_of(path, needs_of(columns)) if NO_NUMBERS.search(line)]
+    return [line for line in table_head(path, needs_of(columns)) if NO_NUMBERS.search(line)]
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -114,31 +125,92 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
     raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
 
 
+def placed_header(
+    lines: Sequence[str],
+    columns: Sequence[Column],
+    numbers: Mapping[str, int],
+    file: str,
+    given: Mapping[str, str] | None,
+) -> Header:
+    """Return the header of a table whose columns are given by their numbers, counted from 1.
+
+    Names, and units in brackets behind them, are those of the row above the first numbers, if it has as many cells.
+
+    Raises
+    ------
+    InvalidInput
+        If no line has numbers in these columns, or a unit is missing.
+    """
+    places = tuple(numbers[column.word] - 1 for column in columns)
+    for index, line in enumerate(lines):
+        for separator in SEPARATORS_TRIED:
+            row = cells_of(line.partition("#")[0].strip("\r\n "), separator)
+            if len(row) <= max(places) or not all(like_number(row[place]) for place in places):
+                continue
+            above = next((text for text in reversed(lines[:index]) if text.strip()), "")
+            names = cells_of(above.lstrip(COMMENT_MARKS).rstrip(), separator)
+            if len(names) != len(row):
+                names = [f"column {place + 1}" for place in range(len(row))]
+            stated = [unit_in(names[place], column.unit) for place, column in zip(places, columns, strict=True)]
+            header = Header(index, separator, tuple(names), places, tuple(stated))
+            units = filled_units(stated, names, places, columns, given or {}, file)
+            for column, unit in zip(columns, units, strict=True):
+                if column.unit:
+                    scale(unit, column.unit, what=f"{file}, {column.word}")
+                    refuse_contradiction(column, unit, given, file)
+            return header._replace(units=units)
+    wanted = ", ".join(f"{column.word} in column {place + 1}" for column, place in zip(columns, places, strict=True))
+    raise InvalidInput(f"{file}: no line has numbers for {wanted}; count the columns from 1.")
+
+
+def stated_header(lines: Sequence[str], columns: Sequence[Column], text: str, file: str) -> Header:
+    """Return the header that a caller states as the names of all columns, such as "omega [rad/s], g' [Pa], g'' [Pa]".
+
+    Raises
+    ------
+    InvalidInput
+        If it does not name the columns with units, or no line has as many numbers.
+    """
+    stated = header_of([text], columns, f"header = {text!r}", None)
+    for index, line in enumerate(lines):
+        for separator in SEPARATORS_TRIED:
+            row = cells_of(line.partition("#")[0].strip("\r\n "), separator)
+            if len(row) >= len(stated.cells) and all(like_number(row[place]) for place in stated.places):
+                cells = (*stated.cells, *[""] * (len(row) - len(stated.cells)))
+                return stated._replace(line=index, separator=separator, cells=cells)
+    raise InvalidInput(f"{file}: no line has numbers for the columns of header = {text!r}; name those of the file.")
+
+
 def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
-    """Return the places whose unit fits, if there is one such: instruments repeat a depth in m and in volts."""
-    fitting = []
+    """Return the places whose unit fits, or else those without a unit, if there is one such.
+
+    Instruments repeat a depth in m and in volts; and "Storage Compliance" is no storage in a unit of "Compliance".
+    """
+    fitting, bare = [], []
     for place in places:
+        unit = named(cells[place], column.names)[1]
+        if not unit:
+            bare.append(place)
+            continue
         try:
-            scale(named(cells[place], column.names)[1], column.unit)
+            scale(unit, column.unit)
         except InvalidInput:
             continue
         fitting.append(place)
-    return fitting if len(fitting) == 1 else places
+    return next((chosen for chosen in (fitting, bare) if len(chosen) == 1), places)
 
 
 def _with_units(
     header: Header, lines: Sequence[str], columns: Sequence[Column], file: str, given: Mapping[str, str] | None
 ) -> Header:
-    """Take units that are not in the header from the row below it or from those given, and check that all fit."""
+    """Take units that are not in the header from a row below it or from those given, and check that all fit."""
     where = f"{file}, line {header.line}"
     needs = [bool(column.unit) for column in columns]
     stated_units = zip(header.places, header.units, needs, strict=True)
     bare = [header.cells[place] for place, unit, need in stated_units if need and not unit]
     if bare:
-        below, skipped = _row_below(lines, header)
-        wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
-        missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
-        if wanted and not any(missing):
+        wanted, skipped = _units_below(lines, header, needs)
+        if wanted:
             header = header._replace(line=header.line + 1 + skipped, units=tuple(wanted))
             where = f"{file}, line {header.line}"
         else:
@@ -153,14 +225,23 @@ def _with_units(
     return header._replace(units=plain)
 
 
-def _row_below(lines: Sequence[str], header: Header) -> tuple[list[str], int]:
-    """Return the cells of the row below the header, and how many empty rows lie between."""
-    for skipped in range(MOST_EMPTY + 1):
+def _units_below(lines: Sequence[str], header: Header, needs: Sequence[bool]) -> tuple[list[str], int]:
+    """Return the units in a row below the header, and how many rows lie between: empty ones, or of other words."""
+    for skipped in range(MOST_BETWEEN + 1):
         if header.line + skipped >= len(lines):
             break
-        cells = cells_of(lines[header.line + skipped].lstrip(COMMENT_MARKS if not skipped else " "), header.separator)
-        if any(cell.strip() for cell in cells):
-            return cells, skipped
+        line = lines[header.line + skipped]
+        splits = [cells_of(line.lstrip(marks), header.separator) for marks in (COMMENT_MARKS, " ")]
+        cells = next((cells for cells in splits if len(cells) == len(header.cells)), splits[-1])
+        if len(cells) != len(header.cells):
+            if any(cells):
+                break
+            continue
+        units = [cells[place].strip("[]() ") for place in header.places]
+        if any(like_number(unit) for unit in units if unit):
+            break
+        if all(unit or not need for unit, need in zip(units, needs, strict=True)):
+            return units, skipped
     return [], 0
 
 
@@ -178,9 +259,21 @@ def _are_units(cells: Sequence[str]) -> bool:
     return bool(texts) and all(len(text) <= LONGEST_UNIT and known(text) for text in texts)
 
 
-def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
-    """Return why no header was found."""
-    example = example_of(columns)
+def names_seen(path: str | os.PathLike[str], columns: Sequence[Column]) -> str:
+    """Return the row of names above the first numbers of a file, as a phrase; empty if there is none.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    above, _ = _names_above(table_head(path, needs_of(columns)))
+    listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
+    return f", whose columns are {listed}" if listed else ""
+
+
+def _names_above(lines: Sequence[str]) -> tuple[list[str], int]:
+    """Return the names above the first row of numbers, and the place of that row; the number of lines without one."""
     above: list[str] = []
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT_MARKS).rstrip()
@@ -188,12 +281,19 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
         if text == line.strip() and any(
             any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
         ):
-            if not above:
-                return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
-            break
+            return above, index
         if text:
             row = next((cells for cells in splits if len(cells) > 1), [text])
             above = row if not above or not _are_units(row) else above
+    return above, len(lines)
+
+
+def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
+    """Return why no header was found."""
+    example = example_of(columns)
+    above, index = _names_above(lines)
+    if not above and index < len(lines):
+        return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
     missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
     wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)

@@ -14,6 +14,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
+from winkler.io.tables.column import example_of
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
@@ -24,12 +25,13 @@ __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
 TIME = Column("time", ("time", "t", "step time", "test time", "zeit"), "s", "s")
-FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz"), "Hz")
+FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz", "fréquence", "frecuencia"), "Hz")
 FREQUENCY_IN_RADIANS = Column(FREQUENCY.word, FREQUENCY.names, "rad/s")
 ANGULAR = Column(
     "angular frequency",
     (
-        "angular_frequency", "angular frequency", "omega", "w", "ω", "ang. freq.", "ang. freq", "ang. frequency"
+        "angular_frequency", "angular frequency", "omega", "w", "ω", "ang. freq.", "ang. freq", "ang. frequency",
+        "kreisfrequenz",
     ),
     "rad/s",
 )  # fmt: skip
@@ -43,9 +45,14 @@ SHEAR_COMPLIANCE = Column(
 )
 TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
 SHEAR_STORAGE = Column(
-    "storage modulus in shear", ("storage_shear", "storage", "g'", "g_stor", "storage modulus"), "Pa", "kPa"
+    "storage modulus in shear",
+    ("storage_shear", "storage", "g'", "g_stor", "storage modulus", "speichermodul"),
+    "Pa",
+    "kPa",
 )
-SHEAR_LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "g_loss", "loss modulus"), "Pa", "kPa")
+SHEAR_LOSS = Column(
+    "loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "g_loss", "loss modulus", "verlustmodul"), "Pa", "kPa"
+)
 TENSILE_STORAGE = Column(
     "storage modulus in tension", ("tensile_storage", "e'", "e_stor", "tensile storage modulus"), "Pa", "MPa"
 )
@@ -85,7 +92,9 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
 
 
-def dynamic_rows(path: str | os.PathLike[str], further: tuple[Column, ...], poisson: float) -> tuple[Table, Array]:
+def dynamic_rows(
+    path: str | os.PathLike[str], further: tuple[Column, ...], poisson: float, header: str = ""
+) -> tuple[Table, Array]:
     """Return further columns, angular frequency [rad/s], storage and loss in shear [Pa] of a table.
 
     A frequency in radians over time is angular, whatever its name.  Storage and loss stand there, or storage and loss
@@ -97,23 +106,26 @@ def dynamic_rows(path: str | os.PathLike[str], further: tuple[Column, ...], pois
     further : tuple of Column
     poisson : float
         nu [-], for moduli in tension.
+    header : str, optional
+        The names of all columns, in place of those of the file.
 
     Raises
     ------
     InvalidInput
         If columns, units or numbers are missing.
     """
-    frequency = ANGULAR if names_columns(path, (*further, ANGULAR)) else FREQUENCY
+    head = [header] if header else None
+    frequency = ANGULAR if names_columns(path, (*further, ANGULAR), head=head) else FREQUENCY
     first = (*further, frequency)
     size, other, tensile, moduli = next(
-        (one for one in MODULI if names_columns(path, (*first, *one[:2]))),
-        next((one for one in MODULI if names_columns(path, one[:2])), MODULI[0]),
+        (one for one in MODULI if names_columns(path, (*first, *one[:2]), head=head)),
+        next((one for one in MODULI if names_columns(path, one[:2], head=head)), MODULI[0]),
     )
     try:
-        table = read_table(path, (*first, size, other), decimal_comma=True)
+        table = moduli_table(path, (*first, size, other), header)
     except InvalidInput as reason:
         try:  # instruments write a frequency in rad/s as well: the unit says which it is
-            table = read_table(path, (*further, FREQUENCY_IN_RADIANS, size, other), decimal_comma=True)
+            table = moduli_table(path, (*further, FREQUENCY_IN_RADIANS, size, other), header)
         except InvalidInput:
             raise reason from None
         frequency = FREQUENCY_IN_RADIANS
@@ -124,8 +136,25 @@ def dynamic_rows(path: str | os.PathLike[str], further: tuple[Column, ...], pois
     return table, np.column_stack([values[:, : place + 1], storage / divisor, loss / divisor])
 
 
+def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], header: str) -> Table:
+    """Return a table, with a stated header if there is one; a refusal of the file's own names that key.
+
+    Raises
+    ------
+    InvalidInput
+        If columns, units or numbers are missing.
+    """
+    try:
+        return read_table(path, columns, decimal_comma=True, stated=header)
+    except InvalidInput as error:
+        if header:
+            raise
+        example = example_of(columns)
+        raise error.reworded(lambda one: f'{one.rstrip(".")}; or give header = "{example}".') from None
+
+
 @reader("a relaxation")
-def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> RelaxationData:
+def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> RelaxationData:
     """Read a measured relaxation from a table with the columns time (t) and shear (g), or young (e).
 
     Parameters
@@ -134,6 +163,8 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Re
         The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
+    header : str, optional
+        The names and units of all columns, where the file has none: ``"time [s], shear [Pa]"``.
 
     Returns
     -------
@@ -144,13 +175,13 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Re
     InvalidInput
         If the file cannot be read, or what it holds is no relaxation.
     """
-    table, tensile = _read(path, (TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
+    table, tensile = _read(path, (TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS), header)
     time, modulus = table.values.T
     return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
 
 
 @reader("a creep")
-def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepData:
+def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> CreepData:
     """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
 
     Parameters
@@ -159,6 +190,8 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepDa
         The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
+    header : str, optional
+        The names and units of all columns, where the file has none: ``"time [s], compliance [1/Pa]"``.
 
     Returns
     -------
@@ -169,13 +202,13 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepDa
     InvalidInput
         If the file cannot be read, or what it holds is no creep.
     """
-    table, tensile = _read(path, (TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
+    table, tensile = _read(path, (TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE), header)
     time, compliance = table.values.T
     return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
 
 
 @reader("storage and loss")
-def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> DynamicData:
+def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> DynamicData:
     """Read measured storage and loss from a table over frequency (f) or angular_frequency (omega).
 
     Parameters
@@ -186,6 +219,8 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Dynam
         loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
+    header : str, optional
+        The names and units of all columns, where the file has none: ``"omega [rad/s], g' [Pa], g'' [Pa]"``.
 
     Returns
     -------
@@ -196,14 +231,17 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Dynam
     InvalidInput
         If the file cannot be read, or what it holds is no storage and loss.
     """
-    table, rows = dynamic_rows(path, (), poisson)
+    table, rows = dynamic_rows(path, (), poisson, header)
     return _data(DynamicData, table, tuple(rows.T), poisson)
 
 
-def _read(path: str | os.PathLike[str], sheared: tuple[Column, ...], tensile: tuple[Column, ...]) -> tuple[Table, bool]:
+def _read(
+    path: str | os.PathLike[str], sheared: tuple[Column, ...], tensile: tuple[Column, ...], header: str
+) -> tuple[Table, bool]:
     """Return the columns of shear or, where the table has those alone, of tension; and whether it was tension."""
-    tension = names_columns(path, tensile) and not names_columns(path, sheared)
-    return read_table(path, tensile if tension else sheared, decimal_comma=True), tension
+    head = [header] if header else None
+    tension = names_columns(path, tensile, head=head) and not names_columns(path, sheared, head=head)
+    return moduli_table(path, tensile if tension else sheared, header), tension
 
 
 def young_over_shear(poisson: float) -> float:

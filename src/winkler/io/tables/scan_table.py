@@ -16,8 +16,15 @@ from winkler.units import scale
 
 __all__ = ["is_scan", "read_scan"]
 
-PLACE_COLUMN = Column("place", ("place", "position", "x", "lateral", "distance", "scan"), "m", "um")
-HEIGHT_COLUMN = Column("height", ("height", "heights", "z", "h", "raw", "profile", "level", "y", "y1"), "m", "nm")
+PLACE_COLUMN = Column(
+    "place", ("place", "position", "x", "lateral", "distance", "scan", "abstand", "distancia"), "m", "um"
+)
+HEIGHT_COLUMN = Column(
+    "height",
+    ("height", "heights", "z", "h", "raw", "profile", "level", "y", "y1", "höhe", "hauteur", "altura", "altezza"),
+    "m",
+    "nm",
+)
 
 TEXT_ENDINGS = {"", ".csv", ".txt", ".asc", ".dat", ".tsv", ".xy"}
 """Files that are tables, unless two columns without a header; their errors are those of tables."""

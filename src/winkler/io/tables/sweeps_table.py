@@ -15,9 +15,10 @@ from winkler.io.tables.relaxation_table import (
     TIME,
     YOUNG_MODULUS,
     dynamic_rows,
+    moduli_table,
     young_over_shear,
 )
-from winkler.io.tables.table import Column, read_table
+from winkler.io.tables.table import Column
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.types import Array
 
@@ -29,7 +30,7 @@ TEMPERATURE_OR_T = Column(TEMPERATURE.word, (*TEMPERATURE.names, "t"), "K", "deg
 
 
 @reader("sweeps of storage and loss")
-def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -> DynamicSweeps:
+def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> DynamicSweeps:
     """Read storage and loss at several temperatures.
 
     Parameters
@@ -40,6 +41,8 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -
         storage [MPa], loss [MPa]``; or a pattern such as ``"rubber_*.csv"`` of several such tables.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
+    header : str, optional
+        The names and units of all columns, where the files have none, as in the line above.
 
     Returns
     -------
@@ -52,14 +55,14 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -
     """
     rows = []
     for file in _files(path):
-        rows.append(dynamic_rows(file, (TEMPERATURE_OR_T,), poisson)[1])
+        rows.append(dynamic_rows(file, (TEMPERATURE_OR_T,), poisson, header)[1])
     with in_file(str(path)):
         temperature, angular, storage, loss = np.concatenate(rows).T
         return DynamicSweeps(temperature, angular, storage, loss, poisson=poisson)
 
 
 @reader("sweeps of relaxation")
-def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5) -> RelaxationSweeps:
+def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> RelaxationSweeps:
     """Read relaxation at several temperatures.
 
     Parameters
@@ -69,6 +72,8 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
         [s], shear [kPa]``; or a pattern such as ``"gel_*.csv"`` of several such tables.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
+    header : str, optional
+        The names and units of all columns, where the files have none, as in the line above.
 
     Returns
     -------
@@ -80,7 +85,7 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
         If a file cannot be read, or its rows are no sweeps.
     """
     rows = [
-        _moduli(file, (TEMPERATURE, TIME, SHEAR_MODULUS), (TEMPERATURE, TIME, YOUNG_MODULUS), poisson)
+        _moduli(file, (TEMPERATURE, TIME, SHEAR_MODULUS), (TEMPERATURE, TIME, YOUNG_MODULUS), poisson, header)
         for file in _files(path)
     ]
     with in_file(str(path)):
@@ -88,10 +93,11 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
         return RelaxationSweeps(temperature, time, shear, poisson=poisson)
 
 
-def _moduli(file: str, sheared: tuple[Column, ...], tensile: tuple[Column, ...], poisson: float) -> Array:
+def _moduli(file: str, sheared: tuple[Column, ...], tensile: tuple[Column, ...], poisson: float, header: str) -> Array:
     """Return the rows of a table with moduli in shear."""
-    tension = names_columns(file, tensile) and not names_columns(file, sheared)
-    values = np.array(read_table(file, tensile if tension else sheared, decimal_comma=True).values)
+    head = [header] if header else None
+    tension = names_columns(file, tensile, head=head) and not names_columns(file, sheared, head=head)
+    values = np.array(moduli_table(file, tensile if tension else sheared, header).values)
     if tension:
         values[:, 2:] /= young_over_shear(poisson)
     return values

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from array import array
 from collections.abc import Mapping, Sequence
 
@@ -22,14 +23,19 @@ from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
-from winkler.io.tables.header import header_of, needs_of, separator_of, zero_of
+from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, stated_header, zero_of
 from winkler.io.tables.table_cells import cells_of, number_in
-from winkler.io.text_file import headed, lines_of
+from winkler.io.tables.table_lines import table_lines
+from winkler.io.text_file import headed
 from winkler.numerics.types import Array
 from winkler.units import scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "read_table"]
+
+
+MARK = re.compile(r"<[A-Za-z /]{1,40}>")
+"""A line by which some instruments end a block of numbers."""
 
 
 @value
@@ -64,6 +70,8 @@ def read_table(
     units: Mapping[str, str] | None = None,
     decimal_comma: bool = False,
     repeated: bool = False,
+    numbers: Mapping[str, int] | None = None,
+    stated: str = "",
 ) -> Table:
     """Read columns of numbers from a text file with a header.
 
@@ -79,6 +87,10 @@ def read_table(
         Whether ``1,5`` is read as 1.5 where it can mean nothing else.
     repeated : bool, optional
         Whether the header may stand again between rows; it is passed over, and the numbers of the lines show it.
+    numbers : mapping of str to int, optional
+        The number of each column, counted from 1, in place of its name.
+    stated : str, optional
+        A header in place of that of the file.
 
     Returns
     -------
@@ -90,18 +102,25 @@ def read_table(
         If the file cannot be read; the message names the line.
     """
     file = str(path)
-    lines = lines_of(path, needs_of(columns))
+    lines = table_lines(path, needs_of(columns))
     head = headed(lines, file)
-    header = header_of(head, columns, file, units)
+    if stated:
+        header = stated_header(head, columns, stated, file)
+    elif numbers:
+        header = placed_header(head, columns, numbers, file, units)
+    else:
+        header = header_of(head, columns, file, units)
     separator = separator_of(lines, header)
     commas = DecimalCommas(file) if decimal_comma and separator != "," else None
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
     again = above if repeated else frozenset[str]()
     repeats = list[int]()
-    numbers, places, gaps = array("d"), array("q"), list[int]()
+    cells_read, places, gaps = array("d"), array("q"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
+            continue
+        if repeated and MARK.fullmatch(line.strip()):
             continue
         if line.strip() in again:
             repeats.append(index + 1)
@@ -120,6 +139,8 @@ def read_table(
             if commas is not None:
                 commas.see_points(cells)
         except ValueError:
+            if not any(cells[place] for place in header.places):
+                continue  # only columns that are not asked for go on
             row = [
                 number_in(
                     cells[p] if commas is None else commas.with_point(cells[p], index + 1),
@@ -130,7 +151,7 @@ def read_table(
             ]
         if not all(map(math.isfinite, row)):
             gaps.append(index + 1)
-        numbers.extend(row)
+        cells_read.extend(row)
         places.append(index + 1)
     if gaps:
         listed = ", ".join(map(str, gaps[:5])) + (f" and {len(gaps) - 5} more" if len(gaps) > 5 else "")
@@ -148,7 +169,7 @@ def read_table(
         ]
     )
     with np.errstate(over="ignore"):
-        values = np.array(numbers).reshape(-1, len(columns)) / factors + np.array(zeros)
+        values = np.array(cells_read).reshape(-1, len(columns)) / factors + np.array(zeros)
     computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]

@@ -10,21 +10,34 @@ from collections.abc import Iterator
 
 from winkler.errors import InvalidInput
 from winkler.limits import CELL_LETTERS
-from winkler.units import comma_hint, comma_readings
+from winkler.units import comma_hint, comma_readings, scale
 
-__all__ = ["cells_of", "is_number", "like_number", "named", "number_in"]
+__all__ = ["cells_of", "is_number", "like_number", "named", "number_in", "unit_in"]
 
 ABSENT = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 """A name with a unit in brackets behind it, or a word."""
 
 
+SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
+"""A symbol in brackets behind a name, as in "Position (z), mm"."""
+
+
 def cells_of(line: str, separator: str | None) -> list[str]:
     """Return the cells of a line; without a separator those between spaces."""
     if separator is not None:
-        return [cell.strip(" \t\"'") for cell in line.split(separator)]
+        return [_unquoted(cell.strip(" \t")) for cell in line.split(separator)]
     # a unit in brackets belongs to the name before it
     return NAME_WITH_UNIT.findall(line) if "[" in line or "(" in line else line.split()
+
+
+def _unquoted(cell: str) -> str:
+    """Return a cell without the quotes around it; primes that end a name, as in ``G'`` and ``G''``, stay."""
+    mark = cell[:1]
+    if mark not in ("'", '"') or len(cell) < 2 or cell[-1] != mark:
+        return cell
+    inner = cell[1:-1]
+    return (inner.replace('""', '"') if mark == '"' else inner).strip(" \t")
 
 
 def is_number(cell: str) -> bool:
@@ -70,14 +83,30 @@ def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
     """Return whether a cell of the header has one of the names, and the unit behind it if there is one."""
     if len(cell) > CELL_LETTERS:
         return False, ""
+    if cell.lower() in names:  # before "Storage Modulus" is a storage in a unit of "Modulus"
+        return True, ""
     for name, unit in _readings(cell):
         if name.lower() in names:
             return True, unit.strip(" -")
-    return cell.lower() in names, ""
+    return False, ""
+
+
+def unit_in(cell: str, wanted: str) -> str:
+    """Return the unit behind the name in a cell of the header that measures the same as another; empty if none does."""
+    for _, unit in _readings(cell) if len(cell) <= CELL_LETTERS else ():
+        try:
+            scale(unit.strip(" -"), wanted)
+        except InvalidInput:
+            continue
+        return unit.strip(" -")
+    return ""
 
 
 def _readings(cell: str) -> Iterator[tuple[str, str]]:
-    """Yield how a cell of the header may be name and unit: ``r [um]``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    """Yield how a cell may be name and unit: ``r [um]``, ``r, um``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    name, _, unit = cell.rpartition(", ")
+    if name and unit:
+        yield SYMBOL.sub("", name.rstrip()), unit
     if cell[-1:] in ("]", ")"):
         closed = max(cell.rfind("]", 1, -1), cell.rfind(")", 1, -1))
         opened = min((place for mark in "[(" if (place := cell.find(mark, max(closed, 0) + 1)) > 0), default=0)

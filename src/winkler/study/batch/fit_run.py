@@ -166,6 +166,7 @@ def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
         spring_constant=study.spring_constant or None,
         sensitivity=study.sensitivity or None,
         units=dict(study.units),
+        columns=dict(study.columns),
     )
 
 

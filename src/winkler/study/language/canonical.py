@@ -56,6 +56,7 @@ def how_fitted(study: FitStudy) -> dict[str, Any]:
         "how": [study.part, study.fitted, list(study.correct), *([list(study.segments)] if study.segments else [])],
         **({"events": list(study.events)} if study.events else {}),
         **({"units": [list(pair) for pair in study.units]} if study.units else {}),
+        **({"columns": [list(pair) for pair in study.columns]} if study.columns else {}),
         "numbers": [
             str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
         ],

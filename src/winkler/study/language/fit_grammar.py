@@ -9,7 +9,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, StrictStr, create_model
 
 from winkler.errors import InvalidInput, suggest
-from winkler.io.tables.given_units import checked_units
+from winkler.io.tables.given_units import checked_columns, checked_units
 from winkler.study.language import json_forms, quantities
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.json_forms import checked
@@ -40,6 +40,14 @@ def stated_units(raw: Any) -> tuple[tuple[str, str], ...]:
     """Refuse what is not a table of quantities and their units; return pairs in the order of their names."""
     try:
         return tuple(sorted(checked_units(raw, WHERE).items()))
+    except InvalidInput as error:
+        wrong(str(error))
+
+
+def stated_columns(raw: Any) -> tuple[tuple[str, int], ...]:
+    """Refuse what is not a table of quantities and the numbers of their columns; return pairs in their order."""
+    try:
+        return tuple(sorted(checked_columns(raw, WHERE).items()))
     except InvalidInput as error:
         wrong(str(error))
 
@@ -100,6 +108,7 @@ def fit_form() -> type[BaseModel]:
         spring_constant=(_positive("N/m"), MISSING),
         sensitivity=(_positive("m/V"), MISSING),
         units=(checked(stated_units, lambda: {"type": "object"}), MISSING),
+        columns=(checked(stated_columns, lambda: {"type": "object"}), MISSING),
         frame_stiffness=(_positive("N/m"), MISSING),
         correct=(
             checked(corrections, lambda: {"type": "array", "minItems": 1, "items": {"enum": list(CORRECTIONS)}}),

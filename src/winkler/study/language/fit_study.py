@@ -120,6 +120,8 @@ class FitStudy:
         [N/m] and [m/V], zero where the files state them.
     units : tuple of pairs of str
         Quantity and unit of columns whose unit the files do not state.
+    columns : tuple of pairs of str and int
+        Quantity and number of columns that the files do not name.
     frame_stiffness
         [N/m].
     noise
@@ -160,6 +162,7 @@ class FitStudy:
     spring_constant: float = 0.0
     sensitivity: float = 0.0
     units: tuple[tuple[str, str], ...] = ()
+    columns: tuple[tuple[str, int], ...] = ()
     frame_stiffness: float = math.inf
     noise: float = 0.0
     noise_spectrum: str = "unknown"

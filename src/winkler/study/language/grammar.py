@@ -49,6 +49,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "spring_constant": "of the cantilever, where the file does not state it; replaces the file's",
         "sensitivity": "deflection per volt, where the file holds a voltage",
         "units": 'of columns that the file does not state: { position = "nm", force = "uN", time = "s" }',
+        "columns": "numbers of columns of a text table without names, from 1: { position = 1, force = 2 }",
         "frame_stiffness": "of the frame of the machine, which deforms too",
         "correct": "corrections in their order: a list of baseline, drift, drag, saturation, interference, clock",
         "noise": "standard deviation of what is fitted; read from the points out of contact if left out",

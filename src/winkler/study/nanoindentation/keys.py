@@ -9,10 +9,17 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
         "curve": (None, "a file, a folder or a pattern such as 'steel/*.csv', relative to the study"),
         "poisson": ("", "Poisson's ratio of the sample"),
         "poisson_error": ("", "its standard uncertainty"),
-        "indenter": (None, "indenter.toml of a calibration; or give the section [indenter]"),
+        "indenter": (
+            None,
+            "indenter.toml of a calibration, or a table of depth and area; or give the section [indenter]",
+        ),
         "contact_point": ("m", "position of first touch, with contact_point_error; found if left out"),
         "contact_point_error": ("m", "its standard error"),
         "units": (None, "units that the files do not state: { position = 'nm', force = 'uN', time = 's' }"),
+        "columns": (
+            None,
+            "numbers of columns of a text table without names: { depth = 1, force = 2, time = 3 }",
+        ),
         "drift": (None, "'measured' (if left out), 'none', or the rate as a number, with drift_error"),
         "drift_error": ("m/s", "standard error of a given drift"),
         "segments": (None, "'found', or kinds with their beginnings, such as ['loading 2.1 s', 'hold 36 s', ...]"),
@@ -27,6 +34,8 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
     },
     "calibration": {
         "reference": (None, "reference samples, one [[calibration.reference]] each"),
+        "units": (None, "units that the files do not state, as in [indentation]"),
+        "columns": (None, "numbers of columns of text tables without names, as in [indentation]"),
         "terms": (None, "number of area coefficients, 1 to 8; the mean over 1 to 4 if left out"),
         "frame_stiffness": ("N/m", "of the frame, where it is known and not fitted"),
         "young": ("Pa", "Young's modulus of the tip; 1141 GPa if left out"),
@@ -41,7 +50,8 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
         "name": (None, "its name"),
     },
     "indenter": {
-        "area": (None, "coefficients C0, C1, ... of the area function, such as [24.5, '1.1 um']"),
+        "area": (None, "coefficients C0, C1, ... of the area function, such as [24.5, '1.1 um'], or a table in a file"),
+        "header": (None, "of such a file without names: 'depth [nm], area [nm^2]'"),
         "frame_stiffness": ("N/m", "of the frame that the curves still contain"),
         "young": ("Pa", "Young's modulus of the tip; 1141 GPa if left out"),
         "poisson": ("", "Poisson's ratio of the tip; 0.07 if left out"),

@@ -26,8 +26,8 @@ from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
-from winkler.io.indenter_file import read_indenter
-from winkler.io.tables.given_units import checked_units
+from winkler.io.indenter_file import read_area, read_indenter
+from winkler.io.tables.given_units import checked_columns, checked_units
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
 from winkler.study.language.compared.expectations import expectations
@@ -69,6 +69,8 @@ class NanoindentationStudy:
         Stated segments of the curves; none where they are those of the file, or found.
     units : tuple of (str, str)
         Units that the files do not state.
+    columns : tuple of (str, int)
+        Numbers of columns that the files do not name.
     expect
         Expected numbers.
     source, grade
@@ -88,6 +90,7 @@ class NanoindentationStudy:
     grade: str = ""
     segments: tuple[str, ...] = ()
     units: tuple[tuple[str, str], ...] = ()
+    columns: tuple[tuple[str, int], ...] = ()
 
     @property
     def calibrates(self) -> bool:
@@ -132,9 +135,9 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
     title, output = str(raw.get("title", path.stem)), _output(raw.get("output", {}))
     folder = path.parent
     segments: tuple[str, ...] = ()
-    units: tuple[tuple[str, str], ...] = ()
     if "calibration" in raw:
         section = _section(raw["calibration"], UNITS["calibration"], "calibration")
+        units, columns = _tables(section, "calibration")
         if "indenter" in raw:
             raise InvalidInput("[indenter] is what a calibration finds; leave it out, or take [indentation].")
         sources, references = _references(section.pop("reference", []), folder)
@@ -159,7 +162,7 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
             segments = quantities.read_at(
                 "indentation.segments", section.pop("segments"), None, lambda stated, _: stated_segments(stated)
             )
-        units = tuple(sorted(checked_units(section.pop("units", {}), "indentation.units").items()))
+        units, columns = _tables(section, "indentation")
         _state_drift(section)
         seeks = section.pop("pop_ins", False)
         if not isinstance(seeks, bool):
@@ -185,7 +188,15 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         *of_case,
         segments,
         units,
+        columns,
     )
+
+
+def _tables(section: dict[str, Any], where: str) -> tuple[tuple[tuple[str, str], ...], tuple[tuple[str, int], ...]]:
+    """Return what the files do not state: units, and numbers of columns."""
+    units = checked_units(section.pop("units", {}), f"{where}.units")
+    columns = checked_columns(section.pop("columns", {}), f"{where}.columns")
+    return tuple(sorted(units.items())), tuple(sorted(columns.items()))
 
 
 def _state_drift(section: dict[str, Any]) -> None:
@@ -254,14 +265,34 @@ def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
         raise InvalidInput("the indenter is given twice; give indentation.indenter, a file, or the section [indenter].")
     if named:
         if not isinstance(named, str) or not (folder / named).is_file():
-            raise InvalidInput(f"indentation.indenter is {named!r}; give the indenter.toml of a calibration.")
-        return read_indenter(folder / named)
+            raise InvalidInput(
+                f"indentation.indenter is {named!r}; give the indenter.toml of a calibration, or a table of depth and "
+                "area."
+            )
+        path = folder / named
+        return read_indenter(path) if named.endswith(".toml") else CalibratedIndenter(read_area(path))
     if raw is None:
         raise InvalidInput(
             "there is no indenter; give indentation.indenter, a file, or [indenter] with its area function."
         )
     content = _section(raw, UNITS["indenter"], "indenter")
-    coefficients = content.get("area")
+    stiffness = content.get("frame_stiffness", math.inf)
+    if not stiffness > 0.0:
+        raise InvalidInput(f"indenter.frame_stiffness is {stiffness:g} N/m; it must be positive.")
+    area = _area(content, folder)
+    solid = Elastic(content.get("young", DIAMOND.young), content.get("poisson", DIAMOND.poisson))
+    return CalibratedIndenter(area, 1.0 / stiffness, solid=solid, shape_factor=content.get("shape_factor", 1.0))
+
+
+def _area(content: dict[str, Any], folder: Path) -> CalibratedArea:
+    """Return the area of a tip by its coefficients, or a file of it."""
+    coefficients, header = content.get("area"), content.get("header", "")
+    if not isinstance(header, str) or (header and not isinstance(coefficients, str)):
+        raise InvalidInput(f"indenter.header is {header!r}; it names the columns of a file, which area gives.")
+    if isinstance(coefficients, str):
+        table = read_area(folder / coefficients, header)
+        ends = content.get("shallowest", table.shallowest), content.get("deepest", table.deepest)
+        return CalibratedArea(table.coefficients, *ends)
     if not isinstance(coefficients, list) or not coefficients:
         raise InvalidInput('indenter.area is missing; give a list C0, C1, ..., such as [24.5, "1.1 um"].')
     exponents = ["", "m", "m^1.5", "m^1.75", "m^1.875", "m^1.9375", "m^1.96875", "m^1.984375", "m^1.9921875"]
@@ -271,12 +302,7 @@ def _indenter(named: Any, raw: Any, folder: Path) -> CalibratedIndenter:
         float(quantities.read_at(f"indenter.area[{n}]", c, exponents[n], quantities.number))
         for n, c in enumerate(coefficients)
     ]
-    stiffness = content.get("frame_stiffness", math.inf)
-    if not stiffness > 0.0:
-        raise InvalidInput(f"indenter.frame_stiffness is {stiffness:g} N/m; it must be positive.")
-    area = CalibratedArea(tuple(numbers), content.get("shallowest", 0.0), content.get("deepest", math.inf))
-    solid = Elastic(content.get("young", DIAMOND.young), content.get("poisson", DIAMOND.poisson))
-    return CalibratedIndenter(area, 1.0 / stiffness, solid=solid, shape_factor=content.get("shape_factor", 1.0))
+    return CalibratedArea(tuple(numbers), content.get("shallowest", 0.0), content.get("deepest", math.inf))
 
 
 def _files(given: Any, folder: Path, where: str) -> tuple[str, ...]:

@@ -114,7 +114,7 @@ def evaluated_files(
         name = _name(study, path)
         yield tuple(
             result
-            for one in try_curves(path, units=dict(study.units))
+            for one in _curves(study, path)
             for result in (
                 (Unevaluated(name, one.reason, InvalidInput.exit_code),)
                 if isinstance(one, UnreadCurve)
@@ -157,10 +157,15 @@ def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Eva
         return Unevaluated(name, f"an unexpected error, {type(error).__name__}: {reason}", Mistake.exit_code)
 
 
+def _curves(study: NanoindentationStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
+    """Yield the curves of a file, whose positions are those of the tip."""
+    return try_curves(path, units=dict(study.units), columns=dict(study.columns), rigid=True)
+
+
 def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, Any] | Unevaluated]:
     """Yield the curves of a calibration with their references, and those that cannot be read."""
     for path, reference in zip(study.sources, study.references, strict=True):
-        for one in try_curves(path):
+        for one in _curves(study, path):
             if isinstance(one, UnreadCurve):
                 yield Unevaluated(_name(study, path), one.reason, InvalidInput.exit_code)
             else:

@@ -25,7 +25,7 @@ FILE_HINT = (
     "or many files that are fitted one after the other."
 )
 REMARKS = SAMPLE_REMARKS | {SAMPLE_CURVES: FOLDER_REMARK}
-OF_TABLES = ("fit.units", "fit.models", "fit.shared")
+OF_TABLES = ("fit.units", "fit.columns", "fit.models", "fit.shared")
 BOUNDS_HINT = "Parameters are free between two bounds, from a start value in the first box, or without either."
 
 

@@ -30,6 +30,7 @@ CALIBRATION = {
     "frame_stiffness": "quantity [N/m]",
     "noise": "quantity [N]",
 }
+COLUMNS = {"columns": "table"}
 CURVE_KEYS = {"segments": "list of text", "events": "list of text", "correct": "list of text"}
 QUESTIONS = {
     "over_depth": "number",
@@ -40,7 +41,7 @@ QUESTIONS = {
 }
 """Keys of ``[fit]`` and what they take."""
 WORDS = {"correct": "corrections", "over_depth": "number of depths", "shared": "shared by all curves",
-         "model": "name of this model", "models": "other models"}  # fmt: skip
+         "columns": "columns by number", "model": "name of this model", "models": "other models"}  # fmt: skip
 MODELS_EXAMPLE = 'such as { cone = { "problem.bed.profile" = { kind = "cone", half_angle = "60 deg" } } }'
 OF_ONE_MODEL = ("part", "fitted", "free", "shared", "model", "models", "over_depth")
 """Keys that another model may not have."""
@@ -105,7 +106,7 @@ def groups(table: dict[str, Any]) -> tuple[FormGroup, ...]:
     )
     return (
         FormGroup("Calibration", _entries(table, CALIBRATION), (by, spectrum)),
-        FormGroup("Units of columns", units),
+        FormGroup("Units of columns", (*units, *_entries(table, COLUMNS))),
         FormGroup("What was done", _entries(table, CURVE_KEYS)),
         FormGroup("Depths and models", _entries(table, QUESTIONS)),
     )

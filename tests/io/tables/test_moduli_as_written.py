@@ -1,0 +1,87 @@
+"""Moduli as rheometers and programs write them: primes, rows between names and units, sheets, and no names at all."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from winkler.errors import InvalidInput
+from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
+from winkler.io.tables.sweeps_table import read_dynamic_sweeps
+from winkler.io.topography_file import read_topography
+
+OMEGA = np.array([0.1, 1.0, 10.0, 100.0])
+STORAGE, LOSS = 1e5 * OMEGA**0.2, 3e4 * OMEGA**0.1
+ROWS = "\n".join(f"{w:.6e} {a:.6e} {b:.6e}" for w, a, b in zip(OMEGA, STORAGE, LOSS, strict=True))
+
+
+def _file(tmp_path, text, name="m.txt"):
+    (tmp_path / name).write_text(text)
+    return tmp_path / name
+
+
+def _same(found):
+    assert found.angular_frequency == pytest.approx(OMEGA, rel=1e-6)
+    assert found.storage_shear == pytest.approx(STORAGE, rel=1e-6)
+    assert found.loss_shear == pytest.approx(LOSS, rel=1e-6)
+
+
+@pytest.mark.parametrize("names", ["Freq\tG'\tG\"", '"Freq"\t"G\'"\t"G\'\'"', "Freq\t'G_stor'\t'G_loss'"])
+def test_primes_at_the_end_of_a_name_are_no_quotes(tmp_path, names):
+    """Between tabs G' and G'' lost their primes, and were one name."""
+    rows = ROWS.replace(" ", "\t")
+    _same(read_dynamic(_file(tmp_path, f"T=-10;Mw=1131;\n{names}\nrad/s\tPa\tPa\n{rows}\n")))
+
+
+def test_a_stated_header_stands_for_that_of_the_file(tmp_path):
+    """Public data of polymers are three columns without a name; the only way was to edit each file."""
+    file = _file(tmp_path, f"T=140;Mw=116000\n{ROWS}\n")
+    _same(read_dynamic(file, header="omega [rad/s], g' [Pa], g'' [Pa]"))
+    hertz = read_dynamic(file, header="f [Hz], g' [kPa], g'' [kPa]")
+    assert hertz.angular_frequency == pytest.approx(2.0 * math.pi * OMEGA, rel=1e-6)
+    assert hertz.storage_shear == pytest.approx(1e3 * STORAGE, rel=1e-6)
+    assert read_relaxation(file, header="t [s], g [Pa]").shear == pytest.approx(STORAGE, rel=1e-6)
+    assert read_creep(file, header="t [s], j [1/MPa]").compliance == pytest.approx(1e-6 * STORAGE, rel=1e-6)
+    warm = (
+        "\n".join(f"{row} 20" for row in ROWS.splitlines()) + "\n" + "\n".join(f"{row} 40" for row in ROWS.splitlines())
+    )
+    swept = read_dynamic_sweeps(_file(tmp_path, warm, "s.txt"), header="omega [rad/s], g' [Pa], g'' [Pa], temp [degC]")
+    assert np.unique(swept.temperature) == pytest.approx([293.15, 313.15])
+
+
+def test_the_key_is_named_where_there_is_no_header(tmp_path):
+    file = _file(tmp_path, ROWS)
+    with pytest.raises(InvalidInput, match="or give header = "):
+        read_dynamic(file)
+    with pytest.raises(InvalidInput, match="no line has numbers for the columns"):
+        read_dynamic(file, header="omega [rad/s], g' [Pa], x, g'' [Pa]")
+    with pytest.raises(InvalidInput, match="the header has no"):
+        read_dynamic(file, header="omega [rad/s], g' [Pa]")
+
+
+def test_a_sheet_of_a_rheometer_is_read(tmp_path):
+    """Waveforms stand below each point, and a row of other words between the names and their units."""
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.append(["1% strain"])
+    sheet.append(["Point No.", "Period Time", "Frequency", "Storage Modulus", "Loss Modulus", "Storage Compliance"])
+    sheet.append([None, "Waveform"])
+    sheet.append([None, "[s]", "[rad/s]", "[Pa]", "[Pa]", "[1/Pa]"])
+    for number, row in enumerate(zip(OMEGA, STORAGE, LOSS, strict=True), 1):
+        sheet.append([number, 0.0, *map(float, row), 1e-5])
+        sheet.append([None, 0.002])
+    book.save(tmp_path / "sweep.xlsx")
+    _same(read_dynamic(tmp_path / "sweep.xlsx"))
+
+
+def test_a_sheet_of_heights_is_a_map(tmp_path):
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    for y in range(5):
+        book.active.append([float(x * y) for x in range(6)])
+    book.save(tmp_path / "map.xlsx")
+    found = read_topography(tmp_path / "map.xlsx", unit="nm", lengths=(1e-6, 1e-6))
+    assert found.heights == pytest.approx(1e-9 * np.outer(np.arange(5.0), np.arange(6.0)))
