@@ -67,7 +67,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Run as many members of a test as its mark ``few`` says; of the others some are slow tests, and some long ones."""
     found: dict[tuple[pytest.Item, str], list[pytest.Item]] = {}
     for item in items:
-        if item.get_closest_marker("few") and not item.get_closest_marker("slow"):
+        marks = {mark.name for mark in item.iter_markers()}
+        if "few" in marks and not marks & {"slow", "long", "manual"}:
             found.setdefault((item.parent, item.originalname), []).append(item)
     for members in found.values():
         few = members[0].get_closest_marker("few")

@@ -5,9 +5,12 @@ from __future__ import annotations
 import runpy
 from pathlib import Path
 
+import pytest
+
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 
 
+@pytest.mark.slow
 def test_the_page_has_the_table_of_the_script():
     script = runpy.run_path(str(DOCS / "figures" / "draw_ellipse.py"), run_name="draw_ellipse")
     page = (DOCS / "chapters" / "ellipses.md").read_text(encoding="utf-8")

@@ -115,7 +115,12 @@ def test_script_on_its_own(script, tmp_path):
 @pytest.mark.few(2)
 @pytest.mark.parametrize(
     "study",
-    [pytest.param(study, marks=[] if name(study) in QUICK else [pytest.mark.slow]) for study in STUDIES],
+    [
+        study
+        if name(study) in QUICK
+        else pytest.param(study, marks=pytest.mark.long if place % 3 else pytest.mark.slow)
+        for place, study in enumerate(STUDIES)
+    ],
     ids=map(name, STUDIES),
 )
 def test_study(study, tmp_path, monkeypatch, capsys):

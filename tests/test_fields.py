@@ -124,7 +124,7 @@ SHAPES = {
 }
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(5, slow=2)
 @pytest.mark.parametrize("name", [name for name in SHAPES if name != "area function"])
 def test_point_forces_agree(name):
     """Seed Eqs. (1) and (2): the pressure, superposed as point forces, gives the displacement, inside and outside."""

@@ -24,6 +24,7 @@ def test_how_to_choose_names_everything(root, slot):
     assert missing == []
 
 
+@pytest.mark.slow
 def test_every_problem_has_a_page_in_the_gallery(root):
     scripts = [path.read_text(encoding="utf-8") for path in project_files(root / "examples", "*.py")]
     problems = [line.cls.__name__ for line in CATALOGUE["problem"].values()] + [
@@ -193,8 +194,14 @@ def test_a_cell_that_answers_otherwise_is_found(media, cells):
     assert not cells.agrees(cells.cells["indentation", "half_space"], media.Cell(media.NO_PLACE))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("medium", list(CATALOGUE["medium"]))
+@pytest.mark.few(0, slow=2)
+@pytest.mark.parametrize(
+    "medium",
+    [
+        pytest.param(medium, marks=pytest.mark.slow) if medium == "stacked_half_space" else medium  # the most problems
+        for medium in CATALOGUE["medium"]
+    ],
+)
 def test_each_cell_is_what_its_problem_answers(media, cells, medium):
     """Those of which the problem is built; of the others the test above knows all."""
     for (kind, column), written in cells.cells.items():
@@ -260,7 +267,7 @@ def test_no_page_promises_more_than_was_tested(root):
     assert found == []
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=2)
 @pytest.mark.parametrize("medium", sorted(CATALOGUE["medium"]))
 def test_elastic_media_are_pressed_stick_and_wear_to_a_limit(medium):
     """As adhesion.md and wear.md state: half-spaces, layers and gradings; bodies that relax are refused.

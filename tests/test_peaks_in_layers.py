@@ -19,6 +19,7 @@ def coated(young, base, thickness=5e-6):
     return wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young, 0.25), thickness)], on=wk.Elastic(base, 0.3))
 
 
+@pytest.mark.slow
 def test_the_surface_of_a_stiff_coating_has_no_apex_in_its_middle():
     """What the tables of layers leave of a slope at the axis is rounding: the stress there is finite."""
     contact = pressed(coated(300e9, 3e9), 1.0)
@@ -60,7 +61,7 @@ STACKS = {
 }
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", STACKS)
 def test_no_place_beside_a_face_is_stressed_more(name):
     contact = pressed(STACKS[name], 3.0)

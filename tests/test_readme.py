@@ -68,12 +68,19 @@ LONG = {
     "profiles.md", "joints.md", "rollers.md", "rough.md", "seals.md", "subsurface.md", "surface-adhesion.md",
     "surface-friction.md", "surface-rolling.md", "wear.md",
 }  # fmt: skip
-"""Pages whose Python takes seconds; they run among the slow tests."""
+"""Pages whose Python takes seconds; some run among the slow tests, the others before a release."""
+SLOW = {"coatings.md", "line-friction.md", "line-layers.md", "profiles.md", "rough.md", "wear.md"}
 
 
+@pytest.mark.few(16, slow=12)
 @pytest.mark.parametrize(
     "page",
-    [pytest.param(path, marks=pytest.mark.slow) if path.name in LONG else path for path in PAGES],
+    [
+        pytest.param(path, marks=pytest.mark.slow if path.name in SLOW else pytest.mark.long)
+        if path.name in LONG
+        else path
+        for path in PAGES
+    ],
     ids=[path.relative_to(ROOT).as_posix() for path in PAGES],
 )
 def test_the_python_of_a_page_runs(page, tmp_path, monkeypatch):

@@ -23,9 +23,7 @@ def unfolded(app_page):
 
 def varied(app_page, words):
     """Let one more number vary, and wait for its answers."""
-    app_page.page.locator('[data-choice="sweep"]').click()
-    app_page.note()
-    app_page.page.get_by_role("option", name=words, exact=True).click()
+    app_page.pick("sweep", words)
     app_page.page.locator(".vary", has_text=words).wait_for()
     app_page.busy()
     app_page.settled()
@@ -72,8 +70,7 @@ def test_which_number_matters(fresh):
     unfolded(app_page)
     varied(app_page, "load › force")
     varied(app_page, "profile › curvature radius")
-    app_page.page.locator('[data-choice="sweep.design"]').click()
-    app_page.page.get_by_role("option", name="which matters: Sobol indices", exact=True).click()
+    app_page.pick("sweep.design", "which matters: Sobol indices")
     app_page.page.locator('input[data-path="sweep.design.count"]').wait_for()
     app_page.busy()
     app_page.settled()
@@ -96,8 +93,7 @@ def test_points_come_in_and_can_be_stopped(fresh):
     app_page.busy()
     app_page.settled()
     unfolded(app_page)
-    app_page.page.locator('[data-choice="sweep"]').click()
-    app_page.page.get_by_role("option", name="law › work", exact=True).click()
+    app_page.pick("sweep", "law › work")
     count = "sweep.problem.law.work.count"
     app_page.page.locator(f'input[data-path="{count}"]').wait_for()
     app_page.type(count, "900")
@@ -114,8 +110,7 @@ def test_a_study_that_takes_too_long_is_stopped_and_says_so(impatient):
     app_page.choose("problem", "viscoelastic_adhesion")
     app_page.page.locator('input[data-path="problem.law.work"]').wait_for()  # a form of this kind, still folded
     unfolded(app_page)
-    app_page.page.locator('[data-choice="sweep"]').click()
-    app_page.page.get_by_role("option", name="law › work", exact=True).click()
+    app_page.pick("sweep", "law › work")
     count = "sweep.problem.law.work.count"
     app_page.page.locator(f'input[data-path="{count}"]').wait_for()
     app_page.type(count, "900")

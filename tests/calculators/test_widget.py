@@ -13,6 +13,7 @@ from winkler.errors import InvalidInput
 from winkler.study.language.reading import parse_study
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("one", CALCULATORS, ids=lambda one: one.name)
 def test_the_kept_tables_give_the_digits_of_the_package(one):
     """One place off the beginning; the browser tests go through all ranges."""

@@ -243,7 +243,7 @@ def test_another_fit_is_refused_without_anew(here, monkeypatch, capsys):
     assert "known from the run before" not in capsys.readouterr().out
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork there")
 @pytest.mark.parametrize("moment", ["before the first", "before the second", "in a line", "at the end"])
 def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, moment):
@@ -381,7 +381,7 @@ def test_a_bar_shows_how_far_the_fit_has_come(here, monkeypatch):
     assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", message[-2])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("told", "workers"), [([], Machine()), (["--workers", "1"], 1)])
 def test_a_batch_takes_all_processors_unless_told(here, monkeypatch, told, workers):
     asked, real = [], fit_run.fit_curves

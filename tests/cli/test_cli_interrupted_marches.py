@@ -44,7 +44,7 @@ def interrupted(monkeypatch, cls, count):
     monkeypatch.setattr(cls, "steps", broken)
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", SEVEN)
 def test_ctrl_c_keeps_the_points_that_were_reached(name, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)

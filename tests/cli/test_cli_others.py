@@ -39,6 +39,7 @@ def here(tmp_path, monkeypatch) -> Path:
 # ------------------------------------------------------------------------------------------------------- show
 
 
+@pytest.mark.few(100, slow=60)
 @pytest.mark.parametrize("name", list(kinds()))
 def test_show_lists_every_key_and_a_valid_example(name, capsys):
     assert main(["show", name]) == 0
@@ -186,7 +187,7 @@ TOO_LONG = {("line_friction_heating", "calibrated_tip")}
 
 
 def pairs():
-    """Of the rest, every sixteenth: each problem meets other profiles, and each profile other problems."""
+    """Of the usual ones every eighth, of the rest every 32nd: each problem meets other profiles, and the reverse."""
     for number, problem in enumerate(PROBLEMS):
         for place, profile in enumerate(PROFILES):
             if (problem, profile) in TOO_LONG:
@@ -196,11 +197,11 @@ def pairs():
                 yield pytest.param(problem, profile)
             elif usual or (number + place) % 8 == 0:
                 lasts = profile not in USUAL[: 1 if problem in SEARCHES else 2] and problem in SEARCHES | MARCHES
-                more = not usual and (number + place) % 16 != 0
+                more = (number + place) % (8 if usual else 32) != 0
                 yield pytest.param(problem, profile, marks=pytest.mark.long if lasts or more else pytest.mark.slow)
 
 
-@pytest.mark.few(3, slow=80)
+@pytest.mark.few(3, slow=20)
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
@@ -220,7 +221,7 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
         assert not re.match(r"^\w+ = .*[^ ]$", line) or "#" in line or line.startswith(("kind", "title"))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize(
     ("option", "kind"),
     [("--medium", name) for name in CATALOGUE["medium"]]
@@ -352,7 +353,7 @@ def test_draw(part, here, capsys):
     assert (here / f"ball-{part}.png").read_bytes()[:4] == b"\x89PNG"
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("option", "kind", "part"),
     [
@@ -389,7 +390,7 @@ def test_draw_a_curve_as_svg(here):
     assert "<svg" in (here / "curve.svg").read_text(encoding="utf-8")
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
@@ -604,7 +605,7 @@ def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
     assert {"[fit]", "[app]", "[s]"} <= set(listed)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("words", "suggested"),
     [("winkler show sph", "sphere"), ("winkler new --profile rounded_c", "rounded_cone"), ("winkler dr", "draw")],

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -103,6 +104,7 @@ def test_json_with_a_folder_writes_there_too(here, capsys):
     assert PROVENANCE in names(here / "out")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "endings"),
     [
@@ -437,3 +439,54 @@ def test_signals_stop_a_run_cleanly(sign, code, message, here):
     assert {path.name for path in here.iterdir()} <= {"ball.toml", "long.toml", "results"}
     if (here / "results").exists():  # of results nothing is left, only the journal
         assert [path.name for path in (here / "results").iterdir()] == [".long.journal"]
+
+
+SETTINGS = {
+    "problem.load.force=20 N": ('"100 N"', '"20 N"'),
+    "problem.load.force='20 N'": ('"100 N"', '"20 N"'),
+    'problem.load={kind = "depth", depth = "1 um"}': (
+        'kind = "force", force = "100 N"',
+        'kind = "depth", depth = "1 um"',
+    ),
+    "problem.bed.medium.first.poisson = 0.2": ("poisson = 0.3", "poisson = 0.2"),
+}
+
+
+@pytest.mark.parametrize("setting", SETTINGS)
+def test_a_setting_is_a_study_with_another_content(here, capsys, setting):
+    old, new = SETTINGS[setting]
+    assert old in STUDY
+    (here / "plain.toml").write_text(STUDY, encoding="utf-8")
+    (here / "other.toml").write_text(STUDY.replace(old, new), encoding="utf-8")
+    hashes = []
+    for words in (["plain.toml", "--set", setting], ["other.toml"], ["plain.toml"]):
+        assert main(["run", *words, "--json"]) == 0
+        hashes.append(json.loads(capsys.readouterr().out)["hash"])
+    assert hashes[0] == hashes[1] != hashes[2]
+
+
+def test_a_list_is_set_by_places_and_a_new_table_is_made(tmp_path):
+    from winkler.study.language.reading import read_text
+
+    path = tmp_path / "study.toml"
+    path.write_text('[[layers]]\nwidth = "1 um"\n[[layers]]\nwidth = "2 um"\n', encoding="utf-8")
+    settings = ["layers.1.width=3 um", "layers.0={width = 4}", 'sweep."problem.load.force"=[1, 2]']
+    raw = {"layers": [{"width": 4}, {"width": "3 um"}], "sweep": {"problem.load.force": [1, 2]}}
+    assert tomllib.loads(read_text(path, settings)) == raw
+
+
+@pytest.mark.parametrize(
+    ("setting", "sentence"),
+    [
+        ("problem.load.force", "is no setting; give KEY=CONTENT, such as problem.load.force='20 N'."),
+        ("problem..load=1", "is no setting; give KEY=CONTENT"),
+        ("problem.load.force.x=1", "lies below problem.load.force, which is no table or list."),
+        ("expect.2.value=1", "'2' is no place in a list of 1; the first one is 0."),
+        ("problem.load.forse=1 N", "problem.load.forse is not known (did you mean 'force'?)"),
+    ],
+)
+def test_a_setting_without_a_place_is_refused(here, capsys, setting, sentence):
+    expected = '\n[[expect]]\nquantity = "force"\nvalue = "100 N"\ntolerance = 1e-9\n'
+    (here / "study.toml").write_text(STUDY + expected, encoding="utf-8")
+    assert main(["run", "study.toml", "--json", "--set", setting]) == 2
+    assert sentence in capsys.readouterr().err

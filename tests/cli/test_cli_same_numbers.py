@@ -232,10 +232,17 @@ FIRST = {next(iter(table)) for table in CATALOGUE.values()}
 SOLVED = [kind for kind in PYTHON if kind in CATALOGUE["problem"] or kind in FIRST]
 
 
-@pytest.mark.few(25, slow=70)
+PARTS = [kind for kind in PYTHON if kind not in SOLVED]
+
+
+@pytest.mark.few(8, slow=12)
 @pytest.mark.parametrize(
     "kind",
-    [*lasting_slow(SOLVED), *(pytest.param(kind, marks=pytest.mark.slow) for kind in PYTHON if kind not in SOLVED)],
+    [
+        *lasting_slow(SOLVED),
+        *(pytest.param(kind, marks=pytest.mark.slow) for kind in PARTS[::8]),
+        *(pytest.param(kind, marks=pytest.mark.long) for kind in PARTS if kind not in PARTS[::8]),
+    ],
 )
 def test_same_numbers(kind, computed):
     problem, text = PYTHON[kind], whole_text(kind)

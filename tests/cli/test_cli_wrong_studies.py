@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import tomllib
 from pathlib import Path
 
+import jsonschema
 import pytest
 
 from winkler.cli import main
+from winkler.study.json_schema import json_schema
 from winkler.study.language.catalogue import CATALOGUE
 
 BASE = """title = "Ball"
@@ -191,3 +194,14 @@ def test_wrong_study(case, tmp_path, monkeypatch, capsys):
     assert message.out == ""
     assert code == 2
     assert sorted(path.name for path in tmp_path.iterdir()) == ["table.csv", "wrong.toml"]
+
+
+@pytest.mark.slow
+def test_an_editor_marks_more_than_half_of_them():
+    taken = jsonschema.Draft7Validator(json_schema()).is_valid
+    tables = []
+    for case in WRONG:
+        with contextlib.suppress(tomllib.TOMLDecodeError):
+            tables.append(tomllib.loads(spoilt(case)))
+    assert len(tables) > 60
+    assert sum(not taken(table) for table in tables) > len(tables) / 2  # the others contradict themselves, or a file

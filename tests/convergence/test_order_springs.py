@@ -62,7 +62,7 @@ def histories(depth: float, shift: float) -> list[Path]:
     return paths
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=1)
 @pytest.mark.parametrize("name", ["paraboloid", "cone", "rounded punch", "truncated cone"])
 def test_slip_is_of_second_order(name):
     shape, radius = SHAPES[name]

@@ -63,6 +63,7 @@ def test_springs_are_of_second_order(name, shape, power):
     assert errors[-1] < 2e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["Maxwell", "standard"])
 def test_steps_under_a_force_are_of_second_order(name):
     """Fixed steps to the closed depth of creep under a force that pushes an elastic ball in steadily."""

@@ -47,6 +47,7 @@ def agree(found, expected, tolerance=TOLERANCE):
         assert np.max(np.abs(found[name] - true) / scale) <= tolerance, name
 
 
+@pytest.mark.slow
 def test_a_few_histories_are_the_same_in_c_and_python(tmp_path, few):
     laws, motions, expected = few
     agree(all_targets.by_c(tmp_path, laws, motions), expected, 0.0)

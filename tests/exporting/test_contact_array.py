@@ -77,6 +77,7 @@ def test_balls_of_different_sizes_do_what_contacts_do():
             np.testing.assert_allclose(array.answer(name), expected, rtol=0.0, atol=1e-13 * np.max(np.abs(expected)))
 
 
+@pytest.mark.slow
 def test_hertz_of_two_radii_from_tiny_to_the_deepest():
     laws = [wk.Indentation(wk.Foundation(wk.Paraboloid(radius), STEEL), wk.Depth(1e-6)) for radius in (1e-3, 3e-3)]
     depth = np.array([-1e50, -1e-9, 0.0, 5e-324, 1e-60, 1e-20, 1e-9, 1e-6])
@@ -100,6 +101,7 @@ def test_huge_and_tiny_motions_leave_finite_numbers():
     assert np.all(array.answer("shear_x") == 0.0)
 
 
+@pytest.mark.slow
 def test_in_single_precision_springs_take_half_and_are_off_by_its_rounding():
     depth, motion, twist, roll = history(6, 50, 30)
     double, single = beads(50), beads(50, precision="single")
@@ -285,7 +287,7 @@ def test_what_is_refused():
 # all laws
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_each_contact_does_what_the_exported_law_does_alone(name):
     """The law alone is plain Python, of which other languages are written."""
@@ -302,7 +304,7 @@ def test_each_contact_does_what_the_exported_law_does_alone(name):
         assert np.all(off <= 1e-13 * scale), np.max(off, axis=0) / scale
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_no_law_answers_with_what_is_no_number(name):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)
@@ -342,7 +344,7 @@ def closed_paths(law, rng, many, parts):
     return path
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_closed_histories_create_no_energy(name):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=8)

@@ -63,6 +63,7 @@ def stepped(folder, name, depths, radii):
     return np.array([library.contact(ctypes.c_double(d), *radii, ctypes.c_float(1e-6), kept) for d in depths])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "radii"),
     [("ball", (2e-3, 2e-3)), ("sticky", (2e-3, 2e-3)), pytest.param("powder", (1e-3, 1e15), marks=pytest.mark.slow)],

@@ -46,7 +46,7 @@ def test_a_compiled_law_agrees_with_the_trace_it_holds(tmp_path, name):
     assert re.match(rf"{name}: \d+ steps agree with winkler to [\de.+-]+\n", text)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", ["sheared", "powder"])
 def test_in_single_precision_a_law_states_how_far_it_is_off(tmp_path, name):
     exported = export(PROBLEMS[name], "c", name=name, count=8, precision="float")
@@ -79,14 +79,14 @@ def test_a_wrong_law_fails_its_own_test(tmp_path):
     assert "shear_stiffness" in text
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", ["sheared", "beads", "powder"])
 def test_the_same_file_is_cpp(tmp_path, name):
     write_export(export(PROBLEMS[name], "c", name=name, count=8), tmp_path)
     assert ran(built(tmp_path, name, language="c++"))[0] == 0
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_python_file_agrees_away_from_winkler(tmp_path, name):
     write_export(export(PROBLEMS[name], "python", name=name, count=8), tmp_path)
@@ -223,7 +223,7 @@ def test_beyond_the_greatest_depth_nothing_is_said(name):
     assert np.all(np.isnan(own.trace(motion)))
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_the_heading_states_units_and_validity(name):
     text = export(PROBLEMS[name], "c", name=name, count=6).text

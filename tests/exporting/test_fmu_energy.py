@@ -84,7 +84,7 @@ class Master:
         return self.get(range(n, n + self.outputs)), status
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("version", [2, 3])
 def test_an_oscillator_on_a_unit_keeps_its_energy(tmp_path, version):
     """A mass that hangs between a spring and a contact; the force of the unit against the energy that it states."""

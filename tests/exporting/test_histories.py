@@ -50,7 +50,7 @@ def compiled(folder, law):
     return follow
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_no_history_creates_energy(tmp_path, name):
     law = law_of(PROBLEMS[name], tolerance=1e-6, count=6)

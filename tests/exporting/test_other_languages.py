@@ -80,6 +80,7 @@ def test_words_of_the_targets_are_no_names(name):
             export(PROBLEMS["ball"], to, name=name)
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_each_word_that_the_files_in_fortran_use_is_refused(name):
     """A module cannot have the name of anything that is used or declared where it stands."""

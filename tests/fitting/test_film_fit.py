@@ -23,10 +23,10 @@ def model(shape, young: float, thickness: float) -> wk.Indentation:
     return wk.Indentation(wk.Foundation(shape, medium), wk.Depth(0.0))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(
     "shape",
-    [wk.Cone(1.2), wk.Paraboloid(5e-6), pytest.param(wk.Sphere(5e-6), marks=pytest.mark.slow)],
+    [wk.Cone(1.2), wk.Paraboloid(5e-6), pytest.param(wk.Sphere(5e-6), marks=pytest.mark.long)],
     ids=["cone", "ball", "sphere"],
 )
 def test_modulus_thickness_and_contact_point(shape):

@@ -47,7 +47,7 @@ def test_a_few_curves_of_each_world():
     assert counted >= least
 
 
-@pytest.mark.few(0, slow=1)
+@pytest.mark.long
 @pytest.mark.parametrize("name", [*FULL, *HARD])
 def test_many_curves_of_a_world(name):
     """All numbers: no fewer hits than a coverage of 0.92 has once in a thousand tests, and a bias below a fifth."""

@@ -57,7 +57,7 @@ ROUNDED = {
 }  # fmt: skip
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("sides", [3, 4])
 def test_blunt_pyramids_by_boundary_elements(sides):
     """Modulus and radius of the apex together, from a spline through the forces of the elements."""

@@ -48,7 +48,8 @@ def measured(law, *, deepest, noise, seed, count=150):
     return wk.ForceCurve(position + 3e-6, force + noise * force.max() * disturbed + 1e-10)
 
 
-@pytest.mark.parametrize("law", ["sliding", pytest.param("bonded", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("law", ["sliding", pytest.param("bonded", marks=pytest.mark.long)])
 def test_a_deep_curve_tells_and_its_modulus_holds(law):
     """0.4 of the thickness deep, 0.5 % of noise: the other one would give a modulus wrong by a factor."""
     other = "bonded" if law == "sliding" else "sliding"

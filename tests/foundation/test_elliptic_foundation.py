@@ -84,6 +84,7 @@ def test_partial_slip_of_an_ellipse(along):
     assert pushed.shear_force[1:] == pytest.approx(mu * force * parts, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_relaxing_ellipse_sticks_with_the_stiffness_of_its_direction():
     """A step of depth and a small shift under stick: the shear force falls as c_T/c_N of the ellipse, times k."""
     bed = wk.EllipticFoundation(wk.CurvedBodies(10e-3, 1e-3), GEL)

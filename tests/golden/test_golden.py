@@ -1,7 +1,8 @@
 """The answers of today beside the golden numbers (see `golden`): a part of them by default, the others slow or long.
 
-By default these are one example in four, and of one group of histories in three the first seed.  Slow tests compare a
-quarter of what takes little and the first seed of each other group, long ones the rest.
+By default these are a third of one example in four, and of the first seed of one group of histories in three.  Slow
+tests compare the other thirds, a quarter of what takes little and the first seed of each other group, long ones the
+rest.
 """
 
 from __future__ import annotations
@@ -44,8 +45,10 @@ def moved(key: str, rows: slice) -> list[str]:
     return [f"{key}: {line}" for row in range(len(asked))[rows] for line in entry.moved(row, answered(asked[row]))]
 
 
-def test_a_part_of_the_golden_numbers():
-    assert [line for key in DEFAULT for line in moved(key, slice(1))] == []
+@pytest.mark.few(1)
+@pytest.mark.parametrize("place", range(3))
+def test_a_part_of_the_golden_numbers(place):
+    assert [line for key in DEFAULT[place::3] for line in moved(key, slice(1))] == []
 
 
 ONE_IN_FOUR = [

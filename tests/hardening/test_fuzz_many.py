@@ -131,7 +131,7 @@ def test_every_problem_is_in_a_group():
     assert sorted(name for group in SOLVED.values() for name in group) == sorted(fuzz_studies.PROBLEMS)
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", MADE)
 def test_many_cases(name, tmp_path):
     make, count = MADE[name]

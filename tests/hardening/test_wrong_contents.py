@@ -30,6 +30,7 @@ def test_each_field_of_a_public_class_has_a_check_of_its_type():
     assert {name for name, check in fields.items() if check is None} <= UNCHECKED
 
 
+@pytest.mark.slow
 def test_each_type_of_a_field_refuses_what_is_wrong_or_keeps_what_is_meant():
     """The check is that of the type, so that one field of each type is tried."""
     tried: dict[str, list[typing.Any]] = {}

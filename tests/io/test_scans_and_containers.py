@@ -192,6 +192,7 @@ LIBRARY = re.compile(r"index -?\d+ is|out of bounds|axis|tried|Reader|physical_s
 """What NumPy and SurfaceTopography say of such files."""
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("ending", [".txt", ".xyz", ".csv"])
 @pytest.mark.parametrize("name", SHORT)
 def test_files_of_too_few_points_are_refused_without_words_of_a_library(name, ending, tmp_path):

@@ -33,7 +33,7 @@ def find(notes, assumption) -> Note:
     return max(found, key=lambda note: list(Standing).index(note.standing))
 
 
-@pytest.mark.few(3, slow=30)
+@pytest.mark.few(3, slow=15)
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_states_what_it_declares_and_nothing_else(kind):
     solution = result(kind)
@@ -248,6 +248,7 @@ def test_coupling_is_weighed_against_friction(coefficient, standing):
 FRICTIONAL = [kind for kind in KINDS if Assumption.UNCOUPLED in CATALOGUE["problem"][kind].cls.assumptions]
 
 
+@pytest.mark.few(12, slow=8)
 @pytest.mark.parametrize("kind", FRICTIONAL)
 def test_every_frictional_problem_speaks_of_the_coupling(kind):
     """Also of pressing dissimilar bodies together with friction (Spence), which frictionless solutions leave out."""

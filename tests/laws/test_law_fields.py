@@ -79,7 +79,7 @@ def test_a_deeper_contact_presses_more_everywhere(contact):
     assert np.all(more.displacement > less.displacement)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("medium", [medium for medium in MEDIA if medium != "half_space"])
 @pytest.mark.parametrize("kind", ["sphere", "truncated_cone", "pinned_cylinder"])
 def test_on_every_medium(medium, kind):

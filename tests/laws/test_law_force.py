@@ -88,7 +88,7 @@ def test_depth_to_force_to_depth_of_a_pinned_contact(contact):
     assert back.radius == solution.radius == contact.radius
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=6)
 @over_shapes(12, 2)
 def test_many_loads_at_once_are_the_loads_one_by_one(contact):
     depth = contact.depth * np.array([[1.0, 0.3], [0.0, 0.7]])

@@ -82,7 +82,7 @@ def test_the_two_stiffnesses_belong_together(sample: Sample, radius: float):
     assert 2.0 * float(weight @ medium.normal_stiffness(x)) == pytest.approx(punch, rel=1e-10)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @over_stacks(1, quick=("film", "three_layers"))
 def test_force_energy_and_stiffness_belong_together(sample: Sample, radius: float):
     """F = dU/dd and k = dF/dd."""

@@ -162,7 +162,8 @@ def marked(name: str, medium: str) -> Any:
     quick = medium == "power law" and name not in slow_on_power_law
     if quick or (name, medium) in QUICK:
         return pytest.param(name, medium)
-    return pytest.param(name, medium, marks=pytest.mark.long if (name, medium) in LONG else pytest.mark.slow)
+    late = (name, medium) in LONG or (list(PROBLEMS).index(name) + list(MEDIA).index(medium)) % 2
+    return pytest.param(name, medium, marks=pytest.mark.long if late else pytest.mark.slow)
 
 
 @pytest.mark.parametrize(("name", "medium"), [marked(name, medium) for medium in MEDIA for name in PROBLEMS])

@@ -280,17 +280,18 @@ def test_every_problem_in_other_units(name):
     assert_same(specimen(name), [DECIMAL])
 
 
+@pytest.mark.few(0, slow=12)
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.long if name in LASTING else pytest.mark.slow) for name in PROBLEMS]
+    "name", [pytest.param(name, marks=pytest.mark.long) if name in LASTING else name for name in PROBLEMS]
 )
 def test_every_problem_at_all_scales(name):
     """The corners that `test_every_problem_in_other_units` leaves; of examples that take long they are long tests."""
     assert_same(specimen(name), OTHERS)
 
 
+@pytest.mark.few(0, slow=20)
 @pytest.mark.parametrize(
-    "units",
-    [pytest.param(DECIMAL, marks=pytest.mark.slow, id="ten"), pytest.param(BINARY, marks=pytest.mark.long, id="two")],
+    "units", [pytest.param(DECIMAL, id="ten"), pytest.param(BINARY, marks=pytest.mark.long, id="two")]
 )
 @pytest.mark.parametrize("name", [name for name in PARTS if name not in NAMED])
 def test_every_part_in_other_units(name, units):
@@ -303,11 +304,13 @@ SHAPES = {"cone": wk.Cone(1.35), "power_law": wk.PowerLaw(1e6, 4.0), "flat_punch
 
 
 PLAIN = [
-    pytest.param(name, shape, marks=pytest.mark.slow if (number + place) % 3 == 0 else pytest.mark.long)
+    pytest.param(
+        name, shape, marks=pytest.mark.slow if number % 6 == 0 and number // 6 % 3 == place else pytest.mark.long
+    )
     for number, name in enumerate(PROBLEMS)
     for place, shape in enumerate(SHAPES)
 ]
-"""One of these bodies for each problem, by turns, is a slow test; the others are long tests."""
+"""One of these bodies for each sixth problem, by turns, is a slow test; the others are long tests."""
 
 
 @pytest.mark.parametrize(("name", "shape"), PLAIN)

@@ -42,7 +42,7 @@ def test_stated_errors_of_a_few_problems(name):
     assert exceeding(name, range(1 if name in LONGER else 2)) == {}
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=8)
 @pytest.mark.parametrize("name", CASES)
 def test_true_errors_exceed_stated_ones_in_one_of_twenty_at_most(name):
     found = exceeding(name, range(SLOW))

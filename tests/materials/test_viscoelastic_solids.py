@@ -89,11 +89,13 @@ def mittag_leffler(alpha: float, x: float) -> float:
     return float(mp.quad(kernel, mp.linspace(-120 / alpha, 120, 60)))
 
 
+@pytest.mark.slow
 def test_the_reference_of_the_fractional_solid():
     """E_{1/2}(-x) = exp(x^2) erfc(x)."""
     assert mittag_leffler(0.5, 0.7) == pytest.approx(float(mp.exp(mp.mpf("0.49")) * mp.erfc(mp.mpf("0.7"))), rel=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "alpha", [0.3, pytest.param(0.5, marks=pytest.mark.slow), pytest.param(0.8, marks=pytest.mark.slow)]
 )

@@ -48,6 +48,7 @@ def twice(x: float) -> float:
     return long(x, 1.0) + long(1.0, x)
 
 
+@pytest.mark.slow
 def test_what_it_calls_stands_within_it():
     """A call could reach a copy within another kernel, of other last digits."""
     assert twice(0.3) == pytest.approx(long.function(0.3, 1.0) + long.function(1.0, 0.3), rel=1e-12)

@@ -17,11 +17,12 @@ SOURCE = Path(winkler.__file__).parent
 
 
 class Page(NamedTuple):
-    """One source file: its path inside the package, its text and its syntax tree."""
+    """One source file: its path inside the package, its text, its syntax tree and all nodes of that."""
 
     name: str
     text: str
     tree: ast.Module
+    nodes: tuple[ast.AST, ...]
 
 
 @pytest.fixture(scope="session")
@@ -30,7 +31,8 @@ def pages() -> list[Page]:
     found = []
     for path in sorted(SOURCE.rglob("*.py")):
         text = path.read_text(encoding="utf-8")
-        found.append(Page(path.relative_to(SOURCE).as_posix(), text, ast.parse(text, str(path))))
+        tree = ast.parse(text, str(path))
+        found.append(Page(path.relative_to(SOURCE).as_posix(), text, tree, tuple(ast.walk(tree))))
     assert len(found) > 20
     return found
 

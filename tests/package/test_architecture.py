@@ -6,6 +6,7 @@ import ast
 import importlib.util
 from collections import Counter
 
+import pytest
 from project_files import project_files
 
 MOST_FILES = 25
@@ -19,6 +20,7 @@ def drawing(root):
     return module
 
 
+@pytest.mark.slow
 def test_the_page_is_that_of_the_imports(root):
     written = drawing(root)
     hint = "run python docs/draw_architecture.py"
@@ -38,10 +40,10 @@ def test_no_folder_holds_too_many_files(root):
     assert full == {}
 
 
-def test_one_name_means_one_class(root):
+def test_one_name_means_one_class(pages):
     places = {}
-    for path in sorted((root / "src" / "winkler").rglob("*.py")):
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+    for page in pages:
+        for node in page.tree.body:
             if isinstance(node, ast.ClassDef):
-                places.setdefault(node.name.lstrip("_"), []).append(path.relative_to(root).as_posix())
+                places.setdefault(node.name.lstrip("_"), []).append(page.name)
     assert {name: files for name, files in places.items() if len(files) > 1} == {}

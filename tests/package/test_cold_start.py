@@ -84,6 +84,7 @@ def test_the_package_alone_loads_next_to_nothing():
     assert {name for name in modules_after("import winkler") if name.startswith(("winkler", "numpy"))} == {"winkler"}
 
 
+@pytest.mark.slow
 def test_names_are_found_where_modules_have_no_text():
     """As in a distribution of compiled files."""
     code = (
@@ -93,6 +94,7 @@ def test_names_are_found_where_modules_have_no_text():
     assert "winkler.public" in modules_after(code)
 
 
+@pytest.mark.slow
 def test_numbers_alone_load_nothing_that_draws_or_writes(tmp_path):
     (tmp_path / "ball.toml").write_text(STUDY, encoding="utf-8")
     loaded = modules_after("from winkler.cli import main; main(['run', 'ball.toml', '--json'])", tmp_path)
@@ -102,6 +104,7 @@ def test_numbers_alone_load_nothing_that_draws_or_writes(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["ball.toml"]
 
 
+@pytest.mark.slow
 def test_a_report_loads_what_draws_and_writes_it(tmp_path):
     (tmp_path / "ball.toml").write_text(STUDY, encoding="utf-8")
     loaded = modules_after("from winkler.cli import main; main(['run', 'ball.toml', '--quiet'])", tmp_path)
@@ -110,6 +113,7 @@ def test_a_report_loads_what_draws_and_writes_it(tmp_path):
     assert (tmp_path / "results/ball/report.html").is_file()
 
 
+@pytest.mark.slow
 def test_the_names_come_when_they_are_requested():
     code = (
         "import sys, winkler; assert 'winkler.public' not in sys.modules; assert not hasattr(winkler, '__wrapped__'); "

@@ -21,7 +21,12 @@ def module_of(page: Path) -> str:
 
 EXEMPLARY = [module_of(page) for page in sorted(SOURCE.rglob("*.py")) if ">>>" in page.read_text(encoding="utf-8")]
 """Modules with examples; of the others there is nothing to run."""
-LONG = {"winkler.problems.wear.sliding", "winkler.problems.wear.line_sliding", "winkler.problems.viscoelastic.adhesion"}
+LONG = {
+    *("winkler.problems.wear.sliding", "winkler.problems.wear.line_sliding", "winkler.problems.viscoelastic.adhesion"),
+    *("winkler.problems.wear.fretting", "winkler.problems.wear.line_fretting", "winkler.media.layered.depth_graded"),
+    *("winkler.problems.surface_rolling.start", "winkler.problems.surface_friction.reduced"),
+    *("winkler.problems.surface_friction.joint", "winkler.problems.surface_adhesion.adhesion"),
+}
 """Examples that march for seconds; they are slow tests."""
 
 

@@ -32,7 +32,7 @@ def test_no_class_tests_whether_its_fields_are_numbers(pages):
         page.name: repeated(node)
         for page in pages
         if "__post_init__" in page.text
-        for node in ast.walk(page.tree)
+        for node in page.nodes
         if isinstance(node, ast.FunctionDef) and node.name == "__post_init__" and repeated(node)
     }
     assert found == {}

@@ -59,7 +59,7 @@ def test_there_are_marches():
     assert {name for name, line in kinds().items() if hasattr(line.cls, "steps")} == set(MARCHES)
 
 
-@pytest.mark.few(20)
+@pytest.mark.few(10, slow=3)
 @pytest.mark.parametrize("name", lasting_slow(MARCHES))
 def test_every_march_states_how_far_it_is_and_keeps_what_it_has_reached(name):
     problem = build(example_study(name)["problem"])
@@ -99,6 +99,7 @@ def test_half_an_impact_has_no_restitution(name):
     assert whole.restitution > 0.0
 
 
+@pytest.mark.slow
 def test_stages_of_half_an_impact_end_where_it_was_stopped():
     problem = build(example_study("impact")["problem"])
     whole = problem.solve()

@@ -76,7 +76,7 @@ def test_a_package_that_is_not_there_is_said_once(monkeypatch, caplog):
     assert said[1].startswith("winkler: no NetCDF file is written, as h5netcdf or h5py cannot be loaded (")
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", STUDIES)
 def test_studies_run_without_them(name, tmp_path):
     """Issue 38, item 9: two of seven studies ended in "winkler made a mistake"."""

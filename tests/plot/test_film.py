@@ -55,6 +55,7 @@ def test_each_state_has_its_zones_and_one_scale(swung):
     assert film_sheet(solution, 2).title.startswith("state 3 of 4;")
 
 
+@pytest.mark.slow
 def test_a_film_is_an_animated_picture(swung):
     made = film(swung.gathered(list(swung.steps())[1:3]), per_second=4)
     with Image.open(io.BytesIO(made)) as picture:

@@ -59,7 +59,7 @@ ITEMS = {
 }
 
 
-@pytest.mark.few(2, slow=5)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", ITEMS)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]
@@ -111,6 +111,7 @@ def test_springs_that_pull_reach_above_the_surface_in_another_colour():
     assert "blue springs pull" in texts(axes.figure)
 
 
+@pytest.mark.slow
 def test_a_ring_has_two_radii_in_the_picture_of_the_springs():
     text = [text.get_text() for text in draw(RING).axes[1].texts]
     assert {"$a$", "$c$"} <= set(text)

@@ -60,6 +60,7 @@ def test_the_map_covers_both_bodies_and_the_cut_the_contact(item):
     assert any("/m²]" in label for label in labels(figure))
 
 
+@pytest.mark.slow
 def test_where_the_field_is_not_known_other_curves_are_drawn():
     figure = draw(wk.JouleHeating(BALL, FILMED, wk.Force(1.0), wk.Current(5.0)).solve())
     assert len(figure.axes) == 2

@@ -46,6 +46,7 @@ def test_the_area_below_the_line_load_is_the_force(solution):
     assert_allclose(curve.of.content[[0, -1]], 0.0)
 
 
+@pytest.mark.slow
 def test_springs_that_only_round_do_not_pull():
     """The edge of a contact without adhesion: g(a) = d but for the last digit, of either sign."""
     edges, drawn = [], 0

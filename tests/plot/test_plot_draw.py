@@ -109,7 +109,7 @@ def laid_out(name):
     return figure
 
 
-@pytest.mark.few(16)
+@pytest.mark.few(4, slow=2)
 @pytest.mark.parametrize("name", ITEMS)
 def test_every_item_has_a_whole_labelled_figure(name):
     figure = laid_out(name)
@@ -128,7 +128,7 @@ def test_every_item_has_a_whole_labelled_figure(name):
             assert max(box.x1 - frame.x1, box.y1 - frame.y1) < 1.0, cut
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("name", ["one load", "foundation", "many loads", "onset of yield", "staircase"])
 def test_titles_and_labels_do_not_overlap(name):
     figure = laid_out(name)
@@ -163,6 +163,7 @@ def test_the_drawn_pressure_is_the_restored_one():
     np.testing.assert_allclose(y, restore(CONTACT, np.abs(x) * 1e-6).pressure / 1e6, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_extent_can_be_chosen():
     figure = draw(CONTACT, extent=5e-4)
     assert figure.axes[3].get_xlim() == pytest.approx((-500.0, 500.0), rel=1e-3)
@@ -223,7 +224,7 @@ def test_stresses_that_are_not_known_are_refused_by_the_medium():
         render(method_sheet("stress", solution))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", pictures_of(CONTACT))
 def test_every_picture_of_the_method(name, tmp_path):
     figure = render(method_sheet(name, CONTACT))
@@ -303,7 +304,7 @@ def test_a_notebook_shows_the_picture():
     assert repr(figure).startswith("<Picture of ")
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("ending", ["svg", "pdf", "PDF", "png"])
 def test_the_same_picture_on_another_day_is_the_same_file(ending, tmp_path, monkeypatch):
     for day in ("1", "86401"):
@@ -315,6 +316,7 @@ def test_the_same_picture_on_another_day_is_the_same_file(ending, tmp_path, monk
     assert (tmp_path / f"1.{ending}").read_bytes() == (tmp_path / f"86401.{ending}").read_bytes()
 
 
+@pytest.mark.slow
 def test_what_is_stated_with_a_picture_stays():
     stream = io.BytesIO()
     draw(Sphere(1e-2)).savefig(stream, format="svg", metadata={"Title": "A ball"})

@@ -136,10 +136,13 @@ SLOW = ("path in the plane", "layered: no traction", "graded", "state of a grade
         "never in contact", "damping at rest", "torsion of a punch",
         "pushed on a coating", "in the plane, one state")  # fmt: skip
 """Variants of others, or pictures of answers that take long."""
-MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in SLOW else name for name in ITEMS]
+MARKED = [
+    pytest.param(name, marks=pytest.mark.slow if name in SLOW[::4] else pytest.mark.long) if name in SLOW else name
+    for name in ITEMS
+]
 
 
-@pytest.mark.few(1, slow=10)
+@pytest.mark.few(1, slow=4)
 @pytest.mark.parametrize("name", MARKED)
 def test_every_answer_has_a_picture(name):
     make, count = ITEMS[name]
@@ -154,7 +157,7 @@ def test_every_answer_has_a_picture(name):
         figure.savefig(io.BytesIO(), format="png", dpi=30)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", [name for name in ITEMS if name not in SLOW])
 def test_every_other_picture_can_be_saved(name):
     figure = draw(ITEMS[name][0]())

@@ -20,7 +20,7 @@ def titles(figure):
     return [axes.get_title(loc="left") for axes in figure.axes if axes.get_title(loc="left")]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("speeds", [(1.0, 0.0), (0.0, -1.0)])
 def test_one_contact(speeds):
     figure = draw(rubbing(first_speed=speeds[0], second_speed=speeds[1]))

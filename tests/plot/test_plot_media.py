@@ -37,7 +37,7 @@ def texts(figure):
     return [text.get_text() for axes in figure.axes for text in axes.texts]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", MEDIA)
 def test_a_medium_has_a_figure(name, tmp_path):
     figure = draw(MEDIA[name])
@@ -71,6 +71,7 @@ def test_labels_of_thin_layers_do_not_cover_each_other():
         assert 0.0 < places[0] < places[-1] < max(end, 1.3 * 2.5e-6)
 
 
+@pytest.mark.slow
 def test_the_stress_map_has_a_line_at_every_interface_and_a_step_across_it(pressed):
     figure = render(method_sheet("stress", pressed))
     axes = figure.axes[0]
@@ -125,6 +126,7 @@ def test_pictures_of_the_medium_are_for_media_that_have_something_to_show(presse
         typical_width(wk.HalfSpace(STEEL))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("name", list(PICTURES))
 def test_every_picture_of_a_coated_contact(name, pressed, tmp_path):
     figure = render(method_sheet(name, pressed))

@@ -48,7 +48,7 @@ ITEMS = {
 }
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=3)
 @pytest.mark.parametrize("name", ITEMS)
 def test_is_drawn_with_labels_and_units(name):
     make, panels = ITEMS[name]

@@ -81,7 +81,7 @@ def picture(name):
     return draw(ITEMS[name][0]())
 
 
-@pytest.mark.few(14)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("name", list(ITEMS))
 def test_every_picture_has_its_panels_and_units(name):
     figure = picture(name)

@@ -168,7 +168,7 @@ def test_a_flat_line_makes_no_tip():
 # ---------------------------------------------------------------------------------------------------- clean data
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("count", [16, 64, 128, 256, 257, 2048])
 @pytest.mark.parametrize(
     ("twin", "reach"), [(wk.Hyperboloid(0.1, 1.2), 1.0), (wk.Sphere(1.0), 0.9), (wk.SpheroConical(0.5, 1.2), 1.0)]

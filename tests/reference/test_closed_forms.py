@@ -108,7 +108,7 @@ def test_force(name, a):
     close(given, make(**exact(**numbers)).force(mp.mpf(a), mp.mpf(2.5)), 2e-12)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("fraction", [0.1, 0.8])
 @pytest.mark.parametrize("name", WITH_PRESSURE)
 def test_pressure(name, fraction):

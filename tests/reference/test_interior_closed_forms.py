@@ -28,7 +28,7 @@ def test_flat_punch(r, z):
     compared(given, expected, 1.0)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize(("r", "z"), PLACES)
 def test_hertz(r, z):
     given = hertz.hertz_subsurface(r, z, 1.0, peak_pressure=1.0, poisson=NU, shear=G)

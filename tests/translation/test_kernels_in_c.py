@@ -67,7 +67,7 @@ def test_compiled_python_and_compiled_c_agree(fast, name):
         agree(outcome(fast[name], arguments), outcome(kernel, arguments))
 
 
-@pytest.mark.few(0, slow=6)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", [name for name in HISTORIES if name not in ("move_balls", "turn_balls", "march_line")])
 def test_compiled_python_and_compiled_c_agree_everywhere(fast, name):
     kernel = HISTORIES[name][0]

@@ -56,6 +56,7 @@ def until_pictures(replies):
     return kept
 
 
+@pytest.mark.slow
 def test_a_folder_is_fitted_as_by_the_command_line(bench, folder, tmp_path):
     replies = until_pictures(bench.replies(Solve(1, tomli_w.dumps(study()), folder.folder, True)))
     assert [(one.done, one.total, one.what) for one in replies if isinstance(one, Progress)] == [
@@ -80,6 +81,7 @@ def charts_of(replies):
     return {one.name: json.loads(one.chart) for one in until_pictures(replies) if isinstance(one, InteractivePicture)}
 
 
+@pytest.mark.slow
 def test_a_click_on_a_value_shows_its_curve_and_places_make_a_map(bench, folder):
     files = dict(sample_folder())
     for name in folder.curves_in(CURVES)[1:]:  # without their places

@@ -56,6 +56,7 @@ def solved(bench, table, folder):
     return list(bench.replies(Solve(1, tomli_w.dumps(table), folder, True)))
 
 
+@pytest.mark.slow
 def test_the_app_and_the_command_line_fit_equal_numbers(bench, folder_, tmp_path):
     answer, *others = solved(bench, gel_table(), folder_)
     pictures = [one for one in others if isinstance(one, InteractivePicture)]
@@ -74,6 +75,7 @@ def test_the_app_and_the_command_line_fit_equal_numbers(bench, folder_, tmp_path
     assert frame.remark
 
 
+@pytest.mark.slow
 def test_the_picture_holds_the_curve_and_what_is_left_over(bench, folder_):
     _, first, *_ = solved(bench, gel_table(), folder_)
     chart = json.loads(first.chart)
@@ -316,6 +318,7 @@ def test_the_measurement_stays_when_the_model_changes():
     assert {name for name in ALL_KEYS if name in entered.table["fit"]} == set(ALL_KEYS) - left
 
 
+@pytest.mark.slow
 def test_depths_models_and_events_stand_on_the_page(bench, folder_):
     table = gel_table()
     table["fit"] |= {"over_depth": 3, "models": {"cone": ALL_KEYS["models"]["cone"]}}
@@ -329,6 +332,7 @@ def test_depths_models_and_events_stand_on_the_page(bench, folder_):
     assert all(one.svg for one in others if isinstance(one, DrawnSheet))
 
 
+@pytest.mark.slow
 def test_the_headline_holds_the_error_of_the_calibration(bench, folder_):
     """The interval of 95 % under 8 % of error is at least 1.96 * 8 % wide to either side of 3.99 kPa."""
     table = gel_table()

@@ -25,7 +25,7 @@ def test_the_first_study_is_a_ball_of_steel_on_steel():
     assert depth == pytest.approx(math.cbrt(9.0 * 100.0**2 / (16.0 * 10e-3 * modulus**2)), rel=1e-4)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=2)
 @pytest.mark.parametrize("one", [one for one in FRONT_EXAMPLES if one.kind != "fit"], ids=lambda one: one.title)
 def test_each_example_is_answered(one):
     outcome = run(parse_study(tomli_w.dumps(one.table)))

@@ -60,12 +60,13 @@ def check(kind):
     return outcome, large, sentence
 
 
+@pytest.mark.few(20, slow=10)
 @pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in LONG])
 def test_each_kind_is_headed_by_what_was_asked(kind):
     check(kind)
 
 
-@pytest.mark.few(0, slow=6)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("kind", sorted(LONG))
 def test_the_kinds_that_take_long_are_headed_too(kind):
     check(kind)

@@ -20,12 +20,10 @@ from winkler.web.pictures.moments import initial_moment, moments_of
 from winkler.web.pictures.view import NO_VIEW
 
 
+@pytest.mark.few(0, slow=8)
 @pytest.mark.parametrize(
     "kind",
-    [
-        pytest.param(kind, marks=pytest.mark.long if kind in SHOWN else pytest.mark.slow)
-        for kind in CATALOGUE["problem"]
-    ],
+    [pytest.param(kind, marks=pytest.mark.long) if kind in SHOWN else kind for kind in CATALOGUE["problem"]],
 )
 def test_pictures_of_each_kind(kind):
     outcome = run(parse_study(whole_text(kind)))
@@ -57,6 +55,7 @@ def test_pictures_that_take_milliseconds_follow_the_sliders(kind, titles):
     assert list(answer.sheets(outcome)) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["indentation", "pull_off", "constriction"])
 def test_whether_sheets_follow_is_known_before_they_are_drawn(kind):
     outcome = run(parse_study(whole_text(kind)))

@@ -153,6 +153,7 @@ def test_pages_are_counted_and_end(browser, workers):
     until(lambda: not workers.alive and not list(browser.folder.iterdir()))  # folders go right after their processes
 
 
+@pytest.mark.slow
 def test_a_page_that_was_left_gives_its_place(browser, workers, monkeypatch):
     monkeypatch.setattr(core.app.config, "reconnect_timeout", 60.0)
     with contextlib.ExitStack() as pages:

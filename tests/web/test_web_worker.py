@@ -115,6 +115,7 @@ def test_mistakes_name_their_keys(bench, tmp_path):
     assert isinstance(none, Wrong)
 
 
+@pytest.mark.slow
 def test_sheets_and_files(bench, tmp_path):
     *_, sheet = bench.replies(Solve(1, tomli_w.dumps(form.initial_table("constriction")), tmp_path, True))
     assert isinstance(sheet, DrawnSheet)

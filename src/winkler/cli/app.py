@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from winkler.cli import browser, cite, draw, export, fit, new, report, run, show, table, validate
+from winkler.cli import browser, cite, draw, export, fit, merge, new, report, run, schema, show, table, validate
 from winkler.cli.streams import write_line
 
 __all__ = ["app", "command"]
@@ -56,6 +56,7 @@ def common(
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "run": run.run,
+    "merge": merge.merge,
     "fit": fit.fit,
     "show": show.show,
     "report": report.report,
@@ -63,6 +64,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "table": table.table,
     "export": export.export,
     "new": new.new,
+    "schema": schema.schema,
     "cite": cite.cite,
     "validate": validate.validate,
     "app": browser.app,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.options import completion, refuse_existing
+from winkler.cli.options import Settings, completion, refuse_existing
 from winkler.cli.streams import write_line
 
 if TYPE_CHECKING:
@@ -44,6 +44,7 @@ def draw(
     ] = "contact",
     point: Annotated[int, typer.Option(help="Which point of the sweep, from 0; -1 is the last.")] = -1,
     load: Annotated[int, typer.Option(help="Which load, where the study has many at once; -1 is the last.")] = -1,
+    settings: Settings = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.")] = False,
 ) -> None:
     """Draw a study into a picture file.
@@ -65,13 +66,13 @@ def draw(
         )
     path = output or Path(f"{study.stem}-{part}.{'gif' if part == 'film' else 'png'}")
     if part == "film":
-        _write_film(study, point, path, overwrite)
+        _write_film(study, settings, point, path, overwrite)
         return
     if path.suffix.lstrip(".").lower() not in PICTURES:
         endings = ", ".join(f".{ending}" for ending in PICTURES)
         raise InvalidInput(f"draw: '{path}' does not end like a picture; give {endings}.")
     refuse_existing(path, overwrite, "draw: ")
-    answer = _solved(read_study(study), point)
+    answer = _solved(read_study(study, settings=settings or ()), point)
     item = _drawn_value(answer, part, load)
     sheet = sheet_of(item)
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
@@ -83,7 +84,7 @@ def draw(
     write_line(f"Written {path}")
 
 
-def _write_film(study: Path, point: int, path: Path, overwrite: bool) -> None:
+def _write_film(study: Path, settings: list[str] | None, point: int, path: Path, overwrite: bool) -> None:
     from winkler.errors import InvalidInput
     from winkler.io.whole_file import write_whole
     from winkler.plot import film
@@ -92,7 +93,7 @@ def _write_film(study: Path, point: int, path: Path, overwrite: bool) -> None:
     if path.suffix.lower() != ".gif":
         raise InvalidInput(f"draw: '{path}' does not end like a film; give .gif.")
     refuse_existing(path, overwrite, "draw: ")
-    write_whole({path: film(_solved(read_study(study), point).solution)})
+    write_whole({path: film(_solved(read_study(study, settings=settings or ()), point).solution)})
     write_line(f"Written {path}")
 
 

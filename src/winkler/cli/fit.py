@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import math
 import time
 from collections.abc import Iterable, Iterator
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.options import AsJson, Output, Overwrite, Quiet
+from winkler.cli.options import AsJson, Output, Overwrite, Quiet, Settings
 from winkler.cli.results import resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -36,6 +37,7 @@ def fit(
         ),
     ],
     output: Output = None,
+    settings: Settings = None,
     overwrite: Overwrite = False,
     workers: Annotated[
         int | None,
@@ -84,14 +86,19 @@ def fit(
 
     started = time.perf_counter()
     if nanoindentation.wanted(study):
-        return nanoindentation.evaluate(study, output, overwrite=overwrite, quiet=quiet, as_json=as_json)
+        options = {"overwrite": overwrite, "quiet": quiet, "as_json": as_json}
+        return nanoindentation.evaluate(study, output, settings or (), **options)
     if is_measured_problem(study):
-        return run(study, output, overwrite=overwrite, workers=workers, anew=anew, quiet=quiet, as_json=as_json)
+        return run(
+            study, output, settings, overwrite=overwrite, workers=workers, anew=anew, quiet=quiet, as_json=as_json
+        )
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
     if pages < 0:
         raise InvalidInput(f"fit: --pages is {pages}; give the number of curves with a page of their own, or leave it.")
-    content = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
+    stated = [part.strip() for part in segments.split(",") if part.strip()]
+    more = [f"fit.segments={json.dumps(stated)}"] if stated else []
+    content = read_fit_study(study, settings=(*(settings or ()), *more))
     if time_limit is not None:
         content = dataclasses.replace(content, time_limit=time_limit)
     folder = output or Path(content.output.folder or Path("results") / study.stem)

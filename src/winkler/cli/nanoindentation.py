@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +26,9 @@ def wanted(study: Path) -> bool:
     return is_nanoindentation(study)
 
 
-def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, as_json: bool) -> int:
+def evaluate(
+    study: Path, output: Path | None, settings: Sequence[str], *, overwrite: bool, quiet: bool, as_json: bool
+) -> int:
     """Evaluate the curves of a study, or calibrate its indenter, and write the results; return the exit code.
 
     After Ctrl-C the curves that were evaluated are written; a calibration needs all of its curves.
@@ -40,7 +43,7 @@ def evaluate(study: Path, output: Path | None, *, overwrite: bool, quiet: bool, 
     from winkler.study.report.writing import holds_results, placed, write_files
 
     started = time.perf_counter()
-    content = read_nanoindentation_study(study)
+    content = read_nanoindentation_study(study, settings=settings)
     folder = output or Path(content.output.folder or Path("results") / study.stem)
     with reserved(folder):
         if holds_results(folder) and not overwrite:

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-__all__ = ["AsJson", "Output", "Overwrite", "Quiet", "completion", "refuse_existing"]
+__all__ = ["AsJson", "Output", "Overwrite", "Quiet", "Settings", "completion", "refuse_existing"]
 
 Output = Annotated[
     Path | None,
@@ -19,6 +19,14 @@ Overwrite = Annotated[
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Show nothing but errors.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Show the answers as JSON.")]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="KEY=CONTENT",
+        help="A content in place of the study's, such as problem.load.force='20 N'; may be given again.",
+    ),
+]
 
 
 def completion(names: Callable[[], Iterable[str]]) -> Callable[[str], list[str]]:

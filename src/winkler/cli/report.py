@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.options import refuse_existing
+from winkler.cli.options import Settings, refuse_existing
 from winkler.cli.streams import write_line
 
 __all__ = ["report"]
@@ -25,6 +25,7 @@ def report(
     workers: Annotated[
         int | None, typer.Option("--workers", "-w", help="Processes that solve a sweep; chosen unless given.")
     ] = None,
+    settings: Settings = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing page.")] = False,
 ) -> int:
     """Solve a study and write its report alone: one page that needs nothing else.
@@ -50,7 +51,7 @@ def report(
     if path.suffix.lower() not in (".html", ".htm"):
         raise InvalidInput(f"report: '{path}' does not end like a page; give .html.")
     refuse_existing(path, overwrite, "report: ")
-    content = read_study(study)
+    content = read_study(study, settings=settings or ())
     solvers = Machine() if workers is None else workers
     points = solve_points(content, workers=solvers, watch=terminal.marching(hidden=True))
     try:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from winkler.cli.options import Output, Overwrite, Quiet
+from winkler.cli.options import Output, Overwrite, Quiet, Settings
 from winkler.cli.results import resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -28,6 +28,7 @@ EXPECTATION_MISSED = 1
 def run(
     study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
     output: Output = None,
+    settings: Settings = None,
     overwrite: Overwrite = False,
     workers: Annotated[
         int | None,
@@ -40,6 +41,13 @@ def run(
         typer.Option(
             "--cluster",
             help="Address of a dask scheduler whose workers solve a sweep; given up after 60 s without a worker.",
+        ),
+    ] = "",
+    shard: Annotated[
+        str,
+        typer.Option(
+            "--shard",
+            help="The part of a sweep to solve alone, such as 2/8; `winkler merge` writes the results of all.",
         ),
     ] = "",
     anew: Annotated[bool, typer.Option("--anew", help="Forget what a sweep that was stopped has solved.")] = False,
@@ -72,14 +80,17 @@ def run(
     started = time.perf_counter()
     if cluster and workers is not None:
         raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
-    content = _with_figures(read_study(study), figures)
+    content = _with_figures(read_study(study, settings=settings or ()), figures)
     solvers = Cluster(cluster) if cluster else Machine() if workers is None else workers
     job = _RunRequest(content, study.name, solvers, started, hidden=quiet or as_json)
+    named_folder = output or Path(content.output.folder or Path("results") / study.stem)
+    if shard:
+        return _shard_solved(job, named_folder, shard, anew=anew)
     if as_json and output is None:
         folder, before, outcome = None, 0, _solved_alone(job)
         place = "shown on stdout"
     else:
-        folder = output or Path(content.output.folder or Path("results") / study.stem)
+        folder = named_folder
         before, outcome = _solved_and_written(job, folder, overwrite=overwrite, anew=anew)
         place = f"in {folder}"
     if as_json:
@@ -160,6 +171,44 @@ def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew
             raise named(error, job.name) from None
         journal.complete = exit_code(outcome) != Interrupted.exit_code
     return before, outcome
+
+
+def _shard_solved(job: _RunRequest, folder: Path, text: str, *, anew: bool) -> int:
+    """Solve one shard of a sweep, and keep its points beside the folder of results; return the exit code."""
+    from winkler.cli import terminal
+    from winkler.errors import Interrupted, InvalidInput, WinklerError
+    from winkler.study.batch.checkpoint import CheckpointStore
+    from winkler.study.batch.journal import Journal
+    from winkler.study.batch.outcome import Failed
+    from winkler.study.batch.run import first_failure, named
+    from winkler.study.batch.shards import Shard
+    from winkler.study.batch.sweep import solve_points
+
+    shard, study = Shard.read(text), job.study
+    if job.many == 1:
+        raise InvalidInput(f"{job.name}: shard: the study has no sweep; leave --shard out.")
+    own = shard.beside(folder)
+    own.parent.mkdir(parents=True, exist_ok=True)
+    journal, keep, many = Journal.beside(own, study), CheckpointStore.beside(own), job.many
+    share = int(many - shard.others(many).sum())
+    if anew:
+        journal.remove()
+        keep.remove()
+    failed = []
+    with journal:
+        points = solve_points(study, journal, workers=job.workers, keep=keep, shard=shard)
+        try:
+            for point in terminal.tracked(points, share, hidden=job.hidden, before=journal.count):
+                failed += [point] if isinstance(point, Failed) else []
+        except KeyboardInterrupt:
+            kept = f"{journal.count} of {share} points of shard {text} are kept beside {folder}"
+            raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
+        except WinklerError as error:
+            raise named(error, job.name) from None
+    keep.remove()
+    if not job.hidden:
+        write_line(f"{share} of {many} points are kept beside {folder}; put all shards together with: winkler merge")
+    return first_failure(failed).code if failed else 0
 
 
 def exit_code(outcome: Outcome) -> int:

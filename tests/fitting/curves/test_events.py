@@ -27,7 +27,7 @@ def false_alarms(world, seeds):
     return [(seed, event.kind.value) for seed in seeds for event in world.curve(seed)[0].events if event.kind in SUDDEN]
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", QUIET)
 def test_where_nothing_happened_nothing_is_found(name):
     assert false_alarms(QUIET[name], range(5)) == []

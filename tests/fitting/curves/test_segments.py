@@ -215,7 +215,7 @@ def test_a_relaxing_hold_stays_one():
     assert directions(depth, force, segment).tolist() == [1.0] * 100 + [0.0] * 60 + [-1.0] * 60
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("recovered", [0.02, 0.1])
 @pytest.mark.parametrize(("noise", "seed"), [(0.0, 0), (5e-4, 1), (1e-3, 2)])
 def test_twenty_partial_unloadings_of_a_stiff_contact(recovered, noise, seed):

@@ -100,7 +100,7 @@ WORLDS = {
 }
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", WORLDS)
 def test_intervals_hold(name):
     """All unloadings of each world: intervals of 95 % hold as often as 0.92 allows, the median is off by less than a

@@ -175,19 +175,23 @@ def hold(apart):
     assert np.all((least * (1.0 - scatter) < size) & (size < most * (1.0 + scatter)))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("count", [1, 3, 10])
-def test_intervals_hold_in_drawn_worlds(count):
+@pytest.mark.parametrize(
+    ("count", "worlds"),
+    [pytest.param(3, 30, marks=pytest.mark.slow), *(pytest.param(n, 100, marks=pytest.mark.long) for n in (1, 3, 10))],
+)
+def test_intervals_hold_in_drawn_worlds(count, worlds):
     """The truth includes the choice of the number of coefficients: tips have two, three or four."""
-    hold(errors_in_worlds(count, 100, drawn_tip))
+    hold(errors_in_worlds(count, worlds, drawn_tip))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("tip", [AREA, BLUNTER], ids=["berkovich", "blunter"])
-@pytest.mark.parametrize("count", [1, 10])
-def test_intervals_hold_for_two_tips(count, tip):
+@pytest.mark.parametrize(
+    ("count", "worlds"),
+    [pytest.param(1, 20, marks=pytest.mark.slow), *(pytest.param(n, 60, marks=pytest.mark.long) for n in (1, 10))],
+)
+def test_intervals_hold_for_two_tips(count, worlds, tip):
     """A tip on the bounds of the coefficients, and one within them: the number of coefficients is not known."""
-    hold(errors_in_worlds(count, 60, lambda _: tip))
+    hold(errors_in_worlds(count, worlds, lambda _: tip))
 
 
 @pytest.mark.slow

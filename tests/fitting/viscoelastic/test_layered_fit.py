@@ -33,7 +33,7 @@ def elastic(shear, poisson, on):
     return wk.Foundation(wk.Paraboloid(BALL), film)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("on", "poisson"), [(BASE, 0.5), (wk.Elastic(500.0, 0.3), 0.4), (wk.Rigid(), 0.45)])
 def test_sudden_steps_end_in_the_elastic_films_at_once_and_after_all_time(on, poisson):
     """A depth and a force that are put on at once, against the tables of elastic layers."""

@@ -28,6 +28,7 @@ def measured():
     return read
 
 
+@pytest.mark.slow
 def test_creep_of_a_polymer_gel(measured, shared_data):
     """The free points give 0.43 nN, and the modulus does not depend on when it is subtracted; a bead's first touch is
     sharper than this one, and the flags say that.  Above a tenth of the force alone it was 413 Pa with 1.04 nN.
@@ -68,6 +69,7 @@ def test_relaxation_of_cells(measured, shared_data):
     assert {"no_baseline", "memory"} <= {flag.name for flag in found.flags}
 
 
+@pytest.mark.slow
 def test_a_loop_as_a_power_law(measured, shared_data):
     """A weak power law through a liquid that drags; what sticks during unloading is not explained, and is flagged."""
     curve = measured(shared_data, "fmt-jpk-fd_spot3-0192.jpk-force")

@@ -34,7 +34,7 @@ def hits(kind, seeds):
     return inside
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("kind", FREE)
 def test_some_curves(kind):
     """Five curves: fewer hits than this happen once in a thousand tests of an honest interval."""
@@ -98,6 +98,7 @@ SOLIDS = {
 }  # fmt: skip
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "fractional Zener")) for name in SOLIDS]
 )

@@ -70,7 +70,7 @@ def test_the_table_itself_is_read(name, tmp_path):
     read(tmp_path / "table.csv")
 
 
-@pytest.mark.few(6, slow=4)
+@pytest.mark.few(3, slow=3)
 @pytest.mark.parametrize("name", TABLES)
 @QUICK
 @given(data=st.data())
@@ -82,7 +82,7 @@ def test_a_spoilt_table(name, data, tmp_path_factory):
 SUFFIXES = [".csv", ".txt", ".npz", ".jpk-force", ".h5", ""]
 
 
-@pytest.mark.few(8)
+@pytest.mark.few(8, slow=8)
 @pytest.mark.parametrize("name", READERS)
 @settings(QUICK, max_examples=25)
 @given(
@@ -147,7 +147,7 @@ WRONG = {
 }
 
 
-@pytest.mark.few(8, slow=4)
+@pytest.mark.few(8, slow=2)
 @pytest.mark.parametrize("wrong", WRONG)
 @pytest.mark.parametrize("name", ["contacts", "wear"])
 def test_an_archive_with_one_wrong_array(name, wrong, whole, tmp_path):

@@ -188,7 +188,7 @@ ARRAYS = {
 }
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=6)
 @pytest.mark.parametrize("case", ARRAYS)
 def test_arrays_made_to_harm(case, tmp_path):
     content, sentence = ARRAYS[case]
@@ -291,7 +291,7 @@ LINES = {
 }
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("case", LINES)
 def test_texts_made_to_harm(case, tmp_path):
     path = tmp_path / "table.csv"

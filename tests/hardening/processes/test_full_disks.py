@@ -84,6 +84,7 @@ def test_the_journal_is_smaller_than_the_results(outcome, tmp_path):
         assert journal.size < 2.3e6
 
 
+@pytest.mark.slow
 def test_the_journal_gives_way_to_results_that_fit_in_its_place_alone(outcome, tmp_path, monkeypatch):
     """The disk takes the journal and so much more; the results are there, or the journal is."""
     study, found = outcome
@@ -152,7 +153,7 @@ COMMANDS = {
 }
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", COMMANDS)
 def test_commands_on_a_full_disk(name, tmp_path):
     """A full disk was said to be a folder that does not exist."""

@@ -131,7 +131,7 @@ def whole(results):
     return made.exists() and sorted(json.loads(made.read_text())["files"]) == sorted(tree(results))
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("by", ["operation", "time"])
 @pytest.mark.parametrize("name", STUDIES)
 def test_a_rerun_after_a_kill_gives_equal_results_and_leaves_nothing(name, by, tmp_path, killer):
@@ -219,7 +219,7 @@ sys.exit(main(["run", "study.toml"]))
 AT_IMPORTS, IN_CALLBACKS = "sys.addaudithook(imported)", "sys.setprofile(left)"
 
 
-@pytest.mark.few(0, slow=4)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("sign", [signal.SIGTERM, signal.SIGINT])
 @pytest.mark.parametrize(("how", "place"), [*((AT_IMPORTS, n) for n in (1, 100, 250, 400)), (IN_CALLBACKS, 150)])
 def test_a_signal_while_winkler_is_loaded_is_not_lost(how, place, sign, tmp_path):

@@ -62,7 +62,7 @@ def is_mixed(files):
     return len({mark for one in marks for mark in one}) > 1
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_kill_leaves_the_files_of_one_study(name, tmp_path, killer):
     trees, events = {}, 0

@@ -45,6 +45,7 @@ def hidden(folder):
     return [path.name for path in folder.iterdir() if path.name.startswith(".")]
 
 
+@pytest.mark.slow
 def test_two_runs_at_once_leave_the_results_of_one(tmp_path):
     output = tmp_path / "results"
     runs = [started(study(tmp_path, f"run{force}", force), output) for force in (1, 2)]

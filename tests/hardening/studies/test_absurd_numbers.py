@@ -78,13 +78,14 @@ def faults(name: str, start: int = 0, step: int = 1) -> list[str]:
     return wrong
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=2)
 @pytest.mark.parametrize("name", QUICK)
 def test_every_number_of_a_problem(name):
     assert faults(name) == []
 
 
-@pytest.mark.parametrize("start", [pytest.param(0, marks=pytest.mark.slow), pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.few(0, slow=8)
+@pytest.mark.parametrize("start", [0, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize("name", OTHERS)
 def test_every_number_of_other_problems(name, start):
     """Each number with every second size, its neighbours with the sizes between; the rest are long tests."""

@@ -172,6 +172,7 @@ COUNTS = [
 ]
 
 
+@pytest.mark.few(12)
 @linux
 @pytest.mark.parametrize(("kind", "field"), COUNTS)
 def test_counts_that_no_machine_has(kind, field):

@@ -100,7 +100,8 @@ def test_a_quick_march():
     assert faults("elastic_plastic_particle") == []
 
 
-@pytest.mark.parametrize("start", [pytest.param(0, marks=pytest.mark.slow), pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.few(0, slow=4)
+@pytest.mark.parametrize("start", [0, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize("name", [name for name in MARCHES if name not in SLOW])
 def test_every_march(name, start):
     """Each number with every second size, its neighbours with the sizes between; the rest are long tests."""

@@ -94,7 +94,7 @@ def drawn(count, seed=20261127):
         yield ratio, random.uniform(0.0, 0.5), random.uniform(0.0, 0.6), random.uniform(-math.pi, math.pi)
 
 
-@pytest.mark.few(4, slow=6)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize(("ratio", "poisson", "friction", "angle"), [*CORNERS, *drawn(12)])
 def test_below_an_ellipse(ratio, poisson, friction, angle):
     """Also for the opposite traction, the mirrored one, and that of the ellipse with its axes exchanged."""
@@ -184,7 +184,7 @@ def test_maxima_near_the_axis(radii, poisson, friction, angle, value, place):
         assert (found.x / a, found.y / b, found.z / b) == pytest.approx(place, abs=5.1e-4)
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("angle", [0.0, 0.7, 0.5 * math.pi, -2.5])
 @pytest.mark.parametrize("stick", [1e-9, 0.5])
 def test_below_a_sheared_ball(angle, stick):
@@ -244,6 +244,7 @@ def test_below_the_strips_of_a_section(mirrored):
     assert by_chance(field, in_half_plane(9, 600), 0.1, 9, surface=False) <= place.value * (1.0 + 1e-4)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("turns", [0, 1])
 @pytest.mark.parametrize("mirrored", [False, True])
 def test_below_a_map(turns, mirrored):

@@ -234,13 +234,13 @@ def compared(name, places):
         assert np.all(error < 2e-12), (r, z, error)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("name", CASES)
 def test_direct_integration(name):
     compared(name, [(0.2 + 1e-7, 1e-3), (0.37, 0.11)])
 
 
-@pytest.mark.few(0, slow=3)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", CASES)
 def test_direct_integration_at_random_places(name):
     random = np.random.default_rng(11)

@@ -187,6 +187,7 @@ def compliance(grading, xi: float) -> float:
 TABLE = TabulatedGrading([0.0, 1.0, 2.0, 4.0], [1.0, 2.0, 4.0, 3.0], [0.2, 0.3, 0.3, 0.5])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     "grading",
     [
@@ -215,6 +216,7 @@ def test_complex_and_very_short_waves():
     assert mean == pytest.approx(response.excess(np.array([5.0 * limit]))[0], abs=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [3.0, pytest.param(1.0 / 3.0, marks=pytest.mark.slow)])
 def test_the_tolerance_holds(ratio):
     """Coarse media against fine ones, whose cells and kernels have nothing in common."""

@@ -36,7 +36,7 @@ def test_as_wide_as_thick(poisson, base):
     assert differences(poisson, base, 1.0, 0.5) == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("poisson", "base"), CORNERS)
 def test_ten_times_as_wide_as_thick(poisson, base):
     assert differences(poisson, base, 10.0, 1.0) == pytest.approx((0.0, 0.0, 0.0), abs=1e-11)

@@ -93,7 +93,7 @@ def test_punches_on_films_by_equal_panels(poisson, a):
     np.testing.assert_allclose(found, phi, rtol=0.0, atol=1e-9 * np.max(phi))
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("a", [3.0, 30.0])
 def test_the_reference_solution_does_not_move_with_half_its_panels(a):
     _, w, phi = compared(0.5, a)
@@ -101,6 +101,7 @@ def test_the_reference_solution_does_not_move_with_half_its_panels(a):
     assert float(finer @ twice) == pytest.approx(float(w @ phi), rel=1e-10)
 
 
+@pytest.mark.few(6, slow=4)
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 @pytest.mark.parametrize("a", [0.3, 10.0, 30.0])
 @pytest.mark.parametrize("n", [1.0, 2.0, 3.5])
@@ -168,7 +169,7 @@ def test_wide_punches_compress_a_film_like_a_bed(poisson):
 # -------------------------------------------------------------------------------------------------- without lengths
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("shape", ["cone", "paraboloid", "rounded"])
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 def test_thickness_and_modulus_are_units(shape, poisson):

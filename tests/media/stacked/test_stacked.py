@@ -42,7 +42,7 @@ STACKS = {
 }
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", STACKS)
 def test_compliances_are_those_of_elasticity(name):
     """Navier's equations, carried through the stack by matrix exponentials of a hundred digits and more."""

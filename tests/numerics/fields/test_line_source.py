@@ -135,6 +135,7 @@ def test_a_moving_source_is_a_sum_of_plane_waves():
     assert HERTZ.surface(2.0, np.zeros(1), np.zeros(1))[0] == pytest.approx(transform_at_centre(2.0), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_mean_is_that_of_the_field():
     node, weight = np.polynomial.legendre.leggauss(24)
     r, turn = 0.5 * (1.0 + node), 0.5 * np.pi * (1.0 + node)

@@ -73,7 +73,7 @@ def small_steps(depth, shift, slope, parts):
     return force[parts - 1 :: parts], lost.reshape(-1, parts).sum(1)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("slope", [ALIKE, UNLIKE], ids=["alike", "unlike"])
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_long_step_is_as_good_as_many_short_ones(slope, seed):

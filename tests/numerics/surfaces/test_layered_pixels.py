@@ -39,7 +39,7 @@ def hankel(excess, thickness, r, wide):
 PLACES = [(0, 0), (1, 0), (0, 1), (2, 3), (6, 7), (9, 2), (11, 25), (39, 29)]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("ratio", "poisson", "thickness"), [(5.0, 0.3, 0.6), (1e-3, 0.5, 4.0), (1e3, 0.2, 1.5), (0.2, 0.0, 300.0)]
 )

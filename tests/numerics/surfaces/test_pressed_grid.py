@@ -161,7 +161,7 @@ def any_task(seed):
     return h, pixel, drive, bool(rng.integers(2)), ceiling
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize(("first", "tolerance"), [(0, 1e-7), (20, 1e-7), (40, 1e-7), (60, 1e-6), (80, 1e-6)])
 def test_whatever_is_pressed_is_solved(first, tolerance):
     """Random sizes, shapes, units, loads and hardnesses: every result is checked again; 1e-6 begins in single ones."""

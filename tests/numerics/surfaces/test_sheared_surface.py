@@ -45,7 +45,7 @@ def least_energy(goal: np.ndarray) -> np.ndarray:
     return q
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("motion", [(2.5, 0.0, 0.0), (0.7, -0.4, 0.0), (0.5, 0.5, 0.5), (30.0, 10.0, -20.0)])
 def test_it_is_the_least_energy(motion):
     step = by_amount(*motion)

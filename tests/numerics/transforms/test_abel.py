@@ -97,7 +97,7 @@ def test_gap_integral_is_t7(name):
     assert_as_good_as_rounding(abel.gap_integral(shape.height, shape.edges, X), expected, X, 1e-12)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", SHAPES)
 def test_gap_slope_is_the_derivative_of_t1(name):
     shape = SHAPES[name]

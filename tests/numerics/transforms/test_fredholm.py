@@ -54,6 +54,7 @@ def test_the_cosine_transform(strength):
     np.testing.assert_allclose(found, 2.0 / np.pi * strength / (1.0 + x * x), rtol=1e-11, atol=1e-13 * abs(strength))
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("strength", [3.0, -0.9])
 @pytest.mark.parametrize(
     "a", [0.01, 1.3, pytest.param(0.4, marks=pytest.mark.slow), 11.0, pytest.param(60.0, marks=pytest.mark.slow)]

@@ -45,7 +45,7 @@ def maugis_pull_off(parameter):
         return float(force(best))
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("parameter", [0.3, 1.0, 2.0, 5.0])
 def test_pull_offs_are_those_of_maugis(parameter):
     result = which_model(BALL, Dugdale(WORK, strength_of(parameter)))

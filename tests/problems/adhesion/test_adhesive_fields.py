@@ -54,6 +54,7 @@ def test_every_plane_below_carries_the_force():
     assert -float(measure @ (axial * 2.0 * math.pi * places)) == pytest.approx(contact.force, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_graded_and_coated_pressure_carries_the_force():
     """The restored pressure with its singular edge, integrated, is the force of the springs."""
     graded = GradedHalfSpace.between(PowerLawGraded(1e6, 1e-4, 0.4, 0.3))

@@ -200,6 +200,7 @@ def test_energy_is_that_of_the_springs():
     assert contact.stress_intensity == 0.0
 
 
+@pytest.mark.slow
 def test_a_wave_in_the_zone_takes_the_first_end():
     """Where g falls, the gap may reach the range of the stress more than once: the first place counts."""
     profile = wk.Sum((wk.Paraboloid(R), wk.Wavy(2e-6, 1e-4)))
@@ -319,7 +320,7 @@ def test_energy_along_the_equilibria(profile):
             assert gained == pytest.approx(whole, rel=1e-9, abs=1e-12 * size)
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("stiffness", [0.5 * E * A_UNIT, 1e3 * E * A_UNIT, GRIPS])
 @pytest.mark.parametrize(
     "profile",

@@ -54,7 +54,7 @@ class Guduru:
         return limits[0::2], limits[1::2], a[1] - a[0]
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(2, slow=3)
 @pytest.mark.parametrize("machine", [GRIPS, 0.0, 0.05])
 @pytest.mark.parametrize(
     ("amplitude", "wavelength", "work", "reach"),

@@ -62,6 +62,7 @@ def without_springs(poisson, radius, outer, stress):
     return depth, force, opening
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("strength", [pytest.param(1e3, marks=pytest.mark.slow), 4e5])
 def test_equal_layers_are_a_half_space(strength):
     law = wk.Dugdale(WORK, strength)
@@ -74,6 +75,7 @@ def test_equal_layers_are_a_half_space(strength):
     np.testing.assert_allclose(ours.depth, theirs.depth, rtol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("radius", "outer", "stress"),
     [(0.5, 0.7, 0.3), *(pytest.param(*each, marks=pytest.mark.slow) for each in ((3.0, 3.4, 2.0), (1e-9, 0.8, 0.1)))],
@@ -134,6 +136,7 @@ def graded(base):
     return wk.ExponentialGrading(1e6, base, depth_scale=THICKNESS, poisson=0.4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radius", [pytest.param(0.0, marks=pytest.mark.slow), 4e-5])
 def test_a_body_that_is_hardly_graded_is_a_half_space(radius):
     law = wk.Dugdale(WORK, 2e4)

@@ -424,6 +424,7 @@ def test_a_spot_between_unlike_platings_has_no_single_temperature():
     assert like.middle_temperature == like.edge_temperature == like.contact_temperature
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radius", [1e-6, 5e-6, 40e-6])
 def test_the_first_body_has_the_part_of_the_heat_that_its_resistivity_has_of_the_resistance(radius):
     """R is least for the current as it flows, so that its derivative by one body's resistivity is that body's heat."""

@@ -14,6 +14,7 @@ COATED = wk.Foundation(wk.Paraboloid(10e-3), wk.CoatedHalfSpace([wk.Layer(CARBON
 DEPTH, LAW = 2e-6, wk.Coulomb(0.3)
 
 
+@pytest.mark.slow
 def test_at_a_steady_depth_it_is_the_damping_of_friction():
     aside = np.array([0.2e-6, 2e-6])
     cycle = wk.BimodalDamping(COATED, LAW, DEPTH, 0.0, aside, 0.4).solve()

@@ -94,7 +94,7 @@ def test_indentation_to_and_fro_keeps_account(name, ratio):
     assert np.all(result.stored_energy >= 0.0)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=1)
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_sudden_depths_and_forces_keep_account(ratio):
     solid = solids(ratio)["standard solid"]
@@ -122,7 +122,7 @@ def test_a_body_that_is_dragged_keeps_account(name, ratio):
     assert result.dissipation == pytest.approx(result.friction_loss + result.bulk_loss, rel=1e-14)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=1)
 @pytest.mark.parametrize("ratio", [1e-20, 1e-3, 1.0, 1e4, 1e20])
 def test_what_an_impact_takes_is_stored_or_lost(ratio):
     solid = solids(ratio)["standard solid"]
@@ -203,8 +203,7 @@ class Rooted:
 LAWS = [wk.Coulomb(0.3), wk.Coulomb(math.inf), wk.StaticKinetic(0.5, 0.3), Rooted()]
 
 
-@pytest.mark.few(4)
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("law", LAWS, ids=["Coulomb", "rough", "static", "own"])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_springs_on_random_paths_balance_energy(law, profile):
@@ -252,8 +251,7 @@ def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
     assert result[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * track, 0.3 * track, track])), rel=1e-9)
 
 
-@pytest.mark.few(1)
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("coefficient", [math.inf, 0.3])
 @pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
 def test_torsion_on_a_random_path_balances_energy(profile, coefficient):

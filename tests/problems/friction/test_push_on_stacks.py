@@ -37,6 +37,7 @@ def on_weave():
     return pushed(wk.StackedHalfSpace([wk.StackLayer(WEAVE, 0.04), wk.Layer(GLASS, 0.03)], on=SOFT)).solve()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "medium",
     [
@@ -100,6 +101,7 @@ def test_a_grading_slips_as_ever_thinner_layers():
     np.testing.assert_allclose((4.0 * known[2] - known[1]) / 3.0, wanted, rtol=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solve", [on_weave, pytest.param(on_grading, marks=pytest.mark.slow)])
 def test_rings_that_slide_bear_their_own_pressure_and_others_stand(solve):
     solution = solve()
@@ -123,7 +125,7 @@ def test_rings_that_slide_bear_their_own_pressure_and_others_stand(solve):
     assert force == pytest.approx(state.shear_force, rel=1e-4 if graded else 1e-6)
 
 
-@pytest.mark.few(1, slow=2)
+@pytest.mark.few(1, slow=1)
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @pytest.mark.parametrize("solve", [on_weave, on_grading])
 def test_no_history_gains_energy(solve, seed):
@@ -142,7 +144,7 @@ def test_no_history_gains_energy(solve, seed):
         assert np.all(loop.stored_energy >= -1e-12 * most)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("solve", [on_weave, on_grading])
 def test_a_loop_as_by_boundary_elements(solve):
     """Tractions of both directions on 97 x 97 pixels, without rings."""
@@ -156,6 +158,7 @@ def test_a_loop_as_by_boundary_elements(solve):
     assert lost < 1e-2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("solve", [on_weave, pytest.param(on_grading, marks=pytest.mark.slow)])
 def test_damping_and_heat_are_those_of_the_loop(solve):
     bed, unit = solve().problem.bed, float(solve().shift[1])

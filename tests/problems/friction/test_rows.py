@@ -62,6 +62,7 @@ def test_rings_of_equal_layers_as_springs_by_gap(seed, normal, lateral):
     assert max(missed(rings, exact).values()) < POINTS * CURVED_STEP_TOLERANCE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_springs_one_by_one_as_springs_by_gap(seed):
     path = path_of(seed, wk.Depth, wk.Shift, 12)

@@ -101,7 +101,7 @@ def brute(points, bound, gap, count):
 PATH = [(1.0, 0.0), (1.0, 0.4), (1.4, 0.1), (0.7, -0.2), (0.3, 0.3), (1.1, 0.9), (1.2, -0.5), (-0.2, 0.1), (0.6, 0.25)]
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("bound", [0.25, 0.8, 2.0])
 def test_every_spring_is_where_small_steps_bring_it(bound):
     gap = np.linspace(0.0, 1.5, 601)[1:] - 1e-4

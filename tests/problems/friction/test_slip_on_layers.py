@@ -49,7 +49,7 @@ def steady(bed, law, values, lateral):
     return wk.Path(time, wk.Depth(np.full(time.size, D)), lateral(values)), law
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", LAYERS)
 @pytest.mark.parametrize("order", [1, 0])
 def test_partial_slip_by_least_energy_inside_the_stick_zone(name, order):

@@ -61,6 +61,7 @@ def test_theory_numbers_of_unloading():
     np.testing.assert_allclose(trace.shear_force[1:], expected, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_mindlin_deresiewicz_loss_per_cycle():
     """y = Q/(mu F) = 0.6: W a G*/(mu F)^2 = 0.0410573844465, by the shear force itself."""
     turns = 0.6 * MU * FORCE * np.array([0.0, 1.0, -1.0, 1.0, -1.0, 1.0])

@@ -50,7 +50,7 @@ def ring(inner, outer, nodes=40):
 ANGLES = 0.25 * np.pi * np.arange(8)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("young", "index"), [(2.1e12, 2), (21e9, 2)])
 def test_a_cylinder_cut_out_of_the_stack_is_in_balance(young, index):
     """What friction drags on its top passes through its wall and its bottom; the bottom lies in the base."""
@@ -71,6 +71,7 @@ def test_a_cylinder_cut_out_of_the_stack_is_in_balance(young, index):
     assert abs(wall / state.shear_force) > 0.1
 
 
+@pytest.mark.slow
 def test_the_surface_bears_the_traction_and_the_other_body_its_opposite():
     state = pushed(wk.CoatedTangential, coated(60e9, wk.Elastic(70e9, 0.2))).at(2)
     x = np.array([-0.9, -0.3, 0.2, 0.6, 0.97, 1.4]) * state.radius

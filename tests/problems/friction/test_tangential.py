@@ -259,6 +259,7 @@ def test_graded_media_are_exact_too(exponent):
 points = st.lists(st.tuples(st.floats(-0.1, 0.6), st.floats(-0.6, 0.6)), min_size=2, max_size=8)
 
 
+@pytest.mark.slow
 @given(points)
 @settings(max_examples=25, deadline=None)
 def test_no_history_creates_energy_or_more_traction_than_friction(history):

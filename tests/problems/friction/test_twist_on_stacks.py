@@ -49,6 +49,7 @@ def test_isotropic_layers_twist_as_those_of_a_coated_half_space():
     same(twisted(stack, 0.05).solve(), twisted(coated, 0.05).solve(), 1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("a", [0.1, 5.0])
 def test_a_layer_that_slides_is_a_sheet_held_far_away(a):
     """The kernel of a free plate is a digamma function, but for a constant; wide discs turn the sheet at their rim."""
@@ -78,6 +79,7 @@ def test_a_sheet_of_two_layers_by_least_energy(stiffer):
     assert found == pytest.approx(twist_stiffness(nearly_free, 0.04), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_partial_slip_on_a_sheet_by_least_energy_inside_the_stick_zone():
     film = wk.SlidingFilm([wk.Layer(GLASS, 0.02)], on=SOFT)
     problem = twisted(film, 0.04, (0.0, 0.8))

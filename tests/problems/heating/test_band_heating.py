@@ -46,6 +46,7 @@ def greatest(body, speed):
         return float(low), rise(body, speed, low)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [0.024, 24.0])
 def test_temperatures_are_jaegers(speed):
     """Pe = 0.1 and 100: along x, the greatest one and its place, the mean as a mean of the closed form."""
@@ -93,6 +94,7 @@ def test_a_slow_body_warms_with_the_logarithm():
     assert band.first_mean_temperature / unit == pytest.approx(np.log(1.0 / peclet) - np.euler_gamma + 1.5, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_two_bodies_share_the_heat():
     """Blok's rule: both are as warm, 1/T = 1/T1 + 1/T2 of what each has alone by mpmath; so are the means."""
     ones = [float(greatest(body, speed)[1]) for body, speed in ((STEEL, 6.0), (BRASS, 4.0))]

@@ -107,6 +107,7 @@ def coated(solid, path, thickness=50e-6):
     return wk.FrettingHeat(wk.CoatedTangential(bed, wk.Coulomb(MU), path), 50.0, PAIR).solve()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("young", [pytest.param(420e9, marks=pytest.mark.slow), 42e9], ids=["hard", "soft"])
 def test_traction_times_slip_on_a_coating_is_the_loss_of_the_springs(young):
     """The area of the loop, from the memory of the springs; the same over the surface, ring by ring."""
@@ -119,6 +120,7 @@ def test_traction_times_slip_on_a_coating_is_the_loss_of_the_springs(young):
     assert np.max(warm.flux.at(np.linspace(0.0, 0.999 * stick, 20))) < 1e-9 * 50.0 * loop / stick**2
 
 
+@pytest.mark.slow
 def test_a_coating_of_the_same_solid_is_as_warm_as_a_half_space():
     path = wk.Path.oscillation(force=FORCE, amplitude=1e-6, cycles=2, count=8)
     one = coated(STEEL, path)

@@ -241,6 +241,7 @@ def starting(time, **others):
     return wk.TransientHeating(law=wk.Coulomb(0.3), time=time, **given).solve()
 
 
+@pytest.mark.slow
 def test_a_contact_that_begins_to_rub():
     settling = RADIUS**2 / IRON.diffusivity
     times = settling * np.array([1e-6, 1.0, 1e8])

@@ -49,7 +49,7 @@ def test_a_band_is_a_sum_of_line_sources(wave, x):
         assert source.surface(-wave, np.array([-x]))[0] == pytest.approx(wanted, rel=1e-8)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     "profile", [wk.Cone(1.55), wk.RoundedPunch(1e-3, 0.1), wk.FlatPunch(1e-3), wk.PowerLaw(1e6, 4.0)]
 )

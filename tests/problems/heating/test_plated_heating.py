@@ -46,6 +46,7 @@ def impedance(k, rate, layers, base):
 STACK = ((COAT, 0.2 * A), (DEEP, 0.1 * A))
 
 
+@pytest.mark.slow
 def test_a_ball_that_slides_over_two_platings_warms_them_by_a_double_fourier_integral():
     """Greatest and mean temperature under Hertz' flux."""
     body = wk.Plated(COAT, STACK[0][1], wk.Plated(DEEP, STACK[1][1], BASE))

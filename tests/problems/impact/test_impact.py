@@ -117,7 +117,7 @@ MAW = [
 ]
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize(("before", "after"), MAW, ids=[f"psi {row[0]}" for row in MAW])
 def test_the_oblique_impact_of_a_ball(before, after):
     """The angles of incidence and reflection of Maw, Barber and Fawcett, psi = (G*/E*) w / (mu v), at nu = 0.3."""
@@ -128,6 +128,7 @@ def test_the_oblique_impact_of_a_ball(before, after):
     np.testing.assert_allclose(hit.balance, 1.0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_gross_slip_begins_where_it_should():
     """Beyond psi = 4 chi - 1, chi = (7/4)(G*/E*), the ball slides throughout and psi falls by 4 chi."""
     coefficient, chi = 0.25, 1.75 * ratio(0.3)
@@ -181,7 +182,7 @@ SPRINGS = {
 }
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize(("coefficient", "part"), [(0.05, 2.2), (0.4, 0.5), (0.4, 2.2), (3.0, 0.5), (math.inf, 0.5)])
 @pytest.mark.parametrize("shape", SPRINGS)
 def test_plain_springs_agree(shape, coefficient, part):

@@ -27,7 +27,7 @@ def hit(speed: float, bed=BALL, law=ShortRange(WORK), **more) -> object:  # noqa
     return AdhesiveImpact(bed, law, MASS, speed, **({"count": 41} | more)).solve()
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("part", [1.0001, 1.2, 2.0, 10.0, 300.0])
 def test_a_ball_leaves_with_what_snap_in_and_pull_off_have_left(part):
     impact = hit(part * STICKING)

@@ -30,6 +30,7 @@ def stiffnesses(mean=True):
     return normal, float(np.sum(table.weights)) * table.modulus
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mean", [True, False])
 def test_a_flat_punch_that_sticks_swings_along_the_surface(mean):
     """It is pressed for half a period, and swings sideways with sqrt(kappa k_x); what it holds at the end is lost."""
@@ -43,6 +44,7 @@ def test_a_flat_punch_that_sticks_swings_along_the_surface(mean):
     assert thrown.restitution == pytest.approx(1.0, abs=1e-10)
 
 
+@pytest.mark.slow
 def test_a_punch_that_sticks_to_a_body_graded_in_depth_swings_along_the_surface():
     graded = wk.DepthGradedHalfSpace(wk.ExponentialGrading(100e9, 300e9, depth_scale=1e-4, poisson=0.3))
     punch, place = wk.Foundation(wk.FlatPunch(FLAT), graded), np.array([FLAT])
@@ -87,6 +89,7 @@ CASES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids=str)
 def test_a_layer_of_the_same_solid_is_a_half_space(case):
     """The march without a grid on a half-space; errors fall with the square of rings and steps."""

@@ -34,7 +34,7 @@ class Pressed:
         self.normal, _ = free_rings.matrix(lambda xi: free_rings.normal_compliance(layer, on, xi), layer[2], self.edges)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("softer", "wide", "slow", "heavy", "off"),
     [

@@ -52,7 +52,7 @@ def test_the_edge_releases_the_work_of_adhesion_by_another_derivation(contrast, 
     assert contact.energy_release_rate == pytest.approx(WORK, rel=1e-13)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_an_attraction_ends_where_the_surfaces_stand_apart_by_its_range(contrast, a):
@@ -90,6 +90,7 @@ def test_layers_of_one_solid_stick_as_a_half_plane(law):
     assert layered.approach(first=5.0) == pytest.approx(plain.approach(5.0), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_under_a_thin_layer_the_base_decides():
     """The load goes to that on the base as h ln h, though the stress intensity is that of the layer."""
     base = stuck(wk.LineFoundation(CYLINDER, wk.HalfSpace(solid(10.0))), wk.HalfWidth(1.0)).force_per_length

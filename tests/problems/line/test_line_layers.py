@@ -148,6 +148,7 @@ def test_a_thin_film_that_slides_is_a_row_of_springs(ratio):
     assert contact.peak_pressure == pytest.approx(0.5 * ratio**2, rel=1.0 / ratio)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("softer", [0.0, 2.0])
 def test_stresses_in_a_film_that_slides_on_its_base(softer):
     """No shear on the interface, what bears there holds the load up, and both faces of it bear the same."""
@@ -350,7 +351,7 @@ def test_stresses_under_a_sliding_strip_are_in_equilibrium_and_continuous():
     np.testing.assert_allclose(on[2], -contact.pressure(along), atol=1e-11)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("base", [wk.Elastic(0.91, 0.3), wk.Elastic(3.0, 0.2)])
 def test_thin_layers_under_a_sliding_strip_take_the_strain_of_the_base(base):
     """What is left of the limit halves with the thickness; the strain is that of a half-plane under p and mu p."""
@@ -387,6 +388,7 @@ def test_no_place_of_a_stressed_coating_is_beyond_its_strength_at_onset(strength
     assert float(contact.stresses(onset.x, onset.z, mu).von_mises) == pytest.approx(strengths[part], rel=1e-8)
 
 
+@pytest.mark.slow
 def test_the_greatest_stress_of_a_deep_layer_lies_far_beside_a_narrow_strip():
     """A soft layer between stiff ones: 3.5 half-widths beside the middle, on a grid apart from the search."""
     solids = (wk.Elastic(3.4, 0.0), wk.Elastic(1.5, 0.5, strength=0.0251), wk.Elastic(97.0, 0.0))

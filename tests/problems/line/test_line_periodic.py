@@ -192,7 +192,7 @@ def test_refusals_are_one_sentence():
         pressed(WAVE + wk.Wavy(0.5 * AMPLITUDE, PITCH / 5.0), wk.NominalPressure(0.3 * CLOSURE))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("pitch", [1e-3, 1.5e-3, 2e-3])
 def test_a_designed_parabola_is_a_paraboloid(pitch):
     """Two panels of f' = 50 r: valleys at a joint, between joints, and at the end of what is known."""

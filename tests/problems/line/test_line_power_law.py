@@ -43,6 +43,7 @@ def sunk(contact, x, a):
     return line * (side(1.0) + side(-1.0))
 
 
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("k", [-0.4, 0.05, 0.5, 0.9])
 @pytest.mark.parametrize("shape", ["cylinder", pytest.param("rounded", marks=pytest.mark.slow)])
 def test_the_surface_follows_the_body(k, shape):

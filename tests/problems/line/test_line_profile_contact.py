@@ -165,6 +165,7 @@ def test_refined_strips_are_those_of_line_loads_summed(force):
     np.testing.assert_allclose(found.separation(x), apart[:-1] - apart[-1], rtol=0.0, atol=1e-5 * 1e-6)
 
 
+@pytest.mark.slow
 def test_elements_come_close_to_refined_strips():
     found = pressed(ROUGH, 3e-6)
     changes = []
@@ -186,7 +187,7 @@ def test_a_force_off_the_middle_tilts_the_body():
     np.testing.assert_allclose(again.edges, found.edges, rtol=1e-10)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("place", [0.2, 0.45, 0.71])
 def test_a_free_cylinder_rolls_to_the_force(place):
     """x - m = theta R: however narrow the contact is, it moves along under the force."""

@@ -74,7 +74,7 @@ def test_two_strips_by_another_discretisation(contrast, share):
         (wk.PunchRow([-1.0, 0.2], [-0.3, 1.0], [0.0, 0.002]), 0.03, wk.Tilt(0.0)),
     ],
 )
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_gaps_are_those_of_line_loads_summed(contrast, section, force, alignment):
     """Corners, walls and a free tilt: h = f - theta x - u, u from the pressures by their own quadrature."""

@@ -121,7 +121,7 @@ def test_edges_that_slip_back_are_those_of_other_elements(shears, bulks):
     assert state.dissipation_per_length == pytest.approx(march.lost, rel=1e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_steady_state_sticks_as_andresen_and_others_say(sign):
     """All of P, Q and the bulk stress oscillate: the means of P less dQ/(2 mu) bears what sticks, tilted by d sigma."""

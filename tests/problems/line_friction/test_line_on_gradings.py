@@ -36,7 +36,7 @@ def test_loads_are_those_of_singular_integral_equations(contrast, a, expected):
     assert load(graded(contrast), a) == pytest.approx(expected, rel=2e-6)
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_a_cylinder_slips_as_singular_integral_equations_say(contrast, a):
@@ -54,6 +54,7 @@ def test_a_cylinder_slips_as_singular_integral_equations_say(contrast, a):
     assert found.dissipation_per_length[-1] == pytest.approx(MU**2 * expected.loss(), rel=6e-3 if wide else 2e-4)
 
 
+@pytest.mark.slow
 def test_the_base_is_felt_and_a_thin_grading_is_forgotten():
     """At a = 3 depth scales, and towards a half-plane of the deep body by as much as the grading is thick."""
     assert load(graded(0.1), 3.0) < 0.5 * load(graded(0.5), 3.0)
@@ -70,6 +71,7 @@ def test_a_body_that_does_not_change_is_a_half_plane():
     assert load(graded(1.0), 2.0) == pytest.approx(load(plain, 2.0), rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_the_tolerance_bounds_what_a_line_bears(contrast):
     finest = load(graded(contrast, tolerance=1e-7), 1.0)
@@ -125,6 +127,7 @@ class Ghost:
     )
 
 
+@pytest.mark.slow
 def test_a_grading_of_no_family_gives_the_same_numbers():
     known = graded(10.0)
     ghost = wk.LayeredLineFoundation(CYLINDER, Ghost(known.medium))

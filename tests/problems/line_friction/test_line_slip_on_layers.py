@@ -63,6 +63,7 @@ def test_shear_does_not_follow_the_compliance_to_pressures():
     assert found.stick_half_width[-1] / 10.0 > 0.72  # sqrt(0.49) on a half-plane
 
 
+@pytest.mark.slow
 def test_layers_of_one_solid_slip_as_a_half_plane():
     """Without layers every path has a sum of earlier contacts, also while the normal force changes."""
     path = wk.LinePath([1.0, 1.0, 1.4, 0.9], [0.0, 0.2, -0.1, 0.05])
@@ -167,7 +168,7 @@ def test_stresses_inside_layers_are_refused_while_a_contact_slips_in_part():
         state.stresses(0.0, 0.1)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("a", [0.3, 3.0, 10.0])
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 def test_heat_of_a_line_that_slides_on_layers(contrast, a):

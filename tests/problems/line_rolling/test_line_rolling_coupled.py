@@ -229,6 +229,7 @@ def test_anisotropic_bodies_are_moved_along_by_their_own_compliance():
     assert begun.steady.longitudinal_creepage == found.longitudinal_creepage
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("beta", "friction", "ratio"), [(0.361, 4.24, -1.45), (-0.265, 14.79, 13.53)])
 def test_rollers_pulled_against_their_coupling_with_much_friction_are_found(beta, friction, ratio):
     """Up to |Q/P| = 13; the search ran in circles.  One zone of slip, and the loss is what drives them."""

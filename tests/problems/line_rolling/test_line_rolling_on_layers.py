@@ -66,7 +66,7 @@ def test_the_creepage_is_carters_only_if_layers_answer_shear_as_pressures():
     assert found / other.creepage == pytest.approx(0.311, abs=1e-3)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("contrast", "a"), LAYERS)
 def test_free_cylinders_creep_as_the_coupling_of_the_layers_says(contrast, a):
     """With hardly any friction, steadily and after some widths: half of the load slips to either side."""
@@ -80,6 +80,7 @@ def test_free_cylinders_creep_as_the_coupling_of_the_layers_says(contrast, a):
     assert begun.solve().longitudinal_creepage[-1] == pytest.approx(expected, rel=5e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("used", [0.0, -0.5])
 def test_pressure_and_traction_on_layers_satisfy_the_integral_equations(used):
     """With an elastic second body: half-planes by logarithms of straight pieces, layers by matrix exponentials."""
@@ -146,6 +147,7 @@ def test_layers_of_one_solid_roll_as_a_half_plane(coupled):
     np.testing.assert_allclose(layered.loss_per_area, half.loss_per_area, rtol=close)
 
 
+@pytest.mark.slow
 def test_the_substrate_is_felt_and_decides_under_a_thin_layer():
     """At a / h = 3 a base ten times as soft; what differs from the base's own half-plane falls as h ln(1/h)."""
 
@@ -238,6 +240,7 @@ def test_a_layer_that_slides_is_rolled_away(sliding):
         wk.LineRollingStart(bed, wk.Coulomb(MU), wk.LineShearForce(0.0), wk.LineForce(0.1), distance=1.0)
 
 
+@pytest.mark.slow
 def test_notes_and_fields_of_a_cylinder_that_rolls_on_layers():
     strong = wk.Elastic(2.0 * SHEAR * (1.0 + NU), NU, strength=5.0)
     bed = wk.LayeredLineFoundation(CYLINDER, wk.CoatedHalfSpace([wk.Layer(strong, 1.0)], solid(0.1)))

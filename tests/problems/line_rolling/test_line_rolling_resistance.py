@@ -39,7 +39,7 @@ def scaled_exponential_integral(y):
     return np.where(far, series, -np.exp(near) * expi(-near))
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("speed", [1e-3, 0.3, 5.0, 300.0])
 def test_the_pressure_solves_the_integral_equation(speed):
     """2 int p(s) [C_0/(x - s) + sum C_k/(v lambda_k) exp(y) E_1(y)] ds / pi = x/R, y = (x - s)/(v lambda_k)."""

@@ -34,7 +34,7 @@ def test_it_comes_to_carter_with_the_first_order():
     assert begun().steady.longitudinal_creepage == pytest.approx(steady, rel=1e-12)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize(("ratio", "error"), [(1e-6, 6e-3), (1e-2, 6e-3), (0.1, 2e-3), (0.9, 2e-3), (0.999, 6e-3)])
 def test_the_stated_error_holds_from_small_forces_to_sliding(ratio, error):
     steady = 0.3 / 10.0 * ratio / (1.0 + np.sqrt(1.0 - ratio))

@@ -95,7 +95,7 @@ def test_a_dashpot_alongside_lets_go_where_the_elastic_part_bears_the_force():
     assert turn.pressure(x) == pytest.approx(0.5 * root + 0.25 * growth / root, rel=1e-5)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize(
     "profile",
     [
@@ -216,6 +216,7 @@ def test_paths():
         wk.LineForcePath([0.0, 1.0], [0.0, -1.0])
 
 
+@pytest.mark.slow
 def test_refusals():
     with pytest.raises(wk.InvalidInput, match="LineIndentation for bodies that do not relax"):
         wk.LineViscoelasticIndentation(

@@ -71,6 +71,7 @@ def collocated(contrast, half_width, thickness, count=120):
     return float(shares @ np.linalg.lstsq(kernel, 0.5 * np.pi * x, rcond=None)[0])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
 @pytest.mark.parametrize("ratio", [0.3, 3.0, pytest.param(10.0, marks=pytest.mark.slow)])
 def test_a_growing_strip_is_the_elastic_one_of_the_load_that_crept(contrast, ratio):

@@ -106,7 +106,7 @@ def test_the_body_that_made_the_curve_comes_back_from_layers(name, profile):
     np.testing.assert_allclose(body.height(r), profile.height(r), atol=3e-6 * profile.height(r[-1:])[0])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("name", "wish"), [("hard", "mixed powers"), ("film", "stiffening"), ("soft", "flat end")])
 def test_pressed_again_into_layers(name, wish):
     """To 1e-8 of the greatest force."""

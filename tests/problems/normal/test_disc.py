@@ -47,8 +47,9 @@ NOT_ALWAYS_DISCS = NEVER_DISCS | {
 COSTLY = {"a hill that falls back to zero"}
 
 
+@pytest.mark.few(4, slow=4)
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.slow if name in COSTLY else ()) for name in BODIES]
+    "name", [pytest.param(name, marks=pytest.mark.long if name in COSTLY else ()) for name in BODIES]
 )
 def test_against_rings(name):
     profile, widest, reach = BODIES[name]

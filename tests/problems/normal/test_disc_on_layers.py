@@ -38,7 +38,7 @@ def pushes(bed: wk.Foundation, a: float) -> bool:
     return bool(np.min(pressure) > 0.0)
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("medium", "shape", "a", "disc"),
     [
@@ -63,7 +63,7 @@ def test_the_verdict_on_hard_coatings(medium, shape, a, disc):
         wk.Indentation(bed, wk.Radius(a)).solve()
 
 
-@pytest.mark.few(0, slow=6)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize(
     ("young", "a"),
     [(10.0, 0.5), (10.0, 2.0), (10.0, 20.0), (1e2, 0.1), (1e2, 1.0), (1e2, 5.0), (1e3, 0.5), (1e3, 2.0), (1e4, 0.1),

@@ -59,7 +59,7 @@ def test_orthogonal_shear_of_a_line():
     assert place.z / contact.lateral_semi_axis == pytest.approx(0.5, abs=1e-5)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("friction", [0.1, 0.25, 0.5])
 def test_sliding_circle_and_line(friction):
     """The circle slides alike in all directions, as the ball; across its long axis an endless ellipse is a cylinder."""

@@ -216,6 +216,7 @@ def test_friction_on_a_bonded_stack_is_that_on_a_coating():
     assert said[1].standing is wk.Standing.EXACT
 
 
+@pytest.mark.slow
 def test_friction_on_layers_is_known_and_so_are_wide_contacts():
     medium = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-4)], on=wk.Elastic(E, NU))
     bed = wk.Foundation(wk.Paraboloid(R), medium)
@@ -242,7 +243,7 @@ def test_attraction_without_range():
     assert ranged.standing is wk.Standing.EXACT
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("pressure", "standing"),
     [(1.7, wk.Standing.OUTSIDE), (1.2, wk.Standing.ASYMPTOTIC), (0.15, wk.Standing.ASYMPTOTIC)],
@@ -314,7 +315,7 @@ def test_bodies_that_relax(medium):
     assert statement(tested).statement.startswith("The onset of yield is not known because the stresses in bodies that")
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("profile", [wk.FlatPunch(1e-3), wk.Cone(1.3), wk.TruncatedCone(1.3, 1e-4)])
 def test_sharp_places(profile):
     """Infinite there whatever the strength; what is beyond a tenth of the contact radius decides."""

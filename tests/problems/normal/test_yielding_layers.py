@@ -20,6 +20,7 @@ def coated(young, thickness, layer=Y, base=Y):
     return wk.Foundation(wk.Paraboloid(R), wk.CoatedHalfSpace(stack, on=wk.Elastic(E, 0.3, strength=base)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("thickness", "part"), [(1e-4, "layer 1"), pytest.param(2e-5, "body under the layers", marks=pytest.mark.slow)]
 )
@@ -109,13 +110,13 @@ def test_a_stress_that_is_not_found_says_at_which_radius(monkeypatch):
         wk.YieldOnset(coated(E, H)).solve()
 
 
-@pytest.mark.slow
-def test_a_base_that_yields_far_below_a_stiff_layer():
+@pytest.mark.parametrize("places", [pytest.param(12, marks=pytest.mark.slow), pytest.param(60, marks=pytest.mark.long)])
+def test_a_base_that_yields_far_below_a_stiff_layer(places):
     """An incompressible base under a layer a million times as stiff: nowhere on the axis more than its strength."""
     base = wk.Elastic(1e3, 0.5, strength=10.0)
     bed = wk.Foundation(wk.Paraboloid(100.0), wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1.0)], on=base))
     found = wk.YieldOnset(bed).solve()
-    z = np.concatenate([np.geomspace(1.001, 300.0, 60), [found.z]])
+    z = np.concatenate([np.geomspace(1.001, 300.0, places), [found.z]])
     springs = wk.Indentation(bed, wk.Depth(found.depth)).solve().pressed
     stress = bed.medium.interior(springs, np.zeros(z.size), z, below=True)
     mises = np.abs(stress.axial_stress - stress.radial_stress)

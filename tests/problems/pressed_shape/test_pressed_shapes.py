@@ -67,6 +67,7 @@ def compared_with_the_round_engine(medium, radius=0.1):
     return as_stated(found, exact, edges | {f"{name}_semi_axis": radius for name in ("longitudinal", "lateral")})
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", MEDIA)
 def test_a_ball_on_each_medium_is_that_of_the_round_engine(name):
     assert compared_with_the_round_engine(MEDIA[name]) == []
@@ -112,6 +113,7 @@ def test_pressures_under_an_ellipse_sink_it_as_matrix_exponentials_do(contrast, 
     assert float(np.sum(fine.pressure) * math.prod(fine.pixel)) == pytest.approx(load, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_force_is_the_slope_of_the_energy_and_the_stiffness_that_of_the_force():
     """Two depths beside each other: dF/dd by their difference is the stiffness of the punch."""
     medium = coated(5.0, 0.02)
@@ -125,6 +127,7 @@ def test_the_force_is_the_slope_of_the_energy_and_the_stiffness_that_of_the_forc
     assert back.pressure(1.02 * back.longitudinal_semi_axis, 0.0) == 0.0
 
 
+@pytest.mark.slow
 def test_the_base_is_felt_and_a_thin_layer_is_none():
     """Ten per cent of the base at a/h = 3; the difference from the base's half-space falls with the thickness."""
     load = Force(1e-4)
@@ -152,6 +155,7 @@ def test_depth_and_pressure_converge_with_the_square_of_the_pixels():
     assert edge_error(levels[2], levels[3], (0.0,)) < 0.01
 
 
+@pytest.mark.slow
 def test_a_nearly_round_body_is_the_ellipse_that_it_is():
     """32 profiles of the paraboloid against the ellipse; off the axes the contour too."""
     medium = coated(0.1, 0.03)

@@ -51,7 +51,7 @@ def manchester(shared_data):
     return placed
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("case", [1, 2, 3, 4, 5])
 def test_forces_of_a_wheel_are_those_of_contact(manchester, case):
     """Five positions, placed by the profiles alone; friction of the mirror image changes its sign across.
@@ -77,6 +77,7 @@ def test_forces_of_a_wheel_are_those_of_contact(manchester, case):
     assert found.saturation[0] == pytest.approx(1.0, abs=3e-3)
 
 
+@pytest.mark.slow
 def test_a_wheel_that_rolls_freely_is_that_of_contact(manchester):
     """The first position.  CONTACT takes slip of a plane; on the arc radii of wheel and rail differ by 0.1 mm.
 
@@ -100,7 +101,7 @@ def test_a_wheel_that_rolls_freely_is_that_of_contact(manchester):
     assert rolled.stick_share[0] == pytest.approx(row["stick_share"], abs=0.04)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(
     ("radius", "creep", "power", "sticks"),
     [
@@ -256,6 +257,7 @@ def test_refusals():
         wk.ProfilePairRolling(wall, wk.Coulomb(0.6), lateral_drift=0.4).solve()
 
 
+@pytest.mark.slow
 def test_friction_that_falls_with_the_velocity_of_slip():
     """In full slip F_x = mu(V xi) F_N: what displacements add to the slip vanishes on average (Betti)."""
     falling = wk.FallingFriction(0.4, 0.16, velocity=1.0)
@@ -279,6 +281,7 @@ def test_friction_that_falls_with_the_velocity_of_slip():
         wk.ProfilePairRolling(partly, falling, speed=1e6).solve()
 
 
+@pytest.mark.slow
 def test_few_pixels_state_an_error():
     """With 16 pixels along a side there is no coarser grid: the error came out as zero."""
     y = np.linspace(-4e-3, 4e-3, 81)

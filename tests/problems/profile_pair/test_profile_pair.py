@@ -235,6 +235,7 @@ def test_refusals():
 RATIOS = [(0.1, 3.0), (10.0, 0.3), (0.1, 0.3), (0.1, 10.0), (10.0, 3.0), (10.0, 10.0)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("contrast", "ratio"), [pytest.param(*pair, marks=[pytest.mark.slow] if n else []) for n, pair in enumerate(RATIOS)]
 )

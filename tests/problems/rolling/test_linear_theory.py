@@ -32,7 +32,7 @@ def test_a_circle_without_poisson_s_ratio():
     assert found.error < 1e-5
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("ratio", "nu"), [(0.1, 0.0), (0.5, 0.25), (1.0, 0.5), (3.0, 0.3), (10.0, 0.0)])
 def test_the_error_is_an_upper_one(ratio, nu, monkeypatch):
     """Beside four times as many polynomials."""

@@ -99,6 +99,7 @@ class TestStart:
         assert np.all(np.diff(begun.shear_force[:6]) > 0.0)
         assert begun.shear_force[-1] == pytest.approx(begun.steady.longitudinal_force, rel=1e-5)
 
+    @pytest.mark.slow
     def test_order(self):
         """The error falls by more than ten for five times as many springs, over several places."""
         fine = start(0.5, 0.3 * MU * FORCE, count=12_800).solve().shear_force

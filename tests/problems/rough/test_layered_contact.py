@@ -63,7 +63,7 @@ def beside(line, count):
     return float(wk.restore(line, np.array([SIDE / count / math.sqrt(2.0)])).pressure[0])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("medium", [STIFF, SOFT, RUBBER], ids=["stiff", "two", "rubber"])
 def test_a_ball_bears_what_its_springs_bear(medium):
     force, line, middle = forces(96, "ball", medium)
@@ -95,7 +95,7 @@ def test_the_force_converges_with_second_order():
     assert -np.polyfit(np.log((32, 64, 128)), np.log(errors), 1)[0] > 1.6
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("shape", ["ball", "cone"])
 @pytest.mark.parametrize("medium", [STIFF, SOFT, RUBBER, GRADED], ids=["stiff", "two", "rubber", "graded"])
 def test_512_pixels_are_within_a_ten_thousandth(medium, shape):
@@ -169,7 +169,7 @@ def active_set(compliance, heights, load):
     raise AssertionError("the active set went in circles")
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("layers", "base"), STACKS[:3])
 def test_a_wave_in_partial_contact(layers, base):
     """Westergaard's wave on layers: against a dense active set with compliances by the transfer matrix."""

@@ -82,7 +82,7 @@ def test_a_system_that_does_not_report_its_memory_is_trusted(monkeypatch, tmp_pa
     assert math.isinf(free_memory.free_memory())
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("periodic", [True, False])
 def test_a_million_pixels_are_solved_to_what_is_stated(periodic):
     """Checked in double digits by transforms of the test's own; the solver's steps are in single ones."""

@@ -37,6 +37,7 @@ def compliance(q, contrast, thickness):
     return 2 * (1 - first**2) / (contrast * q) * bent
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("contrast", "thickness", "mean"), [(4e3, 0.01, 1.0), (1e6, 0.003, 3.0)])
 def test_a_periodic_map_meets_a_dense_quadratic_programme(contrast, thickness, mean):
     """Lawson and Hanson's active set on all pixels, with compliances of another derivation."""
@@ -93,7 +94,7 @@ def love(count):
     return (corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]) / np.pi
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("periodic", [True, False])
 @pytest.mark.parametrize(("contrast", "thickness", "mean"), [(3e3, 0.02, 20.0), (1e6, 0.003, 20.0), (1e6, 0.02, 1e3)])
 def test_contrasts_up_to_a_million_are_solved(periodic, contrast, thickness, mean):

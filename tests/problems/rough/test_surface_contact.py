@@ -198,6 +198,7 @@ FREE = ["0.0005", "0.001", "0.002", "0.005", "0.01", "0.02", "0.05", "0.1", "0.2
 CLOSING = ["0.002", "0.005", "0.01", "0.02", "0.05", "0.1", "0.2", "0.4"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loads", [["0.005"], pytest.param(FREE, marks=pytest.mark.slow)], ids=["one", "all"])
 def test_a_rough_stamp_of_another_code(shared_data, loads):
     """Tamaas on 512 x 512 pixels: depth, area with the edge taken off, stiffness by its differences."""

@@ -69,6 +69,7 @@ def test_the_worst_state_of_a_history_decides(name):
     assert f"of {len(shares)}, the worst of those" in note.statement
 
 
+@pytest.mark.slow
 def test_yield_that_has_passed_is_stated():
     """The last state alone is elastic; the greatest shear before it was not."""
     problem = loaded_and_unloaded()

@@ -91,7 +91,9 @@ def test_short_range_is_an_exponential_law(tabor, count, error):
     assert any(f"Tabor number of {tabor:g}" in note.statement for note in found.validity)
 
 
-@pytest.mark.parametrize("count", [128, pytest.param(256, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "count", [pytest.param(128, marks=pytest.mark.slow), pytest.param(256, marks=pytest.mark.long)]
+)
 def test_pull_off_without_range_is_that_of_jkr(count):
     """3/2 pi R w, of a ball off the middle of its pixels; on 256 its shortest range has a Tabor number of 5."""
     work, tabor = 1e-6, 5.0 * math.sqrt(count / 256.0)

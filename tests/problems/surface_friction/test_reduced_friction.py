@@ -63,12 +63,12 @@ def differences(found, shares):
 @pytest.mark.parametrize(
     ("name", "count", "poisson"),
     [
-        pytest.param("ball", 41, 0.3, marks=pytest.mark.slow),
+        pytest.param("ball", 41, 0.3, marks=pytest.mark.long),
         pytest.param("ellipse", 41, 0.3, marks=pytest.mark.slow),
-        pytest.param("ellipse", 63, 0.5, marks=pytest.mark.slow),
-        pytest.param("square of nine balls", 63, 0.3, marks=pytest.mark.slow),
+        pytest.param("ellipse", 63, 0.5, marks=pytest.mark.long),
+        pytest.param("square of nine balls", 63, 0.3, marks=pytest.mark.long),
         pytest.param("rough", 63, 0.3, marks=pytest.mark.slow),
-        pytest.param("rough", 95, 0.5, marks=pytest.mark.slow),
+        pytest.param("rough", 95, 0.5, marks=pytest.mark.long),
     ],
 )
 def test_the_error_is_as_stated_at_other_shear_forces(name, count, poisson):
@@ -92,6 +92,7 @@ def test_the_error_is_that_of_the_same_loop(found):
     assert share[4] == pytest.approx(0.9, rel=1e-2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ellipse", pytest.param("ball", marks=pytest.mark.slow)])
 def test_without_poissons_ratio_the_springs_are_right(name):
     """Cattaneo, Mindlin, Ciavarella, Jaeger: without Poisson's ratio bodies slip along the shear, of any shape."""
@@ -127,7 +128,7 @@ def test_friction_that_does_not_slip_or_does_not_bear_is_refused(coefficient):
         ReducedFriction(ball(), pair(0.3), wk.Coulomb(coefficient), 0.05)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("angle", [0.0, 35.0])
 def test_a_depth_that_changes_triples_the_error_of_losses_at_most(angle):
     x, y = square(47)

@@ -199,7 +199,7 @@ def test_dissimilar_bodies_weaken_too():
 SHARP, GENTLE = (wk.LinearSlipWeakening(STATIC, KINETIC, part * FAR) for part in (0.3, 1.0))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("law", "lateral", "sentence"),
     [

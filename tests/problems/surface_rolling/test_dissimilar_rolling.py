@@ -174,6 +174,7 @@ def test_friction_takes_the_work_of_creepage_and_of_the_resistance_to_rolling():
     assert 0.0 < left[1] < 0.6 * left[0] < 0.1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("drive", [
     wk.ShearForce(8e-8), pytest.param(wk.Creepage(1e-3, 5e-4), marks=pytest.mark.slow),
 ])  # fmt: skip
@@ -226,7 +227,7 @@ def test_what_is_said_of_the_coupling(monkeypatch):
         problem.solve()
 
 
-@pytest.mark.few(1, slow=7)
+@pytest.mark.few(0, slow=3)
 @pytest.mark.parametrize("seed", range(20))
 def test_random_dissimilar_bodies(seed):
     """Any two materials, frictions from a hundredth to two, under loads, depths, forces and moments: all is met."""

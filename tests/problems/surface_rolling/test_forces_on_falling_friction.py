@@ -20,7 +20,7 @@ def rolled(drive, medium=ALIKE, friction=FALLING) -> wk.SurfaceRollingSolution:
     return wk.SurfaceRolling(WHEEL, medium, wk.Force(NORMAL), friction, drive, speed=SPEED).solve()
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("medium", [ALIKE, DISSIMILAR], ids=["alike", "dissimilar"])
 @pytest.mark.parametrize("by_moment", [False, True], ids=["spin", "moment"])
 def test_forces_lead_back_to_the_creepages_of_the_rising_branch(medium, by_moment):

@@ -38,7 +38,7 @@ def errors(ratio: float, nu: float, along: int, across: int) -> tuple[np.ndarray
     return found / wanted - 1.0, found / area ** np.array([1.0, 1.0, 1.5, 2.0]) / wanted - 1.0
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("ratio", "nu"), [(0.2, 0.5), (5.0, 0.0)])
 def test_half_the_pixels(ratio, nu):
     """144 pixels along rolling, 72 across."""

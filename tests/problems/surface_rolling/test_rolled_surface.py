@@ -42,8 +42,8 @@ def test_coarser_grids_only_begin(creepage, monkeypatch):
     assert rounds < rolled(64, creepage).rounds
 
 
-@pytest.mark.few(1)
-@pytest.mark.parametrize("finest", [128, pytest.param(256, marks=pytest.mark.slow)])
+@pytest.mark.few(1, slow=2)
+@pytest.mark.parametrize("finest", [128, pytest.param(256, marks=pytest.mark.long)])
 @pytest.mark.parametrize("creepage", CREEPAGES.values(), ids=CREEPAGES)
 def test_the_work_hardly_grows_with_the_grid(creepage, finest, monkeypatch):
     """Applications of the elasticity on the finest grid: the power of the time is that of the transforms."""

@@ -18,6 +18,7 @@ def rolled(medium, drive=CREEPS, topography=BALL, load=100.0):
     return wk.SurfaceRolling(topography, medium, wk.Force(load), wk.Coulomb(MU), drive).solve()
 
 
+@pytest.mark.slow
 def test_layers_of_the_same_solid_roll_as_a_half_space():
     """They too have no coupling of pressures with tractions: the other body is alike."""
     want = rolled(wk.HalfSpace.between(STEEL, STEEL))

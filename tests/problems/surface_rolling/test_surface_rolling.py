@@ -41,6 +41,7 @@ def rolled(medium, a, b, force, creepage, count=48, friction=MU) -> wk.SurfaceRo
     return wk.SurfaceRolling(topography, medium, wk.Force(force), wk.Coulomb(friction), creepage).solve()
 
 
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize(("count", "part"), [
     (72, 5e-3),
     pytest.param(144, 2e-3, marks=pytest.mark.slow),

@@ -181,6 +181,7 @@ def test_a_march_goes_on_from_a_state_with_the_same_numbers(tmp_path):
     assert list(farther.steps(start=problem.solve().last)) == list(farther.steps())[4:]
 
 
+@pytest.mark.slow
 def test_pressures_stay_below_the_hardness():
     contact = wk.SurfaceContact(wave(32, 0.05), UNIT, wk.Force(5e-3), hardness=0.05)
     found = wk.SurfaceWear(contact, wk.Archard(1.0), [0.0, 0.1, 10.0]).solve()

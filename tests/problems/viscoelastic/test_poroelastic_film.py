@@ -47,6 +47,7 @@ def through_the_depth(rate, x, poisson):
     return complex(-k / 2 * sum(through[0, j] * found[n] for n, j in enumerate(free)))
 
 
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("poisson", [-0.5, 0.0, 0.3, 0.49])
 def test_waves_are_those_of_biot_to_eleven_digits(poisson):
     with mp.workdps(60):
@@ -92,6 +93,7 @@ def test_creep_of_waves_is_terzaghis(octave):
     assert creep.after(waves, np.zeros(1))[:, 0] == pytest.approx(undrained_waves(waves), rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("thickness", [0.03, pytest.param(10.0, marks=pytest.mark.slow)])
 def test_at_first_the_film_is_incompressible_and_at_last_the_drained_network(thickness):
     """Under a body that relaxes from 4 to 1."""
@@ -103,6 +105,7 @@ def test_at_first_the_film_is_incompressible_and_at_last_the_drained_network(thi
         assert found.radius[at] == pytest.approx(elastic.radius, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_film_far_thinner_than_the_contact_consolidates_as_terzaghi_says():
     """F = pi R M d^2 / h (1 + 2 sum exp(-n^2 pi^2 D t / h^2)); what flows sideways counts like (h / a)^2."""
     h, d, diffusivity = 1e-4, 1e-4, 1e-8
@@ -183,6 +186,7 @@ def test_cells_and_steps_converge_with_the_square_of_the_count():
     assert changes[2] < 1e-4
 
 
+@pytest.mark.slow
 def test_work_is_stored_or_lost_and_the_notes_state_what_is_assumed():
     path = wk.Path([0.0, 1e-3, 2e-2, 3e-2], wk.Depth([0.0, 1e-2, 1e-2, 7e-3]))
     found = wk.ViscoelasticIndentation(bed(FILM), path, count=100).solve()
@@ -197,6 +201,7 @@ def test_work_is_stored_or_lost_and_the_notes_state_what_is_assumed():
         _ = state.pressed
 
 
+@pytest.mark.slow
 def test_under_a_force_and_shaken_it_goes_from_one_elastic_film_to_the_other():
     sunk = wk.CreepTest(bed(FILM), 0.05, [1e-12, 1e4]).solve()
     for at, stack in ((0, FILM.glassy), (1, FILM.relaxed)):

@@ -32,7 +32,7 @@ def pulled(speed, far=50e-6, bed=BALL, law=LAW, press=5e-6, count=2, **more):
     return ViscoelasticAdhesion(bed, law, Path(time, Depth(depth)), **more).solve()
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("profile", [wk.Paraboloid(R), wk.PowerLaw(1e9, 4.0)])
 def test_slow_rubber_is_elastic(profile):
     """The limit of no speed: JKR, with its snap-in, pull-off and loss."""
@@ -47,6 +47,7 @@ def test_slow_rubber_is_elastic(profile):
     assert slow.radius[-1] == slow.force[-1] == 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("speed", "exponent"), [(1e-8, 0.6), (1e-6, 1.0), pytest.param(1e-7, 0.25, marks=pytest.mark.slow)]
 )

@@ -77,6 +77,7 @@ def _numbers(loads):
     return loads.depth if isinstance(loads, Depth) else loads.force
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None, derandomize=True)
 @given(
     st.lists(st.tuples(st.floats(0.1, 1.0), st.floats(0.05, 0.5)), min_size=1, max_size=3),
@@ -156,6 +157,7 @@ def test_under_a_force():
     assert result == pytest.approx(state.depth - 0.5 * places**2, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_a_dashpot_alongside():
     corners, depths, places = np.array([0.0, 1.0, 1.2]), np.array([0.0, 0.5, 0.46]), np.array([0.2, 0.5])
     _, result = solve(KelvinVoigt(0.25, 0.075), wk.Paraboloid(1.0), corners, Depth(depths), 160, places)

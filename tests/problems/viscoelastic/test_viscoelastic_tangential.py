@@ -62,7 +62,7 @@ def test_the_elastic_limits(tau, shear):
     assert ours.bulk_loss == pytest.approx(0.0, abs=1e-4 * true.dissipation[-1])
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("solid", [STANDARD, Prony(0.05, [0.2, 0.3], [0.01, 0.5]), KelvinVoigt(0.25, 0.05)])
 def test_small_oscillations_without_slip(solid):
     """F_x = 2 G*(omega) a U, once what was before is forgotten."""
@@ -119,6 +119,7 @@ def brute_force(solid, path, count, steps, mu):
     return np.array(forces), np.array(lost)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 def test_brute_force(seed):
     rng = np.random.default_rng(seed)

@@ -30,6 +30,7 @@ def stack(solid, thickness, base):
     return wk.CoatedHalfSpace([wk.Layer(solid, thickness)], on=base, second=STEEL)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", [
     stack(STEEL, 50e-6, STEEL), stack(STEEL, 100.0, wk.Elastic(3e9, 0.4)),
 ], ids=["of the same solid", "thick"])  # fmt: skip
@@ -40,6 +41,7 @@ def test_layers_that_change_nothing_wear_as_none(medium):
     np.testing.assert_allclose(coated.stick_radius, plain.stick_radius, rtol=1e-3)
 
 
+@pytest.mark.slow
 @BOTH
 def test_a_cycle_before_wear_is_that_of_rings_without_a_grid(medium):
     """Those of CoatedTangential, on panels: errors fall with the square of the cells."""

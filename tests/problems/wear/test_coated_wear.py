@@ -27,7 +27,7 @@ def worn(profile, medium, force, distance, count=60, **more):
     ).solve()
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("medium", "plain"),
     [
@@ -45,7 +45,7 @@ def test_without_contrast_it_is_the_half_space(medium, plain):
         np.testing.assert_allclose(last.pressure, same.pressure, atol=1e-6 * float(np.max(same.pressure)))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("name", DISCS)
 def test_a_flat_pin_wears_as_rings_of_even_pressure_do(name):
     medium, discs = DISCS[name]
@@ -84,7 +84,7 @@ STACK = wk.StackedHalfSpace([wk.StackLayer(POLYMER, 5e-6, False), wk.StackLayer(
 GRADED = wk.DepthGradedHalfSpace(wk.ExponentialGrading(1e9, 3e9, depth_scale=1e-5, poisson=0.3), tolerance=1e-4)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("medium", [HARD, STACK, GRADED], ids=["hard", "stack", "graded"])
 def test_the_volume_is_rate_times_force_times_distance_on_layers(medium):
     run = worn(wk.Paraboloid(1e-3), medium, 0.1, np.array([1e-3, 5e-3]), count=30)

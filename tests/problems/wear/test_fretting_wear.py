@@ -79,7 +79,7 @@ def test_the_limit_holds_in_a_graded_medium():
     assert worn.force[-1] == pytest.approx(limit.force, rel=0.005)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("rate", [1e-12, pytest.param(1e3, marks=pytest.mark.slow), 1e12])
 def test_no_rate_is_too_great_for_the_march(rate):
     # the same wear in as many fewer cycles, also where the first cycle takes everything

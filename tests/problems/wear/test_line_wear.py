@@ -51,6 +51,7 @@ def trapezoid(state, of):
     return 2.0 * float(np.trapezoid(of, state.places))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("counts", [(28, 56, 112), pytest.param((56, 112, 224), marks=pytest.mark.slow)])
 def test_fretting_is_that_of_boundary_elements(counts):
     amount = 30.0
@@ -139,6 +140,7 @@ class Squared:
         return pressure**2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "law", [wk.Archard(0.1), pytest.param(Squared(), marks=pytest.mark.slow)], ids=["archard", "own"]
 )
@@ -196,6 +198,7 @@ def test_nothing_is_said_of_histories_that_are_not_followed():
     assert "for a worn profile too" in words
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("problem", "bed", "load"),
     [

@@ -38,6 +38,7 @@ def test_the_volume_is_rate_times_force_times_distance():
     assert np.all(np.log2(np.array(misses[:-1]) / misses[1:]) > 1.5)
 
 
+@pytest.mark.slow
 def test_a_wider_grid_loses_nothing():
     run = worn(np.array([1e-3, 1e-2, 0.1]))
     assert run.states[-1].radii[-1] > 1.4 * run.states[0].radii[-1]
@@ -88,7 +89,7 @@ def test_a_ball_wears_over_any_distance(monkeypatch):
     assert looks < 10_000
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("wear", [wk.Archard(RATE), Squared()], ids=["Archard", "own"])
 def test_implicit_jumps_go_where_explicit_ones_go(wear):
     problem = wk.SlidingWear(BALL, wear, wk.Force(1.0), np.array([0.3, 1.0, 3.0]), count=50)

@@ -60,6 +60,7 @@ def test_more_faces_come_near_the_cone():
     assert 0.02 < excess[-1] < 0.04
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sides", [3, 4, *(pytest.param(n, marks=pytest.mark.slow) for n in (5, 6, 7, 8))])
 def test_area_and_outline_of_the_contact(sides):
     count = 200
@@ -185,7 +186,14 @@ CASES = [
 
 @pytest.mark.parametrize(
     ("sides", "poisson", "contrast", "radius"),
-    [CASES[1], CASES[-2], *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES)],
+    [
+        CASES[1],
+        CASES[-2],
+        *(
+            pytest.param(*case, marks=pytest.mark.long if place % 4 else pytest.mark.slow)
+            for place, case in enumerate(CASES)
+        ),
+    ],
 )
 def test_errors_on_layers_by_boundary_elements(sides, poisson, contrast, radius):
     tip = wk.Pyramid(sides, math.radians(45.0))

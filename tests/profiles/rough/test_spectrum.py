@@ -100,6 +100,7 @@ def test_lines_keep_their_power(amplitudes):
     assert again.rms_height == pytest.approx(height, rel=0.04)
 
 
+@pytest.mark.few(12)
 @pytest.mark.parametrize("number", range(1, 32))
 def test_a_line_beside_noise_keeps_its_power(number):
     """Wherever it lies between the rings."""

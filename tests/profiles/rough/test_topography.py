@@ -174,7 +174,7 @@ SCARS = [
 """Long and short, one to three pixels wide, up and down, along both directions, and the last line."""
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("periodic", [False, True])
 def test_scars_are_found_along_their_whole_length(periodic):
     """Lower than the roughness (1 um), so that no height among those around betrays them."""

@@ -55,7 +55,7 @@ OURS = [name for name in CASES if ours(read(name))]
 """Of another physics each has a test of its own, which recomputes it."""
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=12)
 @pytest.mark.parametrize("name", OURS)
 def test_a_case_is_recomputed(name):
     """Analytical numbers to all digits written, published ones within their rounding."""

@@ -15,7 +15,7 @@ CLOSE = {"elliptic_heating_skew": 1e-12, "line_heating_discs": 1e-12}
 CASES = Path(winkler.__file__).parent / "cases"
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_states_what_the_reference_solution_gives(name):
     expected = tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))["expect"]

@@ -124,6 +124,7 @@ def test_every_rolling_case_is_recomputed_or_cited():
 class TestCarter:
     """A cylinder rolls with a creepage: what the tractions strain the surface by is the creepage, where it sticks."""
 
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         "ratio", [0.2, pytest.param(0.6, marks=pytest.mark.slow), pytest.param(0.95, marks=pytest.mark.slow)]
     )

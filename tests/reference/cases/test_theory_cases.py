@@ -61,7 +61,7 @@ def values(name, quantity):
     return np.atleast_1d(np.asarray(found, dtype=float))
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=6)
 @pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_states_what_the_reference_solution_gives(name):
     stated = REFERENCES[name]()

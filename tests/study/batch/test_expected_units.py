@@ -13,6 +13,7 @@ from winkler.study.language.compared.expected_units import solution_types, unit_
 from winkler.vocabulary import word
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("unit", "code"), [("K/W", 0), ("ohm", 2)])
 def test_a_thermal_resistance_is_in_kelvin_per_watt_and_not_in_ohm(shared_data, tmp_path, capsys, unit, code):
     text = (shared_data / "reported/expect_thermal_resistance/h1_glass_beads.toml").read_text(encoding="utf-8")
@@ -22,6 +23,7 @@ def test_a_thermal_resistance_is_in_kelvin_per_watt_and_not_in_ohm(shared_data, 
     assert ("K/W" in capsys.readouterr().err) == (code == 2)
 
 
+@pytest.mark.slow
 def test_each_answer_of_each_problem_is_expected_in_its_own_unit():
     wrong, seen = {}, 0
     for kind in CATALOGUE["problem"]:

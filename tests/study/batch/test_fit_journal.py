@@ -66,6 +66,7 @@ def digits(results):
     return repr([(type(one), dataclasses.astuple(one)) for one in results])
 
 
+@pytest.mark.slow
 def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, counted):
     whole = dict(fit_curves(STUDY, MAP))
     del counted[:]
@@ -91,6 +92,7 @@ def test_a_fit_with_adhesion_and_corrections_comes_back(root, tmp_path):
     assert known[0][0].steps == fresh[0][0].steps
 
 
+@pytest.mark.slow
 def test_a_curve_that_was_changed_is_fitted_again(tmp_path, counted):
     fitted(tmp_path / "x")
     del counted[:]

@@ -49,6 +49,7 @@ def moments(line: Range, power: float) -> tuple[float, float]:
     return tuple(float(mpmath.quad(lambda x, n=n: x ** (n * power) * density(x), ends)) for n in (1, 2))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("answer", POWERS)
 def test_hertz(answer, outcome):
     """Of a product of independent factors with means m and mean squares s: V = prod s - prod m^2."""
@@ -82,6 +83,7 @@ def test_other_designs_have_no_indices():
         sensitivity(Study("x", PROBLEM, sweep=KEYS, design=Sobol(2)), {})
 
 
+@pytest.mark.slow
 def test_every_output_has_them(outcome, tmp_path):
     (depth, *_) = outcome.indices
     data = dataset(outcome)

@@ -192,7 +192,7 @@ def case_parameters():
         yield pytest.param(path, marks=[] if here else [pytest.mark.manual], id=path.stem)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=3)
 @pytest.mark.parametrize("path", [*case_parameters()])
 def test_every_case_of_the_package_passes(path):
     entry = run_case(path)

@@ -103,6 +103,7 @@ def solve_or_refuse(problem: Any) -> None:
         pass
 
 
+@pytest.mark.few(50, slow=20)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in REDUCED else name for name in OTHERS]
 )
@@ -112,7 +113,7 @@ def test_a_part_is_taken_or_refused_by_a_sentence(name):
         replaced(whole, field, example(other))
 
 
-@pytest.mark.few(25)
+@pytest.mark.few(8, slow=6)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in ON_MAPS else name for name in PROBLEMS]
 )
@@ -125,7 +126,7 @@ def test_a_problem_takes_what_it_can_answer(name):
             solve_or_refuse(changed)
 
 
-@pytest.mark.few(20, slow=10)
+@pytest.mark.few(6, slow=7)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in COSTLY else name for name in PRESSED]
 )

@@ -187,7 +187,7 @@ def quiet(monkeypatch):
     )
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_figures_of_a_report(name, monkeypatch):
     quiet(monkeypatch)

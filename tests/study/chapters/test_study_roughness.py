@@ -174,10 +174,11 @@ QUICK = (*NOT_ROUND, "elastomer_friction")
 PROBLEMS = (*ROUGH.answers, *NOT_ROUND)
 
 
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[] if name in QUICK else pytest.mark.slow)
+        name if name in QUICK else pytest.param(name, marks=pytest.mark.long)
         for name in (*ROUGH.answers, "elliptic_indentation", "nearly_round_indentation")
     ],
 )

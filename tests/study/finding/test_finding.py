@@ -23,6 +23,7 @@ def answered(one):
     return found.beyond is None and any(hit.name in one["answers"] for hit in found.hits)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     "language, what, share",
     [("en", "word", 0.95), ("en", "question", 0.9), ("de", "word", 0.95), ("de", "question", 0.9), ("fr", "word", 0.95),

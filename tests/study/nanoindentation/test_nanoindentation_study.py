@@ -157,7 +157,7 @@ def test_wrong_expectations_are_refused(tmp_path, entry, words):
         read_nanoindentation_study(path)
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(
     ("quantity", "words"),
     [
@@ -250,6 +250,7 @@ def test_drift_segments_and_units_are_stated(tmp_path, capsys):
         read_nanoindentation_study(study(tmp_path, ANY_TIP.format(more="segments = 3"), "s.toml"))
 
 
+@pytest.mark.slow
 def test_copies_count_once_and_are_named(tmp_path, capsys):
     shutil.copy(_powers(tmp_path), tmp_path / "b.csv")
     written = study(tmp_path, ANY_TIP.format(more=""))

@@ -56,6 +56,7 @@ def rows(path):
         return list(csv.reader(file))
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("name", SAMPLES)
 def test_every_answer_comes_back(name, outcomes, reopened):
     outcome, data = outcomes[name], reopened(name)
@@ -65,7 +66,7 @@ def test_every_answer_comes_back(name, outcomes, reopened):
         np.testing.assert_array_equal(data[answer].values, expected if expected.shape[-1] > 1 else expected[..., 0])
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(3, slow=2)
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_file_is_the_one_that_xarray_writes(name, outcomes, reopened, folder, tmp_path):
     """An independent writer of the same dataset: values, types, dimensions, coordinates and attributes."""

@@ -127,6 +127,7 @@ def test_the_page_is_whole_and_needs_nothing_else(name, page):
     assert outside == []
 
 
+@pytest.mark.few(1, slow=3)
 @pytest.mark.parametrize("name", REPORTED)
 def test_identifiers_are_unique_and_found(name, page):
     text = page(name)
@@ -136,6 +137,7 @@ def test_identifiers_are_unique_and_found(name, page):
     assert used <= set(parsed.ids)
 
 
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", REPORTED)
 def test_every_chapter_is_there(name, page):
     text = Page(page(name)).text
@@ -150,6 +152,7 @@ NUMBERS = re.compile(r"\d+(?:\.\d+)?(?:e[+-]\d+)?(?: (?:m|N|Pa)\b)?")
 """In a statement; a report writes them with prefixes."""
 
 
+@pytest.mark.few(2, slow=2)
 @pytest.mark.parametrize("name", REPORTED)
 def test_validity_citations_and_provenance_are_stated(name, written, page):
     outcome, _ = written[name]

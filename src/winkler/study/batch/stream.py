@@ -38,6 +38,7 @@ def results(
     names: tuple[str, str],
     workers: Workers,
     watch: Any,
+    others: Array | None = None,
 ) -> Iterator[tuple[int, R]]:
     """Yield the place of every task and its result, first those of an earlier run, then others as they are computed.
 
@@ -63,6 +64,8 @@ def results(
         Number of processes, a cluster, or the `Machine`; 1 computes in this one.
     watch
         Passes on the progress of the tasks that this process computes.
+    others : ndarray of bool, (n,), optional
+        Which tasks are left to others.
 
     Raises
     ------
@@ -70,7 +73,7 @@ def results(
         If workers died: how many results are kept.
     """
     checked_workers(workers)
-    done, any_useful = np.zeros(len(todo), dtype=bool), False
+    done, any_useful = np.zeros(len(todo), dtype=bool) if others is None else others.copy(), False
     for place, recorded in earlier:
         done[place] = True
         any_useful = any_useful or useful(recorded)

@@ -21,6 +21,7 @@ from winkler.study.batch.marching import NO_CHECKPOINTS, MarchResult, Watch, sol
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import json_line, recalled, without_solution
+from winkler.study.batch.shards import Shard
 from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import PointTask, PointTasks, tasks
 from winkler.study.language.study import Expectation, Fields, Study
@@ -72,6 +73,7 @@ def solve_points(
     workers: Workers = 1,
     watch: Watch = unwatched,
     keep: CheckpointStore = NO_CHECKPOINTS,
+    shard: Shard | None = None,
 ) -> Iterator[Point]:
     """Yield the points of a study as they are solved.
 
@@ -89,6 +91,8 @@ def solve_points(
         reached give the last point.
     keep
         Checkpoints of long marches, from which they are continued if they are killed.
+    shard
+        The part of the points that is solved; all of them unless given.
 
     Raises
     ------
@@ -108,11 +112,12 @@ def solve_points(
         earlier=() if journal is None else _recalled_points(study, points, journal),
         left=points.without,
         result=functools.partial(_recorded, journal, expect, shape),
-        useful=lambda point: not isinstance(point, Failed),
+        useful=lambda point: shard is not None or not isinstance(point, Failed),
         journal=journal,
         names=("points", "solved"),
         workers=workers,
         watch=watch,
+        others=None if shard is None else shard.others(study.size),
     )
     early: dict[int, Point] = {}
     due = 0

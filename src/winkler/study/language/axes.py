@@ -156,11 +156,11 @@ class _Target:
         """Return SI numbers from a list or range."""
         from pydantic_core import PydanticCustomError
 
-        from winkler.study.language import number_tables, quantities
+        from winkler.study.language import quantities
 
         try:
             if self.is_constant and isinstance(raw, list):
-                return np.array([number_tables.named({"value": item})[0][1] for item in raw])
+                return np.array([quantities.named({"value": item})[0][1] for item in raw])
             return quantities.numbers(raw, self.unit)
         except PydanticCustomError as refusal:
             sentence = quantities.sentence_of(refusal)

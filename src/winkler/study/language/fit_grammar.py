@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, StrictStr, create_model
+from pydantic import BaseModel, StrictStr, create_model
 
 from winkler.errors import InvalidInput, suggest
 from winkler.io.tables.given_units import checked_units
-from winkler.study.language import quantities
+from winkler.study.language import json_forms, quantities
 from winkler.study.language.correcting import CORRECTIONS
+from winkler.study.language.json_forms import checked
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.study.language.schema import FORBID, MISSING
 from winkler.study.language.segmenting import stated_events, stated_segments
@@ -50,7 +51,7 @@ def _positive(unit: str) -> Any:
             wrong(f"{WHERE} is {raw!r}; it must be positive.")
         return positive
 
-    return Annotated[Any, BeforeValidator(check)]
+    return checked(check, lambda: json_forms.quantity(unit))
 
 
 def relative_error(raw: Any) -> float:
@@ -80,6 +81,10 @@ def shared_keys(raw: Any) -> tuple[str, ...]:
     return tuple(dict.fromkeys(raw))
 
 
+def _texts_or_text() -> json_forms.Form:
+    return {"anyOf": [json_forms.texts(), {"type": "string"}]}
+
+
 @functools.cache
 def fit_form() -> type[BaseModel]:
     """Return the input model of the section."""
@@ -88,23 +93,26 @@ def fit_form() -> type[BaseModel]:
         __config__=FORBID,
         curve=(StrictStr, ...),
         part=(PARTS, ...),
-        segments=(Annotated[Any, BeforeValidator(stated_segments)], MISSING),
-        events=(Annotated[Any, BeforeValidator(stated_events)], MISSING),
+        segments=(checked(stated_segments, _texts_or_text), MISSING),
+        events=(checked(stated_events, _texts_or_text), MISSING),
         fitted=(FITTED_QUANTITIES, MISSING),
         free=(dict[str, Any], ...),
         spring_constant=(_positive("N/m"), MISSING),
         sensitivity=(_positive("m/V"), MISSING),
-        units=(Annotated[Any, BeforeValidator(stated_units)], MISSING),
+        units=(checked(stated_units, lambda: {"type": "object"}), MISSING),
         frame_stiffness=(_positive("N/m"), MISSING),
-        correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
+        correct=(
+            checked(corrections, lambda: {"type": "array", "minItems": 1, "items": {"enum": list(CORRECTIONS)}}),
+            MISSING,
+        ),
         noise=(Any, MISSING),
         noise_spectrum=(NOISE_SPECTRA, MISSING),
         time_limit=(_positive("s"), MISSING),
-        spring_constant_error=(Annotated[Any, BeforeValidator(relative_error)], MISSING),
-        sensitivity_error=(Annotated[Any, BeforeValidator(relative_error)], MISSING),
+        spring_constant_error=(checked(relative_error, lambda: json_forms.quantity("")), MISSING),
+        sensitivity_error=(checked(relative_error, lambda: json_forms.quantity("")), MISSING),
         spring_constant_by=(CALIBRATIONS, MISSING),
-        over_depth=(Annotated[Any, BeforeValidator(depth_count)], MISSING),
-        shared=(Annotated[Any, BeforeValidator(shared_keys)], MISSING),
+        over_depth=(checked(depth_count, lambda: {"type": "integer", "minimum": 2, "maximum": MOST_DEPTHS}), MISSING),
+        shared=(checked(shared_keys, json_forms.texts), MISSING),
         model=(StrictStr, MISSING),
         models=(dict[str, dict[str, Any]], MISSING),
     )

@@ -6,7 +6,7 @@ import copy
 import dataclasses
 import itertools
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +25,6 @@ from winkler.study.language.build import MOST_NEIGHBOURS
 from winkler.study.language.compared.alternatives import alternatives
 from winkler.study.language.fit_study import FITTED, OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.language.reading import checked, parsed, read_text, stated
-from winkler.study.language.segmenting import FOUND
 from winkler.study.language.study import Output
 
 __all__ = ["parse_fit_study", "read_fit_study"]
@@ -36,15 +35,15 @@ GLOB_MARKS = re.compile(r"[*?\[]")
 EXCLUDED_SECTIONS = ("sweep", "fields", "expect", "source", "grade")
 
 
-def read_fit_study(path: str | Path, *, segments: tuple[str, ...] = ()) -> FitStudy:
+def read_fit_study(path: str | Path, *, settings: Sequence[str] = ()) -> FitStudy:
     """Read a study file with a section ``[fit]``.
 
     Parameters
     ----------
     path
         A TOML file; the curves that it names lie relative to it.
-    segments : tuple of str, optional
-        In place of those of the file, as "hold 12 s".
+    settings : sequence of str
+        What replaces its own contents, as ``fit.segments=["hold 12 s"]``.
 
     Raises
     ------
@@ -52,19 +51,7 @@ def read_fit_study(path: str | Path, *, segments: tuple[str, ...] = ()) -> FitSt
         With one sentence for every mistake: file, key, what it was, what is allowed.
     """
     path = path_of(path)
-    text = read_text(path)
-    return parse_fit_study(_with_segments(text, path, segments), file=path.name, folder=path.parent)
-
-
-def _with_segments(text: str, path: Path, segments: tuple[str, ...]) -> str:
-    """Return a study that states segments; word for word if none are stated."""
-    raw = parsed(text, path.name) if segments else {}
-    if not isinstance(raw.get("fit"), dict):
-        return text
-    import tomli_w
-
-    raw["fit"]["segments"] = FOUND if segments == (FOUND,) else list(segments)
-    return tomli_w.dumps(raw)
+    return parse_fit_study(read_text(path, settings), file=path.name, folder=path.parent)
 
 
 def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitStudy:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import functools
-from typing import Annotated, Any
+from typing import Any
 
-from pydantic import BaseModel, BeforeValidator, StrictBool, StrictStr, create_model
+from pydantic import BaseModel, StrictBool, StrictStr, create_model
 
-from winkler.study.language import quantities
+from winkler.study.language import json_forms, quantities
+from winkler.study.language.json_forms import checked
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.study.language.schema import FORBID, MISSING, choice
 from winkler.study.language.study import Places
@@ -139,20 +140,20 @@ def _fit(raw: Any) -> BaseModel:
 @functools.cache
 def study_form() -> type[BaseModel]:
     """Return the input model of a whole study."""
-    where = Annotated[Any, BeforeValidator(places)]
+    where = checked(places, json_forms.places)
     fields = create_model("fields", __config__=FORBID, r=(where, ...), z=(where, MISSING))
     output = create_model(
         "output",
         __config__=FORBID,
         folder=(StrictStr, MISSING),
-        figures=(Annotated[Any, BeforeValidator(picture_formats)], MISSING),
+        figures=(checked(picture_formats, json_forms.texts), MISSING),
         report=(StrictBool, MISSING),
     )
     expect = create_model(
         "expect",
         __config__=FORBID,
-        quantity=(Annotated[Any, BeforeValidator(_text)], ...),
-        value=(Annotated[Any, BeforeValidator(_either_value)], ...),
+        quantity=(checked(_text, lambda: {"type": "string"}), ...),
+        value=(checked(_either_value, lambda: {"type": ["string", "number", "array"]}), ...),
         unit=(StrictStr, MISSING),
         tolerance=(Any, ...),
         scale=(Any, MISSING),
@@ -170,7 +171,7 @@ def study_form() -> type[BaseModel]:
         problem=(choice("problem"), ...),
         sweep=(dict[str, Any], {}),  # pydantic copies it
         fields=(fields, MISSING),
-        fit=(Annotated[Any, BeforeValidator(_fit)], MISSING),
+        fit=(checked(_fit, dict), MISSING),
         output=(output, MISSING),
         expect=(list[expect], []),  # type: ignore[valid-type]
     )

@@ -1,4 +1,4 @@
-"""Numbers of a study file: quantities, lists, ranges, and tables of named constants.
+"""Numbers of a study file: quantities, lists, ranges, rows, and tables of named constants.
 
 Each function takes the TOML value of one key and returns SI numbers, or raises one sentence in which `WHERE` stands
 for the key.
@@ -20,7 +20,7 @@ from winkler.checks.field_checks import numbers_taken
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.numerics.types import Array
 from winkler.profiles.area_coefficients import coefficient_unit
-from winkler.units import is_fixed, quantity
+from winkler.units import is_fixed, quantity, to_si
 from winkler.vocabulary import word
 
 __all__ = [
@@ -31,7 +31,10 @@ __all__ = [
     "check_keys",
     "dependent",
     "endless",
+    "grid",
+    "indexed",
     "inside",
+    "named",
     "number",
     "number_or_infinite",
     "number_or_numbers",
@@ -288,3 +291,39 @@ def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
         return np.array(values, dtype=float)
     texts = [f"{repr(float(item)).removesuffix('.0')} {unit_name}".strip() for item in values]
     return np.array([inside(text, unit, f".values[{place}]") for place, text in enumerate(texts)])
+
+
+def indexed(raw: Any, units: Callable[[int], str]) -> Array:
+    """Return a list of quantities where each has its own unit, ``units(place)``."""
+    if isinstance(raw, dict):
+        check_keys(raw, ("values", "unit"), ("values",), "a table of values")
+        raw = raw["values"]
+        if isinstance(raw, list) and all(isinstance(item, int | float) and not isinstance(item, bool) for item in raw):
+            return np.array(raw, dtype=float)
+    if not isinstance(raw, list) or not raw:
+        wrong(f"{WHERE} is {raw!r}; give a list with at least one quantity.")
+    return np.array([inside(item, units(place), f"[{place}]") for place, item in enumerate(raw)], dtype=float)
+
+
+def grid(raw: Any) -> Array:
+    """Return a table of plain numbers, given row by row in rows of one length."""
+    rows = raw if isinstance(raw, list) else []
+    if not rows or not all(isinstance(row, list) and row and len(row) == len(rows[0]) for row in rows):
+        wrong(f"{WHERE} is no table of numbers; give rows of one length, such as [[0.1, 0.2], [0.3, 0.4]].")
+    return np.array([[inside(item, "", f"[{i}][{j}]") for j, item in enumerate(row)] for i, row in enumerate(rows)])
+
+
+def named(raw: Any) -> tuple[tuple[str, float], ...]:
+    """Return a table of named constants, each a number or a quantity of any dimension, in SI units."""
+    if not isinstance(raw, dict):
+        wrong(f'{WHERE} is {raw!r}; give a table of named constants, such as {{ R = "10 mm" }}.')
+    constants = []
+    for name, item in raw.items():
+        if isinstance(item, str):
+            try:
+                constants.append((name, to_si(item, what=f"{WHERE}.{name}")))
+            except InvalidInput as error:
+                wrong(str(error))
+        else:
+            constants.append((name, inside(item, "", f".{name}")))
+    return tuple(constants)

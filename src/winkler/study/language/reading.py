@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,13 +30,15 @@ SPACES_PER_ENTRY = 20
 """Spaces that cost the parsing time of one entry."""
 
 
-def read_study(path: str | Path) -> Study:
+def read_study(path: str | Path, *, settings: Sequence[str] = ()) -> Study:
     """Read a study file.
 
     Parameters
     ----------
     path
         A TOML file; files that it names lie relative to it.
+    settings : sequence of str
+        What replaces its own contents, as ``problem.load.force=20 N``.
 
     Returns
     -------
@@ -48,17 +50,69 @@ def read_study(path: str | Path) -> Study:
         With one sentence for every mistake: file, key, its value, what is allowed.
     """
     path = path_of(path)
-    return parse_study(read_text(path), file=path.name, folder=path.parent)
+    return parse_study(read_text(path, settings), file=path.name, folder=path.parent)
 
 
-def read_text(path: Path) -> str:
-    """Return the text of a study file.
+def read_text(path: Path, settings: Sequence[str] = ()) -> str:
+    """Return the text of a study file, in which `settings` have replaced contents; as it is if there are none.
 
     Raises
     ------
     InvalidInput
-        If it cannot be read.
+        If it cannot be read, or a setting has no place in it.
     """
+    text = _text_of(path)
+    if not settings:
+        return text
+    import tomli_w
+
+    raw = parsed(text, path.name)
+    for setting in settings:
+        _set(raw, setting)
+    return tomli_w.dumps(raw)
+
+
+def _set(raw: dict[str, Any], setting: str) -> None:
+    """Put the content of a setting into the tables of a study."""
+    key, sign, content = setting.partition("=")
+    try:
+        found: Any = tomllib.loads(f"{key} = 0")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        found = {}
+    if not sign or not found:
+        raise InvalidInput(f"set: '{setting}' is no setting; give KEY=CONTENT, such as problem.load.force='20 N'.")
+    parts: list[str] = []
+    while isinstance(found, dict):
+        [(part, found)] = found.items()
+        parts.append(part)
+    owner: Any = raw
+    for number, part in enumerate(parts[:-1]):
+        owner = owner.setdefault(part, {}) if isinstance(owner, dict) else _entry(owner, part, key)
+        if not isinstance(owner, dict | list):
+            raise InvalidInput(f"set: '{key}' lies below {'.'.join(parts[: number + 1])}, which is no table or list.")
+    if isinstance(owner, list):
+        _entry(owner, parts[-1], key)
+        owner[int(parts[-1])] = _content(content)
+    else:
+        owner[parts[-1]] = _content(content)
+
+
+def _entry(listed: list[Any], part: str, key: str) -> Any:
+    """Return the entry of a list at a place."""
+    if not part.isdecimal() or int(part) >= len(listed):
+        raise InvalidInput(f"set: '{key}': '{part}' is no place in a list of {len(listed)}; the first one is 0.")
+    return listed[int(part)]
+
+
+def _content(text: str) -> Any:
+    """Return a content as TOML reads it, else the text itself: a quantity needs no second pair of quotes."""
+    try:
+        return tomllib.loads(f"content = {text}")["content"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return text.strip()
+
+
+def _text_of(path: Path) -> str:
     try:
         if path.is_dir():
             raise InvalidInput(f"{path_text(path)} is a folder; give a study file in it.")

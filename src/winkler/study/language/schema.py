@@ -14,11 +14,10 @@ import inspect
 import types
 import typing
 from collections.abc import Callable, Mapping
-from typing import Annotated, Any, Literal, Union
+from typing import Any, Literal, Union
 
 from pydantic import (
     BaseModel,
-    BeforeValidator,
     ConfigDict,
     StrictBool,
     StrictInt,
@@ -28,10 +27,12 @@ from pydantic import (
     model_validator,
 )
 
+from winkler.checks.field_checks import numbers_taken
 from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
-from winkler.study.language import maps, number_tables, quantities
+from winkler.study.language import json_forms, maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+from winkler.study.language.json_forms import checked
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind
 
 __all__ = [
@@ -54,13 +55,9 @@ MISSING: Any = object()
 FORBID = ConfigDict(extra="forbid", arbitrary_types_allowed=True, protected_namespaces=(), defer_build=True)
 
 
-def _checked(convert: Callable[[Any], Any]) -> Any:
-    return Annotated[Any, BeforeValidator(convert)]
-
-
 def choice(hint: Any) -> Any:
     """Return the validator of a table of one of the kinds that are allowed for the type `hint`."""
-    return _checked(functools.partial(_chosen, hint=hint))
+    return checked(functools.partial(_chosen, hint=hint), lambda: json_forms.of_kinds(allowed_kinds(hint)))
 
 
 def _chosen(raw: Any, hint: Any) -> BaseModel:
@@ -68,6 +65,11 @@ def _chosen(raw: Any, hint: Any) -> BaseModel:
     if not (isinstance(tag, str) and tag in kinds() and _may_stand(tag, hint)):
         refuse_kind(raw, allowed_kinds(hint))
     return form(tag).model_validate(raw)
+
+
+def _in_unit(convert: Callable[..., Any], form: Callable[[str | None], json_forms.Form], unit: str | None) -> Any:
+    """Return the annotation of numbers in a unit."""
+    return checked(functools.partial(convert, unit=unit), functools.partial(form, unit))
 
 
 def annotation(owner: type, field: str, hint: Any) -> Any:
@@ -83,26 +85,25 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
     unit = quantities.unit_of(owner, field)
     if (owner.__name__, field) in quantities.INDEXED:
-        return _checked(functools.partial(number_tables.indexed, units=quantities.INDEXED[owner.__name__, field]))
+        units = quantities.INDEXED[owner.__name__, field]
+        return checked(functools.partial(quantities.indexed, units=units), json_forms.indexed)
     if (owner.__name__, field) in quantities.GRIDS:
-        return _checked(number_tables.grid)
-    if (owner.__name__, field) in maps.MAPS:
-        return _checked(functools.partial(maps.height_map, unit=unit))
-    if (owner.__name__, field) in maps.PAIRS:
-        return _checked(functools.partial(maps.pair, unit=unit))
+        return checked(quantities.grid, json_forms.grid)
     if hint == tuple[int, int]:
-        return _checked(maps.counts)
+        return checked(maps.counts, json_forms.counts)
+    if hint == tuple[tuple[str, float], ...]:
+        return checked(quantities.named, json_forms.named)
+    if (owner.__name__, field) in maps.MAPS:
+        return _in_unit(maps.height_map, json_forms.height_map, unit)
+    if (owner.__name__, field) in maps.PAIRS:
+        return _in_unit(maps.pair, json_forms.pair, unit)
     if hint is float:
         taken = quantities.number_or_infinite if quantities.endless(owner, field) else quantities.number
-        return _checked(functools.partial(taken, unit=unit))
-    if hint == Array:
-        return _checked(functools.partial(quantities.numbers, unit=unit))
+        return _in_unit(taken, lambda unit: json_forms.quantity(unit, within=numbers_taken(owner, field)), unit)
+    if hint == Array or (origin is tuple and inner == (float, Ellipsis)):
+        return _in_unit(quantities.numbers, json_forms.several, unit)
     if origin in (Union, types.UnionType) and set(inner) == {float, Array}:
-        return _checked(functools.partial(quantities.number_or_numbers, unit=unit))
-    if origin is tuple and inner == (float, Ellipsis):
-        return _checked(functools.partial(quantities.numbers, unit=unit))
-    if hint == tuple[tuple[str, float], ...]:
-        return _checked(number_tables.named)
+        return _in_unit(quantities.number_or_numbers, json_forms.one_or_many, unit)
     if origin is tuple and len(inner) == 2 and inner[1] is Ellipsis:
         return list[annotation(owner, field, inner[0])]  # type: ignore[misc]
     if origin in (Union, types.UnionType) or isinstance(hint, type):

@@ -22,7 +22,7 @@ from winkler.study.language.varied import Axis, Range
 from winkler.values import value
 from winkler.vocabulary import GLOSSARY
 
-__all__ = ["Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"]
+__all__ = ["GRADES", "PICTURES", "Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"]
 
 PICTURES = ("svg", "png", "pdf")
 """Formats that figures can be written in."""

@@ -12,9 +12,11 @@ from winkler.study.language.explain import Key, example_study, keys_of, place_of
 from winkler.study.language.quantities import sample
 from winkler.study.language.schema import hints
 
-__all__ = ["example_text", "inline", "template", "whole_text"]
+__all__ = ["SCHEMA_FILE", "example_text", "inline", "template", "whole_text"]
 
 COMMENT_COLUMN = 44
+SCHEMA_FILE = "winkler.schema.json"
+"""File beside a study in which an editor looks for its schema."""
 
 SWEEP_LINES = {
     "force": '"problem.load.force" = { from = "1 N", to = "100 N", count = 9, spacing = "log" }',
@@ -129,6 +131,8 @@ def template(name: str, *, file: str = "study", **chosen: str) -> str:
     law = used["law"]["kind"] if "law" in used else ""
     varied = used["load"]["kind"] if "load" in used else "coulomb" if law == "coulomb" else "law" if law else ""
     head = [
+        f"#:schema {SCHEMA_FILE}",
+        "# Complete and check it in an editor: winkler schema",
         f"# Run it:            winkler run {file}.toml",
         f"# What a kind takes: winkler show {name}",
         "# What there is:     winkler show",

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -108,15 +109,15 @@ def is_nanoindentation(path: Path) -> bool:
     return any(section in raw for section in SECTIONS)
 
 
-def read_nanoindentation_study(path: Path) -> NanoindentationStudy:
-    """Read a study; the files that it names lie relative to it.
+def read_nanoindentation_study(path: Path, *, settings: Sequence[str] = ()) -> NanoindentationStudy:
+    """Read a study, in which `settings` replace contents; the files that it names lie relative to it.
 
     Raises
     ------
     InvalidInput
         With one sentence: file, key, what it was, what is allowed.
     """
-    text = read_text(path)
+    text = read_text(path, settings)
     raw = parsed(text, path.name)
     try:
         return _study(raw, text, path)
