@@ -14,7 +14,7 @@ import numpy as np
 
 import winkler as wk
 from golden import Found, found_in
-from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE
+from winkler.problems.ring_slip.ring_path import ANGLE_TOLERANCE
 from winkler.problems.row import CURVED_STEP_TOLERANCE
 
 SEEDS, POINTS, MARCHED, KEPT = 20, 6, 3, 1

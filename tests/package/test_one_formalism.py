@@ -23,6 +23,8 @@ GONE = {
     "SlipPath": "SlipRow, under follow",
     "SlipPoint": "SlipState",
     "SpringRun": "SingleSprings, under follow",
+    "step_by_angle": "RingRow, under follow",
+    "step_to_torque": "RingRow, under follow",
 }
 """Classes and functions that are no more, and what stands for them."""
 OFFERING = {

@@ -113,6 +113,7 @@ class TwistBound:
             return self.bed.gap(radius)
         return self.bed.stiffness(radius) * self.bed.gap(radius) - self.bed.gap_load(radius)
 
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - as `at`
     def inertia(self, radius: float) -> float:
         """Return 2 int e^2 dx up to a radius [m^3]: the torsional stiffness over 8 G_t."""
         if isinstance(self.bed.medium, HomogeneousMedium):

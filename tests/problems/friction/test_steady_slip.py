@@ -10,7 +10,7 @@ from winkler.foundation.torsion_bound import PressedState, twist_bound
 from winkler.problems.ring_slip.play import followed
 from winkler.problems.ring_slip.push_bound import push_bound
 from winkler.problems.ring_slip.steady_path import steady_points
-from winkler.problems.ring_slip.torsion_march import square, step_by_angle, step_to_torque, torque_of
+from winkler.problems.ring_slip.torsion_march import square, step_to, torque_of, torsion_step
 from winkler.problems.ring_slip.torsion_pieces import fresh
 
 MU, D = 0.3, 0.01
@@ -51,10 +51,10 @@ def test_turning_points_as_the_march_of_the_springs(bound_of, ratio):
     if bound_of is twist_bound:
         values *= 0.1  # the bound grows without limit towards the axis
     found = steady_points(bound, press, values.tolist(), by_load=False)
-    memory, motion, lost, work = step_by_angle(bound, fresh(), press, 0.0).memory, 0.0, 0.0, 0.0
+    memory, motion, lost, work = torsion_step(bound, fresh(), press, 0.0).memory, 0.0, 0.0, 0.0
     most, whole = bound.most(press), found[-1].work
     for value, point in zip(values.tolist(), found, strict=True):
-        step = step_by_angle(bound, memory, press, value - motion)
+        step = torsion_step(bound, memory, press, value - motion)
         memory, motion, lost, work = step.memory, value, lost + step.loss, work + step.work
         assert point.load == pytest.approx(torque_of(bound, memory), abs=1e-12 * most)
         assert point.load == pytest.approx(torque_of(bound, point.memory), abs=1e-12 * most)
@@ -71,9 +71,9 @@ def test_a_prescribed_load_as_the_march_of_the_springs():
     press = PressedState(D, float(contact.radius), 0.0)
     loads = 0.97 * bound.most(press) * np.array([0.0, 0.4, 1.0, -1.0, 0.6, 0.2, 1.0])
     found = steady_points(bound, press, loads.tolist(), by_load=True)
-    memory, motion = step_by_angle(bound, fresh(), press, 0.0).memory, 0.0
+    memory, motion = torsion_step(bound, fresh(), press, 0.0).memory, 0.0
     for load, point in zip(loads.tolist(), found, strict=True):
-        step = step_to_torque(bound, memory, press, load)
+        step = step_to(bound, memory, press, load)
         memory, motion = step.memory, motion + step.twist
         assert point.motion == pytest.approx(motion, abs=1e-10 * float(bound.at(press).max()))
 

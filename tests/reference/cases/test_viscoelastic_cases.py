@@ -276,7 +276,7 @@ def line_on_and_off(problem):
 REFERENCES = {
     "line_viscoelastic_indentation": line_on_and_off,
     "relaxation_test": held,
-    "viscoelastic_tangential": dragged,
+    "tangential": dragged,
     "creep_test": creep,
     "viscoelastic_indentation": there_and_back,
     "viscoelastic_impact": struck,

@@ -93,6 +93,17 @@ class Stretches:
         panel = self.panel(x)
         return np.asarray(np.sum(self.reading(x, panel) * values[panel], axis=-1))
 
+    def at(self, values: Array, place: float) -> float:
+        """Return, at one place, a function given at the nodes ``(panels, COUNT)``."""
+        panel, weights = self._weights_at(place)
+        return float(weights @ values[panel])
+
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - as `sample`
+    def _weights_at(self, place: float) -> tuple[int, Array]:
+        at = np.array([place])
+        panel = self.panel(at)
+        return int(panel[0]), self.reading(at, panel)[0]
+
     def reader(self, values: Array) -> Callable[[float], float]:
         """Return a function given at the nodes ``(panels, COUNT)``, for one place at a time."""
         fits: dict[int, list[float]] = {}

@@ -95,6 +95,7 @@ class PushBound(TwistBound):
         below = np.sum(np.where(np.arange(count) < own[:, None], whole, 0.0), axis=1)
         return np.asarray(below + np.sum(panels.part(panels.nodes.ravel(), own) * rows[nodes, own], axis=1))
 
+    @functools.lru_cache(maxsize=64)  # noqa: B019 - as `TwistBound.at`
     def inertia(self, radius: float) -> float:
         """Return 2 int e^2 dx up to a radius [m]: the stiffness over G*."""
         return 2.0 * float(self.panels.integral(self.weight, np.array([radius]))[0])

@@ -9,7 +9,8 @@ import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.ring_slip.torsion_march import ANGLE_TOLERANCE, LOSS_TOLERANCE
+from winkler.problems.ring_slip.ring_path import ANGLE_TOLERANCE
+from winkler.problems.ring_slip.torsion_march import LOSS_TOLERANCE
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["TABLES_ERROR", "RingState", "ring_notes"]

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.loading import Angle, Depth, Shift
@@ -17,20 +16,136 @@ from winkler.path import Path
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.ring_slip.steady_path import HistoryPoint, falls, steady_points
 from winkler.problems.ring_slip.torsion_march import (
+    MOST_HALVINGS,
     TORQUE_MARGIN,
-    TorsionStep,
+    presses_between,
     square,
-    step_by_angle,
-    step_to_torque,
+    step_to,
     torque_of,
     torsion_step,
+    trapezoid,
+    unrounded,
 )
+from winkler.problems.ring_slip.torsion_memory import moved
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
+from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
 
-__all__ = ["RingPoint", "ring_points"]
+__all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
 
 LEVEL_TOLERANCE = 1e-12
 """Part of the level by which two contacts may differ whose bounds are the same."""
+
+
+ANGLE_TOLERANCE = 1e-4
+"""Error of motion, load and loss where halves are needed, over what the contact bears at most on its path."""
+
+
+class RingGoal(NamedTuple):
+    """What is prescribed at a moment on the way to a point: a press, and a motion [Pa] or a load."""
+
+    point: int
+    press: PressedState
+    target: float
+
+
+class RingMemory(NamedTuple):
+    """The springs on the way to a point of a path.
+
+    Parameters
+    ----------
+    memory : TwistMemory
+    motion : float
+        As in `HistoryPoint` [Pa].
+    rate : float
+        Motion over the change of the level in the last step, from which that of the next is sought.
+    point : int
+    nested : bool
+        Whether all that slid on the way to this point was one outer ring, and slid to one side.
+    """
+
+    memory: TwistMemory
+    motion: float
+    rate: float
+    point: int
+    nested: bool
+
+
+class RingRow:
+    """The springs of a contact whose rings slide; energies are over 4 G_t of a twist, and half of that of a push.
+
+    Parameters
+    ----------
+    bound : TwistBound
+    goals : list of RingGoal
+        Those of the points of the path.
+    moved : bool
+        Whether the motion is prescribed, not the load.
+    """
+
+    order: int | None = 2
+
+    def __init__(self, bound: TwistBound, goals: list[RingGoal], moved: bool) -> None:
+        self.bound, self.moved, self.owner = bound, moved, bound.owner
+        press = max((goal.press for goal in goals), key=lambda each: (each.radius, each.level))
+        stiffness = bound.inertia(press.radius) if press.radius > 0.0 else 1.0
+        greatest, most = max(abs(goal.target) for goal in goals), bound.most(press)
+        load = min(most, greatest * stiffness) if moved else greatest if bound.endless else most
+        motion = greatest if moved else load / stiffness
+        self.allowed = tuple(CURVED_STEP_TOLERANCE * each for each in (motion, load, 0.25 * load * motion))
+        """Of motion [Pa], load and loss."""
+
+    def begin(self, goal: RingGoal) -> Reached[RingMemory]:
+        """Return the springs pressed straight down, and moved after."""
+        memory = torsion_step(self.bound, fresh(min(goal.press.level, 0.0)), goal.press, 0.0).memory
+        return self.step(RingMemory(memory, 0.0, 0.0, goal.point, True), goal)
+
+    def step(self, state: RingMemory, goal: RingGoal) -> Reached[RingMemory]:
+        """Return the springs after load and motion have changed in proportion, to a motion or to a load."""
+        bound, memory = self.bound, state.memory
+        press = unrounded(memory.press, goal.press)
+        change = press.level - memory.level
+        if not self.moved:
+            step = step_to(bound, memory, press, goal.target, state.rate * change)
+        else:
+            twist = goal.target - state.motion
+            straight = self._straight(memory.press, press, twist)
+            step = (
+                torsion_step(bound, memory, press, twist)
+                if straight
+                else trapezoid(bound, memory, press, twist, moved(bound, memory, press, twist))
+            )
+        nested = step.nested and (state.nested or state.point != goal.point)
+        motion = goal.target if self.moved else state.motion + step.twist
+        rate = step.twist / change if change != 0.0 else 0.0
+        return Reached(RingMemory(step.memory, motion, rate, goal.point, nested), step.work, step.loss)
+
+    def _straight(self, before: PressedState, press: PressedState, twist: float) -> bool:
+        """Return whether one step by a motion leaves every spring where it must be.
+
+        Where a bound is not a concave function of the load, a spring that slides may stick again while both change.
+        """
+        return twist == 0.0 or press == before or self.bound.endless or self.bound.concave
+
+    def halfway(self, state: RingMemory, start: RingGoal, goal: RingGoal) -> RingGoal | None:
+        """Return what is prescribed at the middle of the radii, or of the loads under which the body is filled."""
+        first, bound = state.memory.press, self.bound
+        last = unrounded(first, goal.press)
+        if first == last or (self.moved and self._straight(first, last, goal.target - state.motion)):
+            return None
+        for halving in range(1, MOST_HALVINGS + 1):
+            between = presses_between(bound, first, last, 2**halving)[:-1]
+            if between:
+                press = between[len(between) // 2]
+                share = (press.level - first.level) / (last.level - first.level)
+                return RingGoal(goal.point, press, start.target + (goal.target - start.target) * share)
+        return None
+
+    def apart(self, one: Reached[RingMemory], two: Reached[RingMemory]) -> float:
+        """Return by how much motion, load and loss differ, over a small part of what the contact bears."""
+        here, there = one.state, two.state
+        loads = [torque_of(self.bound, each.memory) for each in (here, there)] if self.moved else [0.0, 0.0]
+        misses = abs(here.motion - there.motion), abs(loads[0] - loads[1]), abs(one.lost - two.lost)
+        return max(over(*pair) for pair in zip(misses, self.allowed, strict=True))
 
 
 class RingPoint(NamedTuple):
@@ -135,33 +250,21 @@ def _steady(
     points = steady_points(bound, press, targets[:borne], not moved)
     yield from points
     if borne < len(targets):
-        memory = points[-1].memory if points else torsion_step(bound, fresh(), press, 0.0).memory
-        _to_load(bound, memory, press, targets[borne], borne)  # refuses
+        goals = [RingGoal(point, press, target) for point, target in enumerate(targets)]
+        ends = [RingMemory(point.memory, point.motion, 0.0, borne - 1, True) for point in points[-1:]]
+        last = [(borne - 1, goals[borne - 1], Reached(end, 0.0, 0.0)) for end in ends]
+        next(follow(RingRow(bound, goals, moved), goals[borne:], *last))  # refuses
 
 
 def _marched(
     bound: TwistBound, presses: list[PressedState], targets: list[float], moved: bool
 ) -> Iterator[HistoryPoint]:
     """Yield the points of a path one after the other."""
-    memory = torsion_step(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
-    motion = lost = work = 0.0
-    for i, (press, target) in enumerate(zip(presses, targets, strict=True)):
-        if moved:
-            step = step_by_angle(bound, memory, press, target - motion)
-        else:
-            step = _to_load(bound, memory, press, target, i)
-        memory = step.memory
-        lost, work = lost + step.loss, work + step.work
-        motion = target if moved else motion + step.twist
+    goals = [RingGoal(point, *goal) for point, goal in enumerate(zip(presses, targets, strict=True))]
+    for state, work, lost in follow(RingRow(bound, goals, moved), goals):
+        memory, motion = state.memory, state.motion
         at = (motion, torque_of(bound, memory), _stick_radius(memory))
-        yield HistoryPoint(*at, work, square(bound, memory), lost, step.nested, memory)
-
-
-def _to_load(bound: TwistBound, memory: TwistMemory, press: PressedState, target: float, index: int) -> TorsionStep:
-    try:
-        return step_to_torque(bound, memory, press, target)
-    except OutsideValidity as error:
-        raise OutsideValidity(f"{bound.owner}: at index {index} of the path {error}") from None
+        yield HistoryPoint(*at, work, square(bound, memory), lost, state.nested, memory)
 
 
 def _stick_radius(memory: TwistMemory) -> float:

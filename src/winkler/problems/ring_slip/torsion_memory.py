@@ -47,14 +47,11 @@ class TwistRing(NamedTuple):
 class TwistMove(NamedTuple):
     """What a move leads to.
 
-    `loss` is 4 G_t times the energy lost, as if the bound had changed in proportion too, and `extra` the work beyond
-    `stuck_work` likewise; `rings` are the springs that slid, `nested` whether these are the outer part of the contact
-    and slid to one side, and `free` is the part of 2 int x^2 dx that follows a further twist.
+    `rings` are the springs that slid or left the contact, `nested` whether those that slid are its outer part and slid
+    to one side, and `free` is the part of 2 int x^2 dx that follows a further twist.
     """
 
     memory: TwistMemory
-    loss: float
-    extra: float
     rings: tuple[TwistRing, ...]
     nested: bool
     free: float
@@ -96,7 +93,7 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
         rate = twist / change if change > 0.0 else 0.0
         trials.append((TwistPiece(before.radius, press.radius, rate * press.level, -rate, 0.0, NO_CONTACT), True))
     now = bound.at(press)
-    slack = BOUND_ROUNDING * _read(bound, now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
+    slack = BOUND_ROUNDING * bound.panels.at(now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
     done: list[TwistPiece] = []
     rings: list[TwistRing] = []
     states: list[tuple[float, int]] = []
@@ -119,8 +116,7 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
             rings.append(TwistRing(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
     if press.radius < before.radius:
         rings += _left(bound, memory, press, twist)
-    loss, extra = slid_along(bound, memory, [press], twist, tuple(rings)) if rings else (0.0, 0.0)
-    return TwistMove(_memory_of(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
+    return TwistMove(_memory_of(press, done), tuple(rings), _nested(states, press.radius), free)
 
 
 def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> float:
@@ -190,12 +186,6 @@ def slid_along(
     return total, extra
 
 
-def _read(bound: TwistBound, values: Array, place: float) -> float:
-    at = np.array([place])
-    panel = bound.panels.panel(at)
-    return float(bound.panels.reading(at, panel)[0] @ values[panel[0]])
-
-
 def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> list[TwistRing]:
     """Return the springs that come out of contact."""
     rings = []
@@ -217,7 +207,9 @@ def _stretches_of(
     sample = bound.panels.sample(trial.low, trial.high)
     places = np.concatenate([[trial.low], sample.x.ravel(), [trial.high]])
     limit, load = (
-        np.concatenate([[_read(bound, each, trial.low)], sample.read(each).ravel(), [_read(bound, each, trial.high)]])
+        np.concatenate(
+            [[bound.panels.at(each, trial.low)], sample.read(each).ravel(), [bound.panels.at(each, trial.high)]]
+        )
         for each in (now, values)
     )
     state = np.where(load > limit + slack, 1, 0) - np.where(-load > limit + slack, 1, 0)
