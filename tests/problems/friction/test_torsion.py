@@ -334,10 +334,15 @@ def test_solve_gathers_the_steps():
         solution.at(6)
 
 
+# what friction bears is known to rounding of what it bears at the greatest depth of the path: a contact of 1e-20 of that
+# depth bears less
+DEPTHS = st.floats(-0.2, 1.5).map(lambda depth: 0.0 if abs(depth) < 1e-9 else depth)
+
+
 @pytest.mark.slow
 @settings(max_examples=5, deadline=None, derandomize=True)
 @given(
-    st.lists(st.tuples(st.floats(-0.2, 1.5), st.floats(-0.6, 0.6)), min_size=2, max_size=3),
+    st.lists(st.tuples(DEPTHS, st.floats(-0.6, 0.6)), min_size=2, max_size=3),
 )
 def test_no_energy_comes_from_nowhere(points):
     depths, angles = np.array(points).T
