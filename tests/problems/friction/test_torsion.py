@@ -334,8 +334,7 @@ def test_solve_gathers_the_steps():
         solution.at(6)
 
 
-# what friction bears is known to rounding of what it bears at the greatest depth of the path: at 1e-20 of that depth it is
-# less than that
+# what friction bears is known to rounding of what it bears at the greatest depth of a path, more than it is at 1e-20 of it
 DEPTHS = st.floats(-0.2, 1.5).map(lambda depth: 0.0 if abs(depth) < 1e-9 else depth)
 
 
