@@ -82,7 +82,7 @@ def path_of(bed, lateral):
 def test_a_push_under_a_changing_load(medium, lateral):
     bed = wk.Foundation(wk.Paraboloid(10e-3), medium)
     path = path_of(bed, lateral)
-    found = wk.CoatedTangential(bed, wk.Coulomb(MU), path).solve()
+    found = wk.Tangential(bed, wk.Coulomb(MU), path).solve()
     agrees(bed, push_bound, path, medium.shear_modulus, found, found.shift, found.shear_force)
 
 
