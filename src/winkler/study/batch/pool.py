@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
+from concurrent.futures import Executor
 from typing import Annotated, Any, TypeVar
 
 from winkler.checks.number_checks import Number
@@ -41,8 +42,8 @@ class Machine:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-Workers = int | Cluster | Machine
-"""A number of processes of this machine, a cluster, or as many processors of this machine as are worth it."""
+Workers = int | Cluster | Machine | Executor
+"""A number of processes of this machine, a cluster, as many processors as are worth it, or somebody's executor."""
 
 BATCH_SECONDS = 0.25
 """Intended duration of a batch [s]."""
@@ -52,15 +53,26 @@ MOST_ITEMS = 1024
 
 
 def checked_workers(workers: Workers) -> Workers:
-    """Return `workers`, or refuse what is no whole number from 1 on, no cluster and not the machine."""
+    """Return `workers`, or refuse what is no whole number from 1 on, no cluster, not the machine and no executor."""
     if isinstance(workers, Cluster | Machine):
+        return workers
+    if isinstance(workers, Executor):
+        from concurrent.futures import ThreadPoolExecutor
+
+        if isinstance(workers, ThreadPoolExecutor):
+            raise InvalidInput(
+                "workers: an executor of threads computes no faster than one; give one of processes, such as "
+                "concurrent.futures.ProcessPoolExecutor(4)."
+            )
         return workers
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
         raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
     return workers
 
 
-def completed(compute: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[tuple[int, R]]:
+def completed(
+    compute: Callable[[T], R], todo: Sequence[T], workers: int | Cluster | Executor
+) -> Iterator[tuple[int, R]]:
     """Yield the place of every item and ``compute(item)``, as they are ready.
 
     Parameters
@@ -70,7 +82,7 @@ def completed(compute: Callable[[T], R], todo: Sequence[T], workers: int | Clust
     todo
         The items.
     workers
-        Number of processes of this machine with one thread each; or a cluster.
+        Number of processes of this machine with one thread each; a cluster; or an executor, which stays open.
 
     Raises
     ------
@@ -83,8 +95,12 @@ def completed(compute: Callable[[T], R], todo: Sequence[T], workers: int | Clust
         with connected(workers) as cluster:
             yield from _shared(compute, todo, cluster.submit, cluster.threads, cluster.ready)
         return
-    from winkler.study.batch.processes import processes, ready  # with what starts processes, unused by one alone
+    from winkler.study.batch.processes import guarded, processes, ready  # with what starts processes, unused by one
 
+    if isinstance(workers, Executor):
+        with guarded(workers) as submit:
+            yield from _shared(compute, todo, submit, Machine().processors, ready)
+        return
     with processes(min(workers, len(todo))) as submit:
         yield from _shared(compute, todo, submit, workers, ready)
 

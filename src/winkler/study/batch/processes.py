@@ -8,7 +8,7 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Collection, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import resource_tracker
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 from winkler.errors import InvalidInput, NotConverged
 from winkler.io.processes.stopping import deferred_signals
 
-__all__ = ["THREAD_VARIABLES", "processes", "ready"]
+__all__ = ["THREAD_VARIABLES", "guarded", "processes", "ready"]
 
 THREAD_VARIABLES = (
     "OMP_NUM_THREADS",
@@ -27,6 +27,26 @@ THREAD_VARIABLES = (
     "NUMBA_NUM_THREADS",
 )
 """Environment variables that set the number of threads of libraries."""
+
+
+@contextlib.contextmanager
+def guarded(executor: Executor) -> Iterator[Callable[..., Future[Any]]]:
+    """Provide a function that submits work to somebody's executor; what was not begun is withdrawn at the end."""
+    sent: list[Future[Any]] = []
+
+    def submit(*work: Any) -> Future[Any]:
+        sent[:] = [future for future in sent if not future.done()]
+        sent.append(executor.submit(*work))
+        return sent[-1]
+
+    try:
+        yield submit
+    except BrokenExecutor as error:
+        why = " ".join(str(error).split()).rstrip(".")
+        raise NotConverged(f"workers: the executor is broken ({why}); make a new one and run again.") from None
+    finally:
+        for future in sent:
+            future.cancel()
 
 
 @contextlib.contextmanager

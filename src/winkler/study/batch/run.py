@@ -37,8 +37,9 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
     study
         The study, from `winkler.study.language.reading.read_study` or made in Python.
     workers
-        Number of processes for a sweep, a `winkler.study.batch.cluster.Cluster`, or
-        `winkler.study.batch.pool.Machine()` for all processors of this machine; the numbers do not depend on it.
+        Number of processes for a sweep, a `winkler.study.batch.cluster.Cluster`, an executor of processes
+        (`concurrent.futures.Executor`, of the standard library or another), or `winkler.study.batch.pool.Machine()` for
+        all processors of this machine; the numbers do not depend on it.
     journal
         File in which points are recorded while it runs: a stopped run is continued from it by the same call. It is
         removed at the end.

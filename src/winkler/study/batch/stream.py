@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
 from typing import Any, TypeVar
 
 import numpy as np
@@ -61,7 +62,7 @@ def results(
     names
         Plural name of the tasks, and the participle of what is done with one.
     workers
-        Number of processes, a cluster, or the `Machine`; 1 computes in this one.
+        Number of processes, a cluster, an executor, or the `Machine`; 1 computes in this one.
     watch
         Passes on the progress of the tasks that this process computes.
     others : ndarray of bool, (n,), optional
@@ -105,7 +106,7 @@ def _computed(
     compute: Callable[..., Any], todo: Sequence[T], workers: Workers, watch: Any
 ) -> Iterator[tuple[int, Any]]:
     """Yield places among the tasks and what was computed of them, as they are ready."""
-    if isinstance(workers, Cluster) or (isinstance(workers, int) and workers > 1 < len(todo)):
+    if isinstance(workers, Cluster | Executor) or (isinstance(workers, int) and workers > 1 < len(todo)):
         yield from completed(compute, todo, workers)
         return
     others, patience = (workers.processors, workers.patience) if isinstance(workers, Machine) else (1, 0.0)

@@ -85,7 +85,7 @@ def solve_points(
         Record of points: those that it holds come first, then the others in any order.  Without one they come in the
         order of the sweep.
     workers
-        Number of processes, a cluster, or the `Machine`; 1 solves in this one.
+        Number of processes, a cluster, an executor, or the `Machine`; 1 solves in this one.
     watch
         Passes on the states of a march along a path, if this process solves it; if it is interrupted, the states
         reached give the last point.
