@@ -60,6 +60,14 @@ def test_the_numbers_are_those_of_this_process_and_of_a_pool(address, tmp_path):
 
 
 @pytest.mark.slow
+def test_the_executor_of_a_client_solves_them_too(address):
+    from distributed import Client
+
+    with Client(address, set_as_default=False) as client:
+        assert run(STUDY, workers=client.get_executor()).points == run(STUDY).points
+
+
+@pytest.mark.slow
 def test_the_command_line(address, tmp_path, monkeypatch, capsys):
     from winkler.study.language.writing import study_text
 
