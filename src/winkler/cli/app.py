@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from winkler.cli import browser, cite, draw, export, fit, new, report, run, schema, show, table, validate
+from winkler.cli import browser, cite, draw, export, fit, new, report, run, show, table, validate
 from winkler.cli.streams import write_line
 
 __all__ = ["app", "command"]
@@ -64,7 +64,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "table": table.table,
     "export": export.export,
     "new": new.new,
-    "schema": schema.schema,
+    "schema": new.schema,
     "cite": cite.cite,
     "validate": validate.validate,
     "app": browser.app,

@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 import traceback
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,10 +21,12 @@ from winkler.study.batch.marching import NO_CHECKPOINTS, MarchResult, Watch, sol
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import json_line, recalled, without_solution
-from winkler.study.batch.shards import Shard
 from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import PointTask, PointTasks, tasks
 from winkler.study.language.study import Expectation, Fields, Study
+
+if TYPE_CHECKING:
+    from winkler.study.batch.shards import Shard
 
 __all__ = ["solve_points", "solved"]
 
