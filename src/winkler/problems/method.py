@@ -1,4 +1,4 @@
-"""How a contact that slips is followed, where more than one way leads there."""
+"""Methods by which a contact that slips is followed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["Method", "exact_ratio"]
 
 
 class Method(StrEnum):
-    """How stick and slip are followed: the most exact way unless one is named."""
+    """Method by which stick and slip are followed; the most accurate one unless it is named."""
 
     AUTO = "auto"
     """Rings where the medium knows its own shear kernel, springs by gap where they are exact, else springs."""

@@ -1,8 +1,8 @@
 r"""Force curves and force volumes of Bruker's NanoScope (.spm, .000 and numbered endings): a text head, then integers.
 
 The head has sections with lines ``\key: value``.  Each section ``Ciao force image list`` is a channel: where its
-integers stand, how many belong to each way, the volts of the least bit, and the name of the sensitivity that makes
-lengths of volts.  Both ways are stored from the deepest point outwards.
+integers stand, how many belong to approach and to retraction, the volts of the least bit, and the name of the
+sensitivity that makes lengths of volts.  Both are stored from the deepest point outwards.
 """
 
 from __future__ import annotations
@@ -79,31 +79,31 @@ def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest
     sensor = next((one for one in head.channels if one.name.lower() == "height sensor"), None)
     sensitivity, of_sensitivity = _sensitivity(deflection, head, given, path)
     force = _numbers(deflection, head, content, path)
-    ways = _ways(deflection, path)
+    passes = _counts_of(deflection, path)
     ramp, speed = _ramp(deflection, head, path)
     place = (
         (_numbers(sensor, head, content, path), _least(sensor, path) * _sensor_sensitivity(sensor, head, path))
-        if sensor is not None and _ways(sensor, path) == ways
+        if sensor is not None and _counts_of(sensor, path) == passes
         else None
     )
-    steps = [ramp * np.arange(1, count + 1) / count for count in ways]
+    steps = [ramp * np.arange(1, count + 1) / count for count in passes]
     driven = np.concatenate([steps[0], steps[1][::-1]])
-    time = _time(ways, ramp, speed, head)
+    time = _time(passes, ramp, speed, head)
     facts = (
         f"deflection from '{deflection.name}', position from "
         + ("'Height Sensor'" if place is not None else "the ramp, its size and number of points"),
         of_sensitivity,
         *(["no sensor measured the height: a creep of the piezo is not seen"] if place is None else []),
     )
-    direction = np.repeat([IN, OUT], ways)
+    direction = np.repeat([IN, OUT], passes)
     missing = np.iinfo(force.dtype).min
     columns, lines = head.grid
     size, origin = _scan(head)
     for number, counts in enumerate(force):
         valid = counts != missing
-        volts = _turned(counts, ways[0]) * _least(deflection, path)
-        load = np.where(_turned(valid, ways[0]), volts * sensitivity * spring, np.nan)
-        position = driven if place is None else _turned(place[0][number], ways[0]) * place[1]
+        volts = _turned(counts, passes[0]) * _least(deflection, path)
+        load = np.where(_turned(valid, passes[0]), volts * sensitivity * spring, np.nan)
+        position = driven if place is None else _turned(place[0][number], passes[0]) * place[1]
         line, column = divmod(number, columns)
         name = path.name if len(force) == 1 else f"{path.name}, curve {number}"
         x, y = origin
@@ -158,7 +158,7 @@ def _head(content: bytes, path: Path) -> _Head:
     return _Head(settings, channels, (grid[0], grid[1]))
 
 
-def _ways(channel: _Channel, path: Path) -> tuple[int, int]:
+def _counts_of(channel: _Channel, path: Path) -> tuple[int, int]:
     """Return the numbers of points of extension and retraction; the file states retraction first."""
     counts = [int(word) for word in channel.settings.get("Samps/line", "").split() if word.isdecimal()]
     if not counts or not all(0 < count <= MOST_CURVES for count in counts):
@@ -169,7 +169,7 @@ def _ways(channel: _Channel, path: Path) -> tuple[int, int]:
 def _numbers(channel: _Channel, head: _Head, content: bytes, path: Path) -> Array:
     """Return the integers of all curves ``(curves, points)``."""
     offset, length = (_whole(channel.settings, key, path) for key in ("Data offset", "Data length"))
-    curves, points = head.grid[0] * head.grid[1], sum(_ways(channel, path))
+    curves, points = head.grid[0] * head.grid[1], sum(_counts_of(channel, path))
     size, rest = divmod(length, curves * points) if 0 < curves <= MOST_CURVES else (0, 1)
     if rest or size not in POINT_BYTES:
         raise InvalidInput(
@@ -243,15 +243,15 @@ def _ramp(channel: _Channel, head: _Head, path: Path) -> tuple[float, float]:
     return float(match["hard"]) * per_volt, (_number(head.settings, "Forward vel.") or 0.0) * per_volt
 
 
-def _time(ways: tuple[int, int], ramp: float, speed: float, head: _Head) -> Array:
+def _time(passes: tuple[int, int], ramp: float, speed: float, head: _Head) -> Array:
     """Return the times of all points [s]; none where a speed is missing."""
     per_volt_free = _number(head.settings, "Reverse vel."), _number(head.settings, "Forward vel.")
     if not speed > 0.0 or not per_volt_free[0] or not per_volt_free[1]:
         return np.zeros(0)
     back = speed * per_volt_free[0] / per_volt_free[1]
     there, retracts = (
-        ramp / speed * np.arange(1, ways[0] + 1) / ways[0],
-        ramp / back * np.arange(1, ways[1] + 1) / ways[1],
+        ramp / speed * np.arange(1, passes[0] + 1) / passes[0],
+        ramp / back * np.arange(1, passes[1] + 1) / passes[1],
     )
     return np.concatenate([there, there[-1] + (_number(head.settings, "Ramp delay") or 0.0) + retracts])
 

@@ -164,7 +164,7 @@ class LineShakedownSolution:
             Assumption.ELASTIC,
             Standing.EXACT,
             "Elastic, perfectly plastic solids (von Mises), each with its own strength; the limit is Melan's: residual "
-            "stresses along and across the way exist at each depth with which the body stays elastic.",
+            "stresses along and across the direction of rolling exist at each depth with which the body stays elastic.",
             MELAN,
         )
         if isinstance(bed, LayeredLineFoundation):

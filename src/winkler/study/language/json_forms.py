@@ -1,8 +1,8 @@
 """How values of a study are written, as parts of a JSON schema for editors.
 
 An editor knows no dimensions: the pattern of a quantity refuses a bare number and each symbol of the table of units
-that has another dimension (``"10 kg"`` for a length).  Products of units are left to the reader of studies.  No pattern
-refuses what that reader takes.
+that has another dimension (``"10 kg"`` for a length).  Products of units are left to the reader of studies.  The
+patterns are tested to take what that reader takes.
 """
 
 from __future__ import annotations

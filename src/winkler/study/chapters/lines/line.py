@@ -116,7 +116,7 @@ GRADED_PRESSURE = Equation(
 STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
 PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
-    "The best residual stresses along and across the way leave no more than the strength at each depth (Melan)",
+    "The best residual stresses, along and across the direction of rolling, leave at most the strength (Melan)",
     r"\max_z\,\min_{\rho_x,\rho_y}\,\max_x\,\sigma_{\mathrm{vM}}(\sigma + \rho) = \sigma_Y",
 )
 
