@@ -126,13 +126,16 @@ def test_refused():
     ball = wk.Foundation(wk.Paraboloid(1e-3), STEEL)
     with pytest.raises(wk.InvalidInput, match="loads"):
         wk.ContactStress(wk.Indentation(ball, wk.Force([1.0, 2.0]))).solve()
-    coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5e9, 0.2), 1e-6)], on=wk.Elastic(1e9, 0.3))
-    for contact in (
-        wk.Indentation(wk.Foundation(wk.Paraboloid(1e-3), coat), wk.Force(1.0)),
-        wk.LineIndentation(wk.LayeredLineFoundation(wk.Paraboloid(1e-3), coat), wk.LineForce(1.0)),
+    zinc = wk.TransverselyIsotropic(161e9, 34.2e9, 50.1e9, 61e9, 38.3e9)
+    for medium, reason in (
+        (wk.TransverselyIsotropicHalfSpace(zinc), "TransverselyIsotropicHalfSpace; .* give a HalfSpace"),
+        (
+            wk.StackedHalfSpace([wk.StackLayer(zinc, 1e-6)], on=wk.Elastic(1e9, 0.3)),
+            "transversely isotropic; .* give layers",
+        ),
     ):
-        with pytest.raises(wk.InvalidInput, match="give a HalfSpace"):
-            wk.ContactStress(contact)
+        with pytest.raises(wk.InvalidInput, match=reason):
+            wk.ContactStress(wk.Indentation(wk.Foundation(wk.Paraboloid(1e-3), medium), wk.Force(1.0)))
     strip = wk.LineFoundation(wk.Paraboloid(1e-3), STEEL)
     for contact in (wk.Indentation(ball, wk.Force(0.0)), wk.LineIndentation(strip, wk.LineForce(0.0))):
         with pytest.raises(wk.OutsideValidity, match="do not touch"):
@@ -143,3 +146,89 @@ def test_refused():
     ):
         with pytest.raises(wk.OutsideValidity, match="infinite"):
             wk.ContactStress(contact).solve()
+
+
+HARD, SOFT = wk.Elastic(420e9, 0.25, strength=2e9), wk.Elastic(70e9, 0.33, strength=0.4e9)
+PLAIN = wk.Elastic(210e9, 0.3)
+LIKE = wk.CoatedHalfSpace((wk.Layer(PLAIN, 20e-6),), PLAIN, second=PLAIN)
+KINDS = ("von_mises", "max_shear", "orthogonal_shear", "long_axis_shear")
+
+
+def pressed(shape, medium, load):
+    """A ball, an ellipse or a cylinder."""
+    if shape == "ball":
+        return wk.Indentation(wk.Foundation(wk.Paraboloid(10e-3), medium), wk.Force(load))
+    if shape == "ellipse":
+        return wk.EllipticIndentation(wk.CurvedBodies(20e-3, 5e-3), medium, wk.Force(load))
+    bed = wk.LayeredLineFoundation if isinstance(medium, wk.CoatedHalfSpace) else wk.LineFoundation
+    return wk.LineIndentation(bed(wk.Paraboloid(10e-3), medium), wk.LineForce(load))
+
+
+@pytest.mark.parametrize(
+    ("shape", "load", "tolerance"),
+    [
+        pytest.param("ball", 5.0, 1e-6, marks=pytest.mark.slow),
+        ("cylinder", 1e4, 1e-6),
+        pytest.param("ellipse", 5.0, 0.0, marks=pytest.mark.slow),
+    ],
+)
+def test_layers_like_their_base_are_a_half_space(shape, load, tolerance):
+    found, plain = (wk.ContactStress(pressed(shape, medium, load)).solve() for medium in (LIKE, STEEL))
+    for kind in KINDS:
+        off = max(tolerance, found.stress_error)
+        assert getattr(found, kind) == pytest.approx(getattr(plain, kind), rel=off), kind
+        below = [abs(getattr(one, f"{kind}_depth")) for one in (found, plain)]
+        assert below[0] == pytest.approx(below[1], rel=max(1e-3, off)), kind
+    assert [part.name for part in found.parts] == ["layer 1", "body under the layers", "second body"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("soft_below", [True, False])
+@pytest.mark.parametrize(
+    ("shape", "tolerance"), [("ball", 1e-6), ("cylinder", 1e-7), pytest.param("ellipse", 0.0, marks=pytest.mark.long)]
+)
+def test_at_its_onset_of_yield_each_part_bears_its_strength(shape, tolerance, soft_below):
+    solids = (HARD, SOFT) if soft_below else (SOFT, HARD)
+    medium = wk.CoatedHalfSpace((wk.Layer(solids[0], 20e-6),), solids[1])
+    if shape == "ball":
+        onsets = wk.YieldOnset(pressed(shape, medium, 1.0).bed).solve().onsets
+    elif shape == "ellipse":
+        onsets = wk.EllipticYieldOnset(wk.CurvedBodies(20e-3, 5e-3), medium).solve().onsets
+    else:
+        onsets = wk.LineYieldOnset(pressed(shape, medium, 1.0).bed).solve().onsets
+    for onset in onsets:
+        load = onset.force_per_length if shape == "cylinder" else onset.force
+        found = wk.ContactStress(pressed(shape, medium, load)).solve()
+        part = found.parts[onset.part - 1]
+        off = max(tolerance, found.stress_error)
+        assert part.name == onset.name
+        assert part.von_mises == pytest.approx(solids[onset.part - 1].strength, rel=off)
+        assert part.von_mises_depth == pytest.approx(onset.z, rel=1e-3, abs=1e-9) or off > 1e-3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shape", ["ball", "cylinder"])
+def test_no_place_in_a_layer_is_stressed_more(shape):
+    """The greatest stress of each part and kind against the fields of the contact on a dense grid."""
+    medium = wk.StackedHalfSpace(
+        (wk.StackLayer(HARD, 12e-6), wk.StackLayer(SOFT, 15e-6)), wk.Elastic(210e9, 0.3), second=PLAIN
+    )
+    if shape == "ball":
+        contact = pressed(shape, medium, 5.0)
+    else:
+        bed = wk.LayeredLineFoundation(wk.Paraboloid(10e-3), medium)
+        contact = wk.LineIndentation(bed, wk.LineForce(1e4))
+    found = wk.ContactStress(contact).solve()
+    solution, width = contact.solve(), 60e-6
+    spans = [(0.0, 12e-6), (12e-6, 27e-6), (27e-6, 3.0 * width), (0.0, -2.0 * width)]
+    assert len(found.parts) == len(spans)
+    for part, (top, bottom) in zip(found.parts, spans, strict=True):
+        x = np.linspace(0.0, 1.5 * width, 61)[:, None]
+        z = top + (bottom - top) * np.linspace(1e-6, 1.0, 61)[None, :]
+        if bottom < 0.0:
+            z[0, 0] = -1e-12
+        fields = wk.restore(solution, x, z) if shape == "ball" else solution.stresses(x, z)
+        along = np.abs(fields.shear_stress if shape == "ball" else fields.xz_stress)
+        for kind, level in zip(KINDS, (fields.von_mises, fields.max_shear, along), strict=False):
+            assert np.max(level) <= getattr(part, kind) * (1.0 + 1e-6), (part.name, kind)
+            assert np.max(level) >= getattr(part, kind) * (1.0 - 5e-3), (part.name, kind)

@@ -166,3 +166,55 @@ def test_slender_ellipses_lose_more_pressure_as_the_note_says():
     fallen = 1.0 - states[1].pressure[0] / states[0].pressure[0]
     assert slender.problem.bodies.slenderness == pytest.approx(0.01, rel=0.1)
     assert 1.7 < part * fallen / 0.01 < 2.3
+
+
+COATED = wk.CoatedHalfSpace((wk.Layer(wk.Elastic(420e9, 0.25), 20e-6),), STEEL, second=STEEL)
+GRADED = wk.GradedHalfSpace(wk.PowerLawGraded(4e9, 1e-3, 0.3, 0.3))
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7])
+def test_on_layers_like_their_base_it_wears_as_on_a_half_space(angle):
+    like = wk.CoatedHalfSpace((wk.Layer(STEEL, 20e-6),), STEEL, second=STEEL)
+    load = wk.Force(5.0)
+    found, plain = (
+        wk.EllipticWear(BODIES, medium, BOTH, load, 1.0, angle=angle, passes=3.0).solve() for medium in (like, PAIR)
+    )
+    assert found.worn_depth == pytest.approx(plain.worn_depth, rel=found.contact.grid_error)
+    assert found.worn_volume == pytest.approx(plain.worn_volume, rel=1e-13)
+    assert found.track_area == pytest.approx(plain.track_area, rel=1e-13)
+    assert found.track_half_width == pytest.approx(plain.track_half_width, rel=found.contact.edge_error)
+    across = np.array([0.0, -0.4, 0.7]) * plain.track_half_width
+    np.testing.assert_allclose(
+        found.track(across), plain.track(across), atol=found.contact.edge_error * plain.track_depth, rtol=0.0
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("medium", [COATED, GRADED], ids=["coated", "graded"])
+def test_a_ball_on_other_media_loses_rate_times_the_pressure_of_the_springs(medium):
+    """Round bodies pressed by pixels wear like the pressure of the one-dimensional foundation, projected by hand."""
+    bodies, load = wk.CurvedBodies(10e-3, 10e-3), wk.Force(5.0)
+    item = wk.EllipticWear(bodies, medium, BOTH, load, 1.0, angle=0.3, passes=2.0).solve()
+    round_one = wk.Indentation(wk.Foundation(wk.Paraboloid(10e-3), medium), load).solve()
+    a = round_one.radius
+    r = a * np.array([0.0, 0.3, 0.6, 0.8])
+    expected = SLIDER * wk.restore(round_one, r).pressure
+    np.testing.assert_allclose(item.worn(r, 0.0 * r), expected, rtol=3e-3)
+    np.testing.assert_allclose(item.worn(0.0 * r, -r), expected, rtol=3e-3)
+    assert item.track_half_width == pytest.approx(a, rel=item.contact.edge_error)
+    for t in (0.0, 0.5 * a):
+        chord, turn = math.sqrt(a * a - t * t), 0.5 * math.pi * (np.arange(400) + 0.5) / 400
+        pressure = wk.restore(round_one, np.hypot(chord * np.sin(turn), t)).pressure
+        along = 2.0 * chord * float(np.sum(pressure * np.cos(turn))) * (0.5 * math.pi / 400)
+        assert float(item.track(t)) == pytest.approx(2.0 * TRACK * along, rel=5e-3)
+    half = 1.05 * item.track_half_width
+    t = np.linspace(-half, half, 401)
+    assert np.trapezoid(item.track(t), t) == pytest.approx(item.track_area, rel=2e-3)
+
+
+def test_a_coating_that_is_worn_away_is_said():
+    thin = wk.CoatedHalfSpace((wk.Layer(wk.Elastic(420e9, 0.25), 20e-9),), STEEL, second=STEEL)
+    item = wk.EllipticWear(BODIES, thin, wk.Archard(SLIDER), wk.Force(5.0), 1.0).solve()
+    (note,) = notes_on_wear(item)[:1]
+    assert note.standing is wk.Standing.OUTSIDE
+    assert "of its uppermost layer" in note.statement

@@ -1,4 +1,4 @@
-"""The greatest von Mises stress below a map of loads, and its place.
+"""The greatest stress of a kind below a map of loads, and its place.
 
 Depths are searched from half a pixel down, each on means over pixels that are small against it; from the best places
 the greatest is climbed to.  Stresses on the surface are those in the middles of the pixels.
@@ -11,7 +11,7 @@ import numpy as np
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.periodic_map_field import PeriodicMapField
-from winkler.media.interior.tensor import von_mises_of_tensor
+from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.types import Array
 
 __all__ = ["greatest_below_map"]
@@ -36,13 +36,15 @@ PLACE_TOLERANCE, VALUE_TOLERANCE = 1e-4, 1e-9
 """To which part of the depth the place is found, and to which part of itself the stress."""
 
 
-def greatest_below_map(field: MapField | PeriodicMapField) -> StressSpot:
-    """Return the greatest von Mises stress and its place, z >= 0.
+def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = von_mises) -> StressSpot:
+    """Return the greatest stress of a kind and its place, z >= 0.
 
     Parameters
     ----------
     field
         With some load.
+    measure
+        Of which kind; von Mises' unless given.
     """
     loaded = np.any(field.loads != 0.0, axis=0)
     sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
@@ -51,8 +53,10 @@ def greatest_below_map(field: MapField | PeriodicMapField) -> StressSpot:
     depths = [SHALLOWEST * pixel]
     while depths[-1] < DEEPEST * max(spans):
         depths.append(DEPTH_STEP * depths[-1])
-    surface = _best_at(field, 0.0)
-    found = sorted((_best_at(_on_means(field, z, MEANS_PER_DEPTH), z) for z in depths), key=lambda spot: -spot.value)
+    surface = _best_at(field, 0.0, measure)
+    found = sorted(
+        (_best_at(_on_means(field, z, MEANS_PER_DEPTH), z, measure) for z in depths), key=lambda spot: -spot.value
+    )
     starts: list[StressSpot] = []
     for spot in found:
         apart = all(np.hypot(spot.x - other.x, spot.y - other.y) > spot.z for other in starts)
@@ -61,9 +65,9 @@ def greatest_below_map(field: MapField | PeriodicMapField) -> StressSpot:
     if surface.value * NEAR_BEST > found[0].value:
         return surface
     least = SHALLOWEST * pixel
-    tops = [_climbed(_on_means(field, spot.z, MEANS_PER_CLIMB), spot, least, FIRST_STEP) for spot in starts]
+    tops = [_climbed(_on_means(field, spot.z, MEANS_PER_CLIMB), spot, least, FIRST_STEP, measure) for spot in starts]
     best = max(tops, key=lambda spot: spot.value)
-    return max(surface, _climbed(field, best, least, LAST_STEP), key=lambda spot: spot.value)
+    return max(surface, _climbed(field, best, least, LAST_STEP, measure), key=lambda spot: spot.value)
 
 
 def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
@@ -72,13 +76,15 @@ def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) ->
     return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
 
 
-def _best_at(field: MapField | PeriodicMapField, z: float) -> StressSpot:
-    stress = von_mises_of_tensor(*field.at_depth(z)[:6])
+def _best_at(field: MapField | PeriodicMapField, z: float, measure: Measure) -> StressSpot:
+    stress = measure(Tensor(*field.at_depth(z)[:6]))
     i, j = np.unravel_index(int(np.argmax(stress)), stress.shape)
     return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
 
 
-def _climbed(field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float) -> StressSpot:
+def _climbed(
+    field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float, measure: Measure
+) -> StressSpot:
     """Return the greatest stress near a place, by the simplex of Nelder and Mead in units of its depth."""
     from scipy.optimize import minimize
 
@@ -90,7 +96,7 @@ def _climbed(field: MapField | PeriodicMapField, start: StressSpot, shallowest: 
         return np.asarray(moved)
 
     def stress(step: Array) -> float:
-        return float(von_mises_of_tensor(*field.at_places(place(step)[None, :])[:6])[0])
+        return float(measure(Tensor(*field.at_places(place(step)[None, :])[:6]))[0])
 
     unit = stress(np.zeros(3))
     corners = np.vstack([np.zeros(3), side * np.eye(3)])

@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.tensor import von_mises_of_tensor
+from winkler.media.interior.tensor import Measure, Tensor
 from winkler.media.layered.coated_interior import wave_states
 from winkler.media.layered.hankel_waves import faded_out
 from winkler.media.layered.sheared_interior import across_states
@@ -195,9 +195,9 @@ class MapInLayers:
             found[row] += scipy.fft.irfft2(self.spectrum * turned, (2 * nx, 2 * ny), workers=1)[:nx, :ny]
         return found
 
-    def greatest(self, z: float, traction: tuple[float, float] = (0.0, 0.0)) -> tuple[float, float, float]:
-        """Return the greatest von Mises stress [Pa] at a depth [m], and its x and y [m]."""
-        level = von_mises_of_tensor(*self.stresses(z, traction))
+    def greatest(self, stresses: Tensor, measure: Measure) -> tuple[float, float, float]:
+        """Return the greatest stress of a kind [Pa] of those at a depth, and its x and y [m]."""
+        level = measure(stresses)
         i, j = np.unravel_index(int(np.argmax(level)), level.shape)
         middle = [0.5 * size for size in level.shape]
         place = [(float(at) + 0.5 - mid) * side for at, mid, side in zip((i, j), middle, self.pixel, strict=True)]

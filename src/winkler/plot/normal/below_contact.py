@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import TypeGuard
 
 import numpy as np
 
 from winkler.fields import SubsurfaceFields, restore
+from winkler.media.halfspace import HalfSpace
+from winkler.media.interior.tensor import measure_named
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Panel, PanelAxis, Sheet, among, points
 from winkler.plot.series import common_scale, series, with_unit
 from winkler.problems.line.stress import LineFields
+from winkler.problems.normal.ellipse_in_layers import EllipseInLayers
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.indentation import IndentationSolution
@@ -22,6 +26,8 @@ __all__ = ["contact_stress_sheet"]
 
 ACROSS, DOWN = 61, 81
 """Places of the plane of which the greatest at each depth is drawn."""
+FEW_DOWN = 25
+"""Depths below an ellipse on layers, at each of which waves in all directions are summed."""
 FARTHEST, DEEPEST = 1.2, 2.0
 """How far and deep it reaches, over the contact radius, the half-width or the shorter semi-axis."""
 ROOM = 1.05
@@ -60,15 +66,28 @@ def _width(item: ContactStressSolution) -> float:
     return float(contact.radius if isinstance(contact, IndentationSolution) else contact.half_width)
 
 
+def _on_layers(contact: object) -> TypeGuard[EllipticSolution]:
+    return isinstance(contact, EllipticSolution) and not isinstance(contact.problem.medium, HalfSpace)
+
+
 def _depths(item: ContactStressSolution) -> Array:
+    if _on_layers(item.contact):  # in the body with the layers
+        return np.asarray(DEEPEST * _width(item) * np.linspace(1e-4, 1.0, FEW_DOWN))
     side = float(np.copysign(1.0, item.max_shear_depth))
     return np.asarray(side * DEEPEST * _width(item) * np.linspace(1e-4, 1.0, DOWN))
 
 
 def _at_depths(item: ContactStressSolution) -> dict[str, Array]:
     """Return the greatest of each stress at each depth [Pa]."""
-    x, z = FARTHEST * _width(item) * np.linspace(0.0, 1.0, ACROSS)[:, None], _depths(item)
     contact = item.contact
+    if _on_layers(contact):
+        problem, force = contact.problem, float(contact.force)
+        inside = EllipseInLayers(problem.bodies.together, problem.medium, (0.0, 0.0))
+        return {
+            name: np.array([inside.at_depth(force, z, measure_named(name, "ContactStress")) for z in _depths(item)])
+            for name in NAMES
+        }
+    x, z = FARTHEST * _width(item) * np.linspace(0.0, 1.0, ACROSS)[:, None], _depths(item)
     below: SubsurfaceFields | EllipticFields | LineFields
     if isinstance(contact, IndentationSolution):
         below = restore(contact, x, z)

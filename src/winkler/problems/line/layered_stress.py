@@ -16,6 +16,7 @@ from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
 from winkler.media.offers import LayerStack
 from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import Measure, von_mises
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.line.strip import Strip
 from winkler.values import value, words
@@ -191,8 +192,9 @@ def greatest_within(
     waves: PlaneWaves,
     friction: float,
     refinements: int = REFINEMENTS,
+    measure: Measure = von_mises,
 ) -> tuple[float, float, float]:
-    """Return the greatest von Mises stress between two depths and its place, on grids that close in on it.
+    """Return the greatest stress of a kind between two depths and its place, on grids that close in on it.
 
     Parameters
     ----------
@@ -206,6 +208,8 @@ def greatest_within(
         Traction on the body along x over the pressure [-].
     refinements : int
         How often the grid is refined.
+    measure
+        Of which kind; von Mises' unless given.
     """
     top, bottom = span
     wide = _spread(strip, top)
@@ -222,7 +226,7 @@ def greatest_within(
     best, whole = (0.0, 0.0, 0.0), ((x[0], x[-1]), (z[0], z[-1]))
     for _ in range(refinements + 1):
         depth = np.maximum(z, first)
-        level = layered_fields(bed, strip, x[:, None], depth[None, :], True, waves, friction).von_mises
+        level = measure(layered_fields(bed, strip, x[:, None], depth[None, :], True, waves, friction))
         i, j = (int(index) for index in np.unravel_index(np.argmax(level), level.shape))
         if level[i, j] > best[0]:
             best = (float(level[i, j]), float(x[i]), float(depth[j]))

@@ -12,13 +12,13 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
-from winkler.problems.line.greatest_stress import Placed, sought, von_mises
+from winkler.problems.line.greatest_stress import Measure, Placed, sought, von_mises
 from winkler.problems.line.layered_stress import REFINEMENTS, greatest_within, waves_for_search
 from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 
-__all__ = ["at_strength_on_layers", "full_on_layers"]
+__all__ = ["at_strength_on_layers", "full_on_layers", "greatest_in_part"]
 
 MOST_STEPS = 60
 NEAREST_END = 1e-3
@@ -52,7 +52,7 @@ def at_strength_on_layers(
     """
 
     def share(half_width: float, refinements: int) -> Placed:
-        place = _greatest(bed, half_width, part, friction, refinements)
+        place = greatest_in_part(bed, half_width, part, friction, refinements)
         return place._replace(value=place.value / part.solid.strength)
 
     return full_on_layers(bed, share, (COARSE, REFINEMENTS), COARSE_TOLERANCE, name)
@@ -129,13 +129,33 @@ def _bracket(
     )
 
 
-def _greatest(
-    bed: LayeredLineFoundation, half_width: float, part: StrongPart, friction: float, refinements: int
+def greatest_in_part(
+    bed: LayeredLineFoundation,
+    half_width: float,
+    part: StrongPart,
+    friction: float,
+    refinements: int = REFINEMENTS,
+    measure: Measure = von_mises,
 ) -> Placed:
-    """Return the greatest von Mises stress of a part, and its place."""
+    """Return the greatest stress of a kind in a part, and its place; z < 0 in the second body.
+
+    Parameters
+    ----------
+    bed : LayeredLineFoundation
+        Without a sharp tip, kink or rim.
+    half_width : float
+        [m].
+    part : StrongPart
+    friction : float
+        Traction over pressure [-].
+    refinements : int, optional
+        As of `greatest_within`.
+    measure
+        Of which kind; von Mises' unless given.
+    """
     strip = Strip(half_width, 0.0)
     if part.first:
         waves = waves_for_search(bed, strip, part.top)
-        return Placed(*greatest_within(bed, strip, (part.top, part.bottom), waves, friction, refinements))
-    place = sought(LineContact(bed, half_width, 0.0, part.solid.poisson, friction), von_mises)
+        return Placed(*greatest_within(bed, strip, (part.top, part.bottom), waves, friction, refinements, measure))
+    place = sought(LineContact(bed, half_width, 0.0, part.solid.poisson, friction), measure)
     return place._replace(z=-place.z)

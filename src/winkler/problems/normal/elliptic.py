@@ -55,7 +55,7 @@ ELLIPSE = Note(
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
 OF_THE_DISTANCE = "It is that of the distance between the bodies; give a CurvedPair for the slopes of each body."
-IN_LAYERS = "this problem computes no stresses in layers; EllipticYieldOnset does"
+IN_LAYERS = "this problem computes no stresses in layers; ContactStress and EllipticYieldOnset do"
 AXES = (0.0, 0.5 * math.pi)
 """Directions of the semi-axes [rad]."""
 EDGE_ERROR = ("", "", "relative error of area, stiffness and edge of the contact that pixels leave")

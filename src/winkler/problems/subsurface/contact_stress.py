@@ -11,35 +11,49 @@ Palmgren rate the life of bearings by it.  Of Hertz's ellipse that rolls along t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.line import LineFoundation
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.materials.elastic import Rigid
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
+from winkler.media.offers import LayerStack, offers
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import greatest, in_strip
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.layered_yield import greatest_in_part
+from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import LineContact
+from winkler.problems.normal.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.normal.strong_parts import solid_parts
+from winkler.problems.normal.onset.part_onset import NAME
+from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.one_load import single
-from winkler.validity import Assumption, Note
+from winkler.validity import Assumption, Note, standing_of
 from winkler.values import value, words
 
-__all__ = ["ContactStress", "ContactStressSolution"]
+__all__ = ["ContactStress", "ContactStressSolution", "PartStress"]
+
+FINE, COARSE = 0.05, 0.2
+"""Error of stresses up to which they count as fine, and as coarse."""
+NO_CONTACT = "ContactStress: the bodies do not touch, so there are no stresses; press harder."
 
 
 class _Greatest(NamedTuple):
-    """A stress [Pa], and how deep it is the greatest [m], below zero in the second body."""
+    """A stress [Pa], how deep it is the greatest [m], below zero in the second body, and its relative error."""
 
     value: float
     depth: float
+    error: float = 0.0
+
+
+_Search = Callable[[StrongPart, tensor.Measure], _Greatest]
 
 
 @value
@@ -49,7 +63,7 @@ class ContactStress:
     Parameters
     ----------
     contact : Indentation, EllipticIndentation or LineIndentation
-        How the bodies are pressed, by one load: homogeneous, isotropic ones.
+        How the bodies are pressed, by one load: homogeneous ones, or layers, all of them isotropic.
 
     Raises
     ------
@@ -83,12 +97,24 @@ class ContactStress:
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
-        medium = self.contact.medium if isinstance(self.contact, EllipticIndentation) else self.contact.bed.medium
-        if not isinstance(medium, HalfSpace):
+        medium = self._medium
+        if not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
             raise InvalidInput(
-                f"ContactStress: the medium is a {type(medium).__name__}; the greatest stresses are sought "
-                "in homogeneous, isotropic bodies only: give a HalfSpace; for layers see YieldOnset and LineYieldOnset."
+                f"ContactStress: the medium is a {type(medium).__name__}; the greatest stresses are sought in "
+                "isotropic bodies and layers only: give a HalfSpace, a CoatedHalfSpace, a SlidingFilm or a "
+                "StackedHalfSpace."
             )
+        if offers(medium, LayerStack):
+            bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
+            if len(solid_parts(medium)) < sum(not isinstance(body, Rigid) for body in bodies):
+                raise InvalidInput(
+                    "ContactStress: a layer or body is transversely isotropic; the greatest stresses are sought in "
+                    "isotropic ones only: give layers of Elastic, or see the stresses of the contact."
+                )
+
+    @property
+    def _medium(self) -> object:
+        return self.contact.medium if isinstance(self.contact, EllipticIndentation) else self.contact.bed.medium
 
     def solve(self) -> ContactStressSolution:
         """Return the greatest stresses of each kind.
@@ -98,13 +124,59 @@ class ContactStress:
         InvalidInput
             If the contact has several loads.
         OutsideValidity
-            If the bodies do not touch, or the stress is infinite at a sharp place.
+            If the bodies do not touch, the stress is infinite at a sharp place, or an ellipse on layers is too slender.
+        NotConverged
+            If the pressures on layers are not found.
         """
         contact = self.contact.solve()
-        kinds = (tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear)
-        found = [_greatest(contact, kind) for kind in kinds]
-        found.append(_along_longer(contact, found[-1]))
-        return ContactStressSolution(self, contact, *(number for each in found for number in each))
+        find = _search(contact)
+        kinds = [tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear]
+        if isinstance(contact, EllipticSolution):
+            along = contact.longitudinal_semi_axis >= contact.lateral_semi_axis
+            kinds.append(tensor.longitudinal_shear if along else tensor.lateral_shear)
+        rows, error = [], 0.0
+        for number, part in enumerate(solid_parts(self._medium), 1):
+            found = [find(part, kind) for kind in kinds]
+            if isinstance(contact, IndentationSolution):
+                found.append(found[-1])
+            elif isinstance(contact, LineSolution):
+                found.append(_along_cylinder(contact, found[-1]))
+            error = max(error, *(one.error for one in found))
+            rows.append(PartStress(number, part.name, *(number for one in found for number in one[:2])))
+        overall: dict[str, float] = {}
+        for kind in ("von_mises", "max_shear", "orthogonal_shear", "long_axis_shear"):
+            overall[kind], overall[f"{kind}_depth"] = _greatest(rows, kind)
+        return ContactStressSolution(self, contact, **overall, parts=tuple(rows), stress_error=error)
+
+
+@value
+class PartStress:
+    """The greatest stresses of one body, layer or base; depths are below zero in the second body.
+
+    Parameters
+    ----------
+    part : int
+        Which of the parts that deform it is, from the uppermost layer of the first body down, 1 the first.
+    name : str
+        What it is called.
+    von_mises, von_mises_depth, max_shear, max_shear_depth, orthogonal_shear, orthogonal_shear_depth : float
+        [Pa] and [m], as of `ContactStressSolution`.
+    long_axis_shear, long_axis_shear_depth : float
+        [Pa] and [m], the same.
+    """
+
+    __words__ = words(part=("", "", "number of the part from the surface of the first body down"), name=NAME)
+
+    part: int
+    name: str
+    von_mises: float
+    von_mises_depth: float
+    max_shear: float
+    max_shear_depth: float
+    orthogonal_shear: float
+    orthogonal_shear_depth: float
+    long_axis_shear: float
+    long_axis_shear_depth: float
 
 
 @value
@@ -125,10 +197,18 @@ class ContactStressSolution:
         Greatest shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
     long_axis_shear, long_axis_shear_depth : float
         The same along the longer semi-axis, as of a contact that rolls that way; of a round contact the same, of a
-        line contact zero, and the depth that of long ellipses: the half-width.
+        line contact zero, and the depth that of long ellipses on half-spaces: the half-width.
+    parts : tuple of PartStress
+        The same of each body, layer and base that deforms, from the uppermost layer of the first body down.
+    stress_error : float
+        Relative error of the stresses of an ellipse on layers, which pixels and sums over waves leave; zero of others.
     """
 
-    __words__ = words(contact=("", None, "the contact"))
+    __words__ = words(
+        contact=("", None, "the contact"),
+        parts=("", None, "greatest stresses of each body, layer and base"),
+        stress_error=("", "", "relative error of the stresses that pixels and sums over waves leave"),
+    )
 
     problem: ContactStress
     contact: IndentationSolution | EllipticSolution | LineSolution
@@ -140,6 +220,8 @@ class ContactStressSolution:
     orthogonal_shear_depth: float
     long_axis_shear: float
     long_axis_shear_depth: float
+    parts: tuple[PartStress, ...]
+    stress_error: float
 
     @property
     def peak_pressure(self) -> float:
@@ -148,51 +230,93 @@ class ContactStressSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted: that of the contact."""
-        return self.contact.validity
+        """How far the result can be trusted: the contact, and what pixels and sums over waves leave of stresses."""
+        if self.stress_error == 0.0:
+            return self.contact.validity
+        summed = Note(
+            Assumption.RESOLUTION,
+            standing_of(self.stress_error, FINE, COARSE),
+            f"Stresses below an ellipse on layers are sums over pixels and waves, with an error of up to "
+            f"{self.stress_error:.1g}, the greatest of all kinds and parts.",
+            "comparison of two grids",
+        )
+        return (*self.contact.validity, summed)
 
 
-def _greatest(contact: IndentationSolution | EllipticSolution | LineSolution, measure: tensor.Measure) -> _Greatest:
-    """Return the greatest stress of a kind in both bodies."""
-    found = []
+def _greatest(rows: list[PartStress], kind: str) -> tuple[float, float]:
+    """Return the greatest stress of a kind of all parts [Pa], and its depth [m]."""
+    worst = max(rows, key=lambda row: float(getattr(row, kind)))
+    return getattr(worst, kind), getattr(worst, f"{kind}_depth")
+
+
+def _search(contact: IndentationSolution | EllipticSolution | LineSolution) -> _Search:
+    """Return what finds the greatest stress of a kind in a part below one contact."""
     if isinstance(contact, IndentationSolution):
-        pressed = contact.pressed
-        if pressed.radius == 0.0:
-            raise OutsideValidity("ContactStress: the bodies do not touch, so there are no stresses; press harder.")
-        for part in solid_parts(pressed.bed.medium):
-            place = greatest_stress(pressed, part, measure=measure)
-            if place.sharp:
-                raise OutsideValidity(f"ContactStress: {place.sharp}; round it off, or restore the fields beside it.")
-            found.append(_Greatest(place.value, place.z if part.first else -place.z))
-    elif isinstance(contact, EllipticSolution):
-        for part in solid_parts(contact.problem.medium):
-            spot = contact.greatest_stress(measure=measure.__name__, below=part.first)
-            found.append(_Greatest(spot.value, spot.z if part.first else -spot.z))
-    else:
-        strip = _strip(contact)
-        for part in solid_parts(contact.problem.bed.medium):
-            deep = greatest(strip._replace(poisson=part.solid.poisson), in_strip(measure))
-            found.append(_Greatest(deep.value, deep.z if part.first else -deep.z))
-    return max(found, key=lambda one: one.value)
-
-
-def _strip(contact: LineSolution) -> LineContact:
-    """Return the strip of a line contact under one load, that touches and is nowhere sharp."""
-    force, bed = single(contact.force_per_length, "stresses"), contact.problem.bed
-    assert isinstance(bed, LineFoundation)  # on a HalfSpace
-    if force == 0.0:
-        raise OutsideValidity("ContactStress: the bodies do not touch, so there are no stresses; press harder.")
-    if not np.isfinite(contact.peak_pressure):
-        raise OutsideValidity("ContactStress: the stress below a sharp tip, kink or rim is infinite; round it off.")
-    half_width = float(contact.half_width)
-    return LineContact(bed, half_width, rim_load(bed, force, half_width), 0.0, 0.0)
-
-
-def _along_longer(contact: IndentationSolution | EllipticSolution | LineSolution, shorter: _Greatest) -> _Greatest:
-    """Return the greatest shear stress in planes along the surface along the longer semi-axis."""
-    if isinstance(contact, EllipticSolution):
-        along = contact.longitudinal_semi_axis >= contact.lateral_semi_axis
-        return _greatest(contact, tensor.longitudinal_shear if along else tensor.lateral_shear)
+        return _below_disc(contact)
     if isinstance(contact, LineSolution):
-        return _Greatest(0.0, float(np.copysign(contact.half_width, shorter.depth)))
-    return shorter
+        return _below_strip(contact)
+    return _below_ellipse(contact)
+
+
+def _below_disc(contact: IndentationSolution) -> _Search:
+    pressed = contact.pressed
+    if pressed.radius == 0.0:
+        raise OutsideValidity(NO_CONTACT)
+
+    def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+        place = greatest_stress(pressed, part, fine=True, measure=measure)
+        if place.sharp:
+            raise OutsideValidity(f"ContactStress: {place.sharp}; round it off, or restore the fields beside it.")
+        return _Greatest(place.value, place.z if part.first else -place.z)
+
+    return find
+
+
+def _below_ellipse(contact: EllipticSolution) -> _Search:
+    problem = contact.problem
+    if isinstance(problem.medium, HalfSpace):
+
+        def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+            spot = contact.greatest_stress(measure=measure.__name__, below=part.first)
+            return _Greatest(spot.value, spot.z if part.first else -spot.z)
+
+        return find
+    force = float(single(contact.force, "stresses"))
+    if force == 0.0:
+        raise OutsideValidity(NO_CONTACT)
+    bodies = problem.bodies.together
+    axes = bodies.semi_axes(1.0, 1.0)
+    refuse_slender("ContactStress", "take a LineIndentation of its middle", (float(axes[0]), float(axes[1])))
+    inside = EllipseInLayers(bodies, problem.medium, (0.0, 0.0))
+
+    def find_in_layers(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+        fine, coarse = (inside.greatest(force, part, measure, coarse=coarse) for coarse in (False, True))
+        return _Greatest(fine.value, fine.z, sum_error(coarse.value, fine.value))
+
+    return find_in_layers
+
+
+def _below_strip(contact: LineSolution) -> _Search:
+    """Return the search below the strip of a line contact under one load, that touches and is nowhere sharp."""
+    force, bed = float(single(contact.force_per_length, "stresses")), contact.problem.bed
+    if force == 0.0:
+        raise OutsideValidity(NO_CONTACT)
+    half_width = float(contact.half_width)
+    edge_load = rim_load(bed, force, half_width)
+    if is_sharp(bed, half_width, edge_load):
+        raise OutsideValidity("ContactStress: the stress below a sharp tip, kink or rim is infinite; round it off.")
+
+    def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+        if isinstance(bed, LayeredLineFoundation):
+            deep = greatest_in_part(bed, half_width, part, 0.0, measure=in_strip(measure))
+            return _Greatest(deep.value, deep.z)
+        strip = LineContact(bed, half_width, edge_load, part.solid.poisson, 0.0)
+        deep = greatest(strip, in_strip(measure))
+        return _Greatest(deep.value, deep.z if part.first else -deep.z)
+
+    return find
+
+
+def _along_cylinder(contact: LineSolution, across: _Greatest) -> _Greatest:
+    """Return the shear stress along a cylinder, none, at the depth where that of long ellipses is the greatest."""
+    return _Greatest(0.0, float(np.copysign(contact.half_width, across.depth)))

@@ -1,6 +1,7 @@
 r"""Wear of an elliptic contact that slides, as long as the worn depth is small beside the approach.
 
-The pressure is then that of Hertz' ellipse all the time.  A body in whose axes the contact rests loses
+The pressure is then that of the unworn bodies all the time: of homogeneous ones Hertz' ellipse, of others a map of
+pixels.  A body in whose axes the contact rests loses
 
 .. math:: h(x,y) = \kappa\,p(x,y)\,s , \qquad V = \kappa F s ,
 
@@ -15,7 +16,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -26,11 +27,14 @@ from winkler.errors import OutsideValidity
 from winkler.laws.wear import WearLaw, worn_by
 from winkler.loading import Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution, pressed_ellipse
+from winkler.problems.pressed_shape.pressed_map import PressedMap
 from winkler.problems.wear.validity import DEBRIS
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
@@ -40,6 +44,10 @@ from winkler.values import value, words
 __all__ = ["EllipticWear", "EllipticWearSolution"]
 
 NODES = 40
+DIRECTIONS = 180
+"""In which the contour of a map is asked how wide the contact is."""
+STEP = 0.5
+"""Of the places along a chord of a map, in pixels."""
 SMALL_WEAR, LARGE_WEAR = 0.01, 0.1
 """Worn depth over the approach up to which the pressure is as good as that of Hertz, and beyond which it is not."""
 ARCHARD = "J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448"
@@ -57,8 +65,9 @@ class EllipticWear:
     ----------
     bodies : CurvedBodies or CurvedPair
         R_x and R_y, or the radii of each body; x is that of both together.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
+DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies: on homogeneous ones Hertz's ellipse, on others a map of pixels; the first one has the layers.
     wear : Archard, PairWear or OwnWear
         How the surfaces wear.  The first body is the slider, in whose axes the contact rests; the second one has the
         track, and wears only under a PairWear.
@@ -102,7 +111,7 @@ class EllipticWear:
     )
 
     bodies: CurvedBodies | CurvedPair
-    medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
+    medium: Annotated[MappedMedium, Advice("neither Hertz's ellipse nor the boundary elements apply to another")]
     wear: WearLaw
     load: Annotated[Force, Condition(_one_positive, "give Force(F) with one positive number, and sweep over several")]
     distance: Positive
@@ -124,27 +133,93 @@ class EllipticWear:
             something else than worn depths.
         """
         contact = EllipticIndentation(self.bodies, self.medium, self.load).solve()
-        a, b = float(contact.longitudinal_semi_axis), float(contact.lateral_semi_axis)
-        peak = float(contact.peak_pressure)
-        half_width = math.hypot(a * math.sin(self.angle), b * math.cos(self.angle))
-        needed = 2.0 * self.passes * a * (b / half_width)
+        pressed = _pressed(contact)
+        half_width = pressed.half_width(self.angle)
+        needed = self.passes * pressed.length(self.angle)
         if self.distance < needed:
             raise OutsideValidity(
                 f"EllipticWear: {self.passes:g} passes over the length of the contact need a distance of "
                 f"{needed:.4g} m, and it is {self.distance:.4g} m; give a longer distance or fewer passes."
             )
-        node, weight = gauss_legendre(NODES)  # of 0 to 1
-        first, second = worn_by(self.wear, peak * node)
-        spread = 2.0 * math.pi * a * b * weight * node  # of the area, over p/p_0
-        deepest = worn_by(self.wear, np.array([peak]))[0]
+        pressures, areas = pressed.spread
+        first, second = worn_by(self.wear, pressures)
+        deepest = worn_by(self.wear, np.array([float(contact.peak_pressure)]))[0]
         return EllipticWearSolution(
             self,
             contact,
             worn_depth=float(deepest[0]) * self.distance,
-            worn_volume=float(np.sum(first * spread)) * self.distance,
+            worn_volume=float(np.sum(first * areas)) * self.distance,
             track_half_width=half_width,
-            track_area=float(np.sum(second * spread)) * self.passes,
+            track_area=float(np.sum(second * areas)) * self.passes,
         )
+
+
+class _Ellipse(NamedTuple):
+    """Hertz' pressure."""
+
+    a: float
+    b: float
+    peak: float
+
+    def half_width(self, angle: float) -> float:
+        """Return half the width of the contact across a direction [m]."""
+        return math.hypot(self.a * math.sin(angle), self.b * math.cos(angle))
+
+    def length(self, angle: float) -> float:
+        """Return the length of the contact through its middle along a direction [m]."""
+        return 2.0 * self.a * (self.b / self.half_width(angle))
+
+    @property
+    def spread(self) -> tuple[Array, Array]:
+        """Pressures [Pa], and the areas that bear them [m^2]."""
+        node, weight = gauss_legendre(NODES)  # of 0 to 1
+        return self.peak * node, 2.0 * math.pi * self.a * self.b * weight * node
+
+    def along(self, t: Array, angle: float) -> tuple[Array, Array]:
+        """Return pressures [Pa] along chords at distances t from the middle, a new last axis, and lengths [m]."""
+        chord = np.sqrt(np.maximum(1.0 - (t / self.half_width(angle)) ** 2, 0.0))[..., None]
+        node, weight = gauss_legendre(NODES)
+        cosine = np.cos(0.5 * math.pi * node)  # of the turn whose sine is the place along the chord
+        return self.peak * chord * cosine, (0.5 * math.pi * self.length(angle)) * weight * chord * cosine
+
+
+class _Pixels(NamedTuple):
+    """The pressure of a map, whose contact is even about its middle."""
+
+    pressed: PressedMap
+
+    def half_width(self, angle: float) -> float:
+        """Return half the width of the contact across a direction [m]."""
+        turns = np.linspace(0.0, math.pi, DIRECTIONS, endpoint=False)
+        return float(np.max(self.pressed.contour(angle + turns) * np.sin(turns)))
+
+    def length(self, angle: float) -> float:
+        """Return the length of the contact through its middle along a direction [m]."""
+        return 2.0 * float(self.pressed.contour(angle)[0])
+
+    @property
+    def spread(self) -> tuple[Array, Array]:
+        """Pressures [Pa], and the areas that bear them [m^2]."""
+        pressure = self.pressed.pressure.ravel()
+        return pressure, np.full(pressure.shape, math.prod(self.pressed.pixel))
+
+    def along(self, t: Array, angle: float) -> tuple[Array, Array]:
+        """Return pressures [Pa] along chords at distances t from the middle, a new last axis, and lengths [m]."""
+        x, y = self.pressed.x, self.pressed.y
+        step = STEP * min(self.pressed.pixel)
+        half = math.ceil(math.hypot(float(x[-1]), float(y[-1])) / step)
+        u, across = np.arange(-half, half + 1) * step, t[..., None]
+        cosine, sine = math.cos(angle), math.sin(angle)
+        return self.pressed.pressure_at(u * cosine - across * sine, u * sine + across * cosine), np.full(u.shape, step)
+
+
+def _pressed(contact: EllipticSolution) -> _Ellipse | _Pixels:
+    """Return the pressure of a contact under one force."""
+    problem = contact.problem
+    if isinstance(problem.medium, HomogeneousMedium):
+        axes = float(contact.longitudinal_semi_axis), float(contact.lateral_semi_axis)
+        return _Ellipse(*axes, float(contact.peak_pressure))
+    return _Pixels(pressed_ellipse(problem.bodies.together, problem.medium, problem.load)[1])
 
 
 @value
@@ -209,14 +284,9 @@ class EllipticWearSolution:
             If a place is not finite.
         """
         (across,) = common_places("EllipticWearSolution", t=t)
-        a, b = float(self.contact.longitudinal_semi_axis), float(self.contact.lateral_semi_axis)
-        chord = np.sqrt(np.maximum(1.0 - (across / self.track_half_width) ** 2, 0.0))[..., None]
-        node, weight = gauss_legendre(NODES)
-        turn = 0.5 * math.pi * node  # of the place along the chord, its sine
-        pressure = float(self.contact.peak_pressure) * chord * np.cos(turn)
-        lost = worn_by(self.problem.wear, pressure)[1] * chord * np.cos(turn)
-        length = math.pi * a * (b / self.track_half_width)
-        return np.asarray(np.sum(lost * weight, axis=-1) * length * self.problem.passes)
+        pressures, lengths = _pressed(self.contact).along(across, self.problem.angle)
+        lost = worn_by(self.problem.wear, pressures)[1]
+        return np.asarray(np.sum(lost * lengths, axis=-1) * self.problem.passes)
 
     @property
     def track_depth(self) -> float:
@@ -239,9 +309,19 @@ class EllipticWearSolution:
         )
 
     def _wear_note(self) -> Note:
-        share = self.worn_share
+        medium, share, lost = self.problem.medium, self.worn_share, ""
+        whose = "Hertz' pressure" if isinstance(medium, HomogeneousMedium) else "The pressure of the unworn bodies"
+        if offers(medium, LayerStack):
+            thinned = self.worn_depth / medium.layers[0].thickness
+            lost, share = (
+                f", and the first one {thinned:.2g} of its uppermost layer, which is taken to be held against friction",
+                max(share, thinned),
+            )
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
-        why = f"Hertz' pressure is used all the time; both bodies have lost {share:.2g} of the approach in the middle"
+        why = (
+            f"{whose} is used all the time; both bodies have lost {self.worn_share:.2g} of the approach in the "
+            f"middle{lost}"
+        )
         effect = (
             "after which it does not hold: take a shorter distance, or SlidingWear for bodies that are round."
             if standing is Standing.OUTSIDE

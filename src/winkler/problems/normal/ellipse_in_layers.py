@@ -1,0 +1,185 @@
+"""The greatest stresses of each kind below an ellipse on layers: pressures of pixels, and waves in all directions."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.loading import Force
+from winkler.media.interior.map_field import MapField
+from winkler.media.interior.map_peak import greatest_below_map
+from winkler.media.interior.peak import StressSpot
+from winkler.media.interior.tensor import Measure, Tensor, von_mises
+from winkler.media.layered.map_interior import MapInLayers
+from winkler.numerics.types import Array
+from winkler.problems.normal.elliptic import pressed_ellipse
+from winkler.problems.normal.strong_parts import StrongPart
+from winkler.problems.pressed_shape.pressed_map import PressedMap
+from winkler.profiles.ellipse import CurvedBodies
+
+__all__ = ["EllipseInLayers", "coarse_layers", "refuse_slender", "sum_error"]
+
+PIXELS_PER_LAYER = 2.0
+"""Pixels along the longer semi-axis, in one thickness of the uppermost layer;"""
+FEWEST_PIXELS, MOST_PIXELS, PIXEL_STEP = 64, 128, 32
+"""along each side of the map of pressures, not less and not more."""
+MOST_SLENDER = 6.0
+"""Ratio of the semi-axes of Hertz up to which stresses in layers are summed over directions in seconds."""
+DEEPEST = 3.0
+"""Greatest depth that is searched, over the width over which the load is spread there."""
+DEPTHS = 8
+NEAR = 1.25
+"""Ratio of depths about the one found under another force, within which the greatest stress is sought first."""
+DEPTH_TOLERANCE, MOST_DEPTHS = 5e-3, 6
+STRESS_ERROR = 5e-4
+"""Of sums over waves, over the greatest stress, measured on equal layers and against the round engine;"""
+PIXEL_SAFETY = 2.0
+"""what pixels leave, over the change of the stress from half as many."""
+
+
+def coarse_layers(thickness: float, semi_axis: float) -> bool:
+    """Return whether the pixels of the finest map are wider than half an uppermost layer [m] under this ellipse."""
+    return PIXELS_PER_LAYER * 2.0 * semi_axis > MOST_PIXELS * thickness
+
+
+def sum_error(coarse: float, fine: float) -> float:
+    """Return the relative error of a greatest stress [Pa], of which the coarser map gave another number."""
+    return STRESS_ERROR + PIXEL_SAFETY * abs(coarse / fine - 1.0)
+
+
+def refuse_slender(owner: str, advice: str, semi_axes: tuple[float, float]) -> None:
+    """Refuse an ellipse whose stresses in layers would take too many waves.
+
+    Raises
+    ------
+    OutsideValidity
+        If its semi-axes [m] are.
+    """
+    slenderness = max(semi_axes) / min(semi_axes)
+    if slenderness > MOST_SLENDER:
+        raise OutsideValidity(
+            f"{owner}: an ellipse {slenderness:.3g} times as long as wide needs too many waves in layers, "
+            f"{MOST_SLENDER:.0f} times are allowed; {advice}."
+        )
+
+
+class EllipseInLayers:
+    """The greatest stresses of each part under any force.
+
+    Parameters
+    ----------
+    bodies : CurvedBodies
+    medium : CoatedHalfSpace, SlidingFilm or StackedHalfSpace
+    traction : tuple of float
+        Along x and y over the pressure [-].
+    """
+
+    def __init__(self, bodies: CurvedBodies, medium: object, traction: tuple[float, float]) -> None:
+        self.bodies, self.medium, self.traction = bodies, medium, traction
+        self.kept: dict[float, tuple[PressedMap, PressedMap]] = {}
+        self.inside: dict[bool, MapInLayers] = {}
+        self.levels: dict[tuple[bool, float], Array] = {}
+
+    def greatest(
+        self,
+        force: float,
+        part: StrongPart,
+        measure: Measure = von_mises,
+        *,
+        near: float = 0.0,
+        coarse: bool = False,
+    ) -> StressSpot:
+        """Return the greatest stress of a kind [Pa] in one part, and its place [m]; z < 0 in the second body.
+
+        Parameters
+        ----------
+        force : float
+            [N].
+        part : StrongPart
+        measure
+            Of which kind; von Mises' unless given.
+        near : float, optional
+            A depth [m] near which it is sought first.
+        coarse : bool, optional
+            On the map of half as many pixels along a side.
+        """
+        pressed = self._map(force, coarse)
+        if not part.first:
+            p = pressed.pressure
+            loads = np.stack([p, self.traction[0] * p, self.traction[1] * p])
+            found = greatest_below_map(MapField(loads, pressed.pixel, part.solid.poisson), measure)
+            middle = [0.5 * size * side for size, side in zip(p.shape, pressed.pixel, strict=True)]
+            return StressSpot(found.value, found.x - middle[0], found.y - middle[1], -found.z)
+        return self._in_layer(coarse, part, measure, near)
+
+    def at_depth(self, force: float, z: float, measure: Measure) -> float:
+        """Return the greatest stress of a kind [Pa] at a depth z >= 0 [m] in the first body, on the coarse map."""
+        self._map(force, True)
+        return self._level(z, measure, True)[0]
+
+    def _map(self, force: float, coarse: bool) -> PressedMap:
+        """Return the pressures under a force, and keep them with the stresses below them until another is given."""
+        if force not in self.kept:
+            self.kept = {force: self._pressed(force)}
+            self.inside, self.levels = {}, {}
+        return self.kept[force][0 if coarse else 1]
+
+    def _below(self, coarse: bool) -> MapInLayers:
+        """Return the layers below the pressures that are kept."""
+        if coarse not in self.inside:
+            (both,) = self.kept.values()
+            pressed = both[0 if coarse else 1]
+            p = pressed.pressure
+            even = 0.25 * (p + p[::-1] + p[:, ::-1] + p[::-1, ::-1])
+            self.inside[coarse] = MapInLayers(self.medium, even, pressed.pixel)  # type: ignore[arg-type]
+        return self.inside[coarse]
+
+    def _level(self, z: float, measure: Measure, coarse: bool) -> tuple[float, float, float]:
+        if (coarse, z) not in self.levels:  # each kind of stress is one number of the same six
+            self.levels[coarse, z] = self._below(coarse).stresses(z, self.traction)
+        return self._below(coarse).greatest(Tensor(*self.levels[coarse, z]), measure)
+
+    def _pressed(self, force: float) -> tuple[PressedMap, PressedMap]:
+        medium, load = self.medium, Force(force)
+        coarse, fine = pressed_ellipse(self.bodies, medium, load, FEWEST_PIXELS)  # type: ignore[arg-type]
+        wide = 2.0 * max(float(fine.x[-1]), float(fine.y[-1]))
+        wanted = PIXELS_PER_LAYER * wide / medium.layers[0].thickness  # type: ignore[attr-defined]
+        pixels = min(PIXEL_STEP * math.ceil(wanted / PIXEL_STEP), MOST_PIXELS)
+        if pixels <= FEWEST_PIXELS:
+            return coarse, fine
+        return pressed_ellipse(self.bodies, medium, load, pixels)  # type: ignore[arg-type]
+
+    def _in_layer(self, coarse: bool, part: StrongPart, measure: Measure, near: float) -> StressSpot:
+        """Return the greatest stress between two depths, near one of them or on all of the span."""
+        from scipy.optimize import minimize_scalar
+
+        top = np.nextafter(part.top, math.inf) if part.top > 0.0 else 0.0
+        found: dict[float, tuple[float, float, float]] = {}
+
+        def level(z: float) -> float:
+            if z not in found:
+                found[z] = self._level(z, measure, coarse)
+            return found[z][0]
+
+        wide = math.hypot(min(self._below(coarse).sides), part.top)
+        lower = min(part.bottom, part.top + DEEPEST * wide)
+        if near > 0.0:
+            depths = np.unique(np.clip([near / NEAR, near, near * NEAR], top, lower))
+        else:
+            deep = part.top + (lower - part.top) * np.geomspace(0.01, 1.0, DEPTHS)
+            depths = np.unique(np.clip(np.concatenate([[top, part.top + 0.5 * (lower - part.top)], deep]), top, lower))
+        levels = [level(float(z)) for z in depths]
+        best = int(np.argmax(levels))
+        inner = 0 < best < depths.size - 1
+        if near > 0.0 and not inner and depths[best] not in (top, lower):
+            return self._in_layer(coarse, part, measure, 0.0)
+        ends = depths[max(best - 1, 0)], depths[min(best + 1, depths.size - 1)]
+        minimize_scalar(
+            lambda z: -level(float(z)), bounds=ends, method="bounded",
+            options={"xatol": DEPTH_TOLERANCE * (ends[1] - part.top), "maxiter": MOST_DEPTHS},
+        )  # fmt: skip
+        z = max(found, key=lambda each: found[each][0])
+        value, x, y = found[z]
+        return StressSpot(value, x, y, z)
