@@ -313,10 +313,7 @@ class EllipticWearSolution:
         whose = "Hertz' pressure" if isinstance(medium, HomogeneousMedium) else "The pressure of the unworn bodies"
         if offers(medium, LayerStack):
             thinned = self.worn_depth / medium.layers[0].thickness
-            lost, share = (
-                f", and the first one {thinned:.2g} of its uppermost layer, which is taken to be held against friction",
-                max(share, thinned),
-            )
+            lost, share = f", and the first one {thinned:.2g} of its uppermost layer", max(share, thinned)
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
         why = (
             f"{whose} is used all the time; both bodies have lost {self.worn_share:.2g} of the approach in the "
@@ -327,7 +324,8 @@ class EllipticWearSolution:
             if standing is Standing.OUTSIDE
             else "which lowers the greatest one by about as much, under slender ellipses by two or three times that."
         )
-        return Note(Assumption.WEAR, standing, f"{why}, {effect}", ARCHARD)
+        held = " Layers are taken to be held against friction." if lost else ""
+        return Note(Assumption.WEAR, standing, f"{why}, {effect}{held}", ARCHARD)
 
 
 def _slid(note: Note) -> Note:
