@@ -16,10 +16,10 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Panel, PanelAxis, Sheet, among, points
 from winkler.plot.series import common_scale, series, with_unit
 from winkler.problems.line.stress import LineFields
-from winkler.problems.normal.ellipse_in_layers import EllipseInLayers
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers
 from winkler.problems.subsurface.contact_stress import ContactStressSolution
 
 __all__ = ["contact_stress_sheet"]

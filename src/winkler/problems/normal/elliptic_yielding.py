@@ -22,9 +22,9 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.normal.ellipse_in_layers import coarse_layers
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.elliptic_fields import traction_of
+from winkler.problems.normal.onset.ellipse_in_layers import coarse_layers
 from winkler.problems.normal.onset.elliptic_layers import onsets_in_layers
 from winkler.problems.normal.onset.part_onset import EllipticPartOnset, onset_note
 from winkler.problems.normal.strong_parts import strong_parts

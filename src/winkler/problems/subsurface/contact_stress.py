@@ -28,10 +28,10 @@ from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.layered_yield import greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import LineContact
-from winkler.problems.normal.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.onset.part_onset import NAME
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.one_load import single

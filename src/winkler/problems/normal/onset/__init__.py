@@ -1,1 +1,1 @@
-"""The search for the onset of yield."""
+"""The onset of yield, and the greatest stresses that it is sought by."""

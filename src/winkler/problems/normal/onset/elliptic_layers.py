@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from winkler.problems.normal.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
+from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.onset.part_onset import EllipticPartOnset
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
