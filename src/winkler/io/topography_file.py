@@ -12,7 +12,7 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.height_matrix import MapContents, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import content_of, existing
-from winkler.io.workbook_cells import is_workbook
+from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.limits import TEXT_BYTES
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography

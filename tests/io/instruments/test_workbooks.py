@@ -134,7 +134,7 @@ def test_a_sheet_of_too_many_rows_is_refused_before_they_are_read(tmp_path, monk
     from openpyxl.worksheet._read_only import ReadOnlyWorksheet
 
     path = new_workbook(tmp_path / "long.xlsx", {"S": [["h (nm)", "P (mN)"], *([[1.0, 2.0]] * 20)]})
-    monkeypatch.setattr("winkler.io.workbook_cells.MOST_ROWS", 20)
+    monkeypatch.setattr("winkler.io.workbooks.workbook_cells.MOST_ROWS", 20)
     if states:
         monkeypatch.setattr(ReadOnlyWorksheet, "iter_rows", None)
     else:

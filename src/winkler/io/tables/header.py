@@ -15,6 +15,7 @@ from winkler.io.tables.table_lines import table_head
 from winkler.units import scale
 
 __all__ = [
+    "SEPARATORS_TRIED",
     "Header",
     "header_lines",
     "header_of",
@@ -33,6 +34,8 @@ COMMENT_MARKS = "#% \t"
 MOST_BETWEEN = 1
 """Most rows between the names and their units: empty, or such as "Waveform"."""
 LONGEST_UNIT = 12
+MOSTLY = 0.6
+"""Least share of numbers in a row of them."""
 NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 NAME_LETTER = re.compile(r"[^\W\d_eE]")
 """A letter other than that of an exponent: rows of numbers have none."""
@@ -278,14 +281,18 @@ def _names_above(lines: Sequence[str]) -> tuple[list[str], int]:
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT_MARKS).rstrip()
         splits = [cells_of(text, separator) for separator in SEPARATORS_TRIED]
-        if text == line.strip() and any(
-            any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
-        ):
+        if text == line.strip() and any(_are_numbers([cell for cell in cells if cell]) for cells in splits):
             return above, index
         if text:
             row = next((cells for cells in splits if len(cells) > 1), [text])
             above = row if not above or not _are_units(row) else above
     return above, len(lines)
+
+
+def _are_numbers(cells: Sequence[str]) -> bool:
+    """Return whether a row holds numbers, perhaps with a label among them, such as the one of an interval."""
+    count = sum(map(like_number, cells))
+    return bool(cells) and (count == len(cells) or count > max(2.0, MOSTLY * len(cells)))
 
 
 def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:

@@ -19,6 +19,12 @@ NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 """A name with a unit in brackets behind it, or a word."""
 
 
+MEAN = re.compile(r"\A(?:mean|average|avg) |[ _](?:mean|average|avg)\Z")
+DEVIATION = re.compile(
+    r"(?<![^\W_])(?:std|sd|sem|stdev|stddev|std\.? ?dev\.?|standard deviation|stdabw\.?)(?![^\W_])", re.IGNORECASE
+)
+
+
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 """A symbol in brackets behind a name, as in "Position (z), mm"."""
 
@@ -80,15 +86,18 @@ def number_in(cell: str, where: str, wrong: str) -> float:
 
 
 def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
-    """Return whether a cell of the header has one of the names, and the unit behind it if there is one."""
-    if len(cell) > CELL_LETTERS:
+    """Return whether a cell of the header has one of the names, and the unit behind it if there is one.
+
+    A mean has the name of its quantity, as in ``F_avg (N)``; the standard deviation beside it has none.
+    """
+    if len(cell) > CELL_LETTERS or DEVIATION.search(cell):
         return False, ""
     if cell.lower() in names:  # before "Storage Modulus" is a storage in a unit of "Modulus"
         return True, ""
     for name, unit in _readings(cell):
-        if name.lower() in names:
+        if name.lower() in names or MEAN.sub("", name.lower()) in names:
             return True, unit.strip(" -")
-    return False, ""
+    return MEAN.sub("", cell.lower()) in names, ""
 
 
 def unit_in(cell: str, wanted: str) -> str:
