@@ -39,7 +39,7 @@ __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curve
 HDF5_ENDING = ".h5"
 ARCHIVE_ENDINGS = (".jpk", ".zip")
 """Endings of archives, which may not begin as such: their list of contents stands at the end."""
-IMAGE_HINT = "; if it is an image and holds no curve, read_topography reads it"
+IMAGE_HINT = "; an image without curves is read by read_topography; else export its curves as text"
 HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
 
@@ -67,7 +67,7 @@ def read_curve(
     units : mapping of str to str, optional
         Units of columns that the file does not state: ``{"position": "nm", "force": "uN", "time": "s"}``.
     columns : mapping of str to int, optional
-        Of a text table or a sheet without names, the number of each column from 1: ``{"depth": 1, "force": 2, "time": 3}``.
+        Of a table without names, the number of each column from 1: ``{"depth": 1, "force": 2, "time": 3}``.
 
     Returns
     -------

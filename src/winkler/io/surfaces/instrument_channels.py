@@ -92,7 +92,9 @@ def channel_contents(
         chosen = fitting[names.index(channel) if channel else 0]
         refuse(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
         if chosen.physical_sizes is None:
-            raise InvalidInput(f"{path}: the file does not state how long its {what} is; {remedy}.")
+            if directions == 1:
+                raise InvalidInput(f"{path}: the file does not state how long its {what} is; {remedy}.")
+            return contents(chosen.topography(physical_sizes=(math.nan, math.nan)))  # the caller asks for them
         # without a unit nothing is converted; where it is missing, the caller asks for it
         return contents(chosen.topography())
 

@@ -182,13 +182,13 @@ def _refuse_other_tables(
     """Refuse a list of results with a depth and a force for each test, and a gap that is called h."""
     if not timed and is_list(position, force):
         raise InvalidInput(
-            f"{path}: its rows are no curve but a list, for neither '{table.read_as[0]}' nor '{table.read_as[1]}' follows "
-            "from row to row, as in a table of results; give the curves themselves."
+            f"{path}: its rows are no curve but a list, for neither '{table.read_as[0]}' nor '{table.read_as[1]}' goes "
+            "on from row to row, as in a table of results; give the curves themselves."
         )
     name = table.read_as[0]
     if GAP_OR_DEPTH.match(name) and is_reversed(position, force):
         raise InvalidInput(
-            f"{path}: the force rises as '{name}' falls, as over the gap of a rheometer; if it is a gap, give columns = "
+            f"{path}: the force rises as '{name}' falls, as over the gap of a rheometer; if it is one, give columns = "
             f"{{ gap = {table.numbers[0]}, force = {table.numbers[1]} }}; if it is a depth, correct its sign."
         )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -30,6 +31,8 @@ __all__ = [
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
+PER_SECOND = ("1/s", "s-1", "s^-1")
+"""Units in which an angular frequency is written too: its name says that it counts radians."""
 COMMENT_MARKS = "#% \t"
 MOST_BETWEEN = 1
 """Most rows between the names and their units: empty, or such as "Waveform"."""
@@ -93,7 +96,13 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
     """Return whether a line holds the letters of every column's name; rows of numbers are excluded quickly."""
-    return all(any(name in line for name in column.names) for column in columns)
+    return all(any(part in line for part in _first_parts(column.names)) for column in columns)
+
+
+@functools.lru_cache(maxsize=256)
+def _first_parts(names: tuple[str, ...]) -> frozenset[str]:
+    """Return the first word of each name: behind it may stand a hyphen, a space or a low line."""
+    return frozenset(re.split(r"[ _-]", name, maxsplit=1)[0] for name in names)
 
 
 def needs_of(columns: Sequence[Column]) -> str:
@@ -221,6 +230,10 @@ def _with_units(
                 units=filled_units(header.units, header.cells, header.places, columns, given, where)
             )
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
+    plain = tuple(
+        "rad/s" if column.word.startswith("angular") and unit in PER_SECOND else unit
+        for column, unit in zip(columns, plain, strict=True)
+    )
     for column, unit in zip(columns, plain, strict=True):
         if not zero_of(unit, column.unit):
             scale(unit, column.unit, what=f"{where}, {column.word}")

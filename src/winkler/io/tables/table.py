@@ -24,7 +24,7 @@ from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
 from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, stated_header, zero_of
-from winkler.io.tables.table_cells import cells_of, number_in
+from winkler.io.tables.table_cells import cells_of, like_number, number_in
 from winkler.io.tables.table_lines import table_lines
 from winkler.io.text_file import headed
 from winkler.numerics.types import Array
@@ -141,6 +141,9 @@ def read_table(
         cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
+        if len(cells) < len(header.cells) and separator == "\t":  # spaces in some rows, tabs in others
+            spaced = cells_of(line, None)
+            cells = spaced if len(spaced) == len(header.cells) and all(map(like_number, spaced)) else cells
         if len(cells) != len(header.cells):
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"

@@ -70,7 +70,7 @@ def open_document_sheets(path: Path, refuse: Callable[[str, int, int], None]) ->
 
 
 class _Reading:
-    """What was read so far of the contents: the finished sheets, and the sheet, row and cell in which the text stands."""
+    """What was read so far: the finished sheets, and the sheet, row and cell in which the text stands."""
 
     def __init__(self, path: Path, refuse: Callable[[str, int, int], None]) -> None:
         self.parser = expat.ParserCreate()
