@@ -93,8 +93,7 @@ def read_topography(
         )
     elif (suffix in TEXT_ENDINGS or is_workbook(file)) and not channel:
         try:
-            named = names_columns(file, POINT_COLUMNS)
-            contents = point_map(file, read_table(file, POINT_COLUMNS).values) if named else text_map(file)
+            contents = text_map(file)
         except InvalidInput as reason:
             contents = _other_text(file, reason)
     else:
@@ -132,13 +131,22 @@ def read_topography(
 
 
 def _other_text(file: Path, reason: InvalidInput) -> MapContents:
-    """Return the map of a text that is no matrix: some instruments write texts too; else raise why it is no matrix."""
+    """Return the map of a text that is no matrix: points with a header, or a text of an instrument; else raise why."""
+    if _has_points(file):
+        return point_map(file, read_table(file, POINT_COLUMNS).values)
     if content_of(file, TEXT_BYTES).count(b"\n") > MOST_LINES_TRIED:
         raise reason
     try:
         return instrument_map(file, "")
     except InvalidInput:
         raise reason from None
+
+
+def _has_points(file: Path) -> bool:
+    try:
+        return names_columns(file, POINT_COLUMNS)
+    except InvalidInput:  # the reason why it is no text is known already
+        return False
 
 
 def _per_metre(unit: str, what: str) -> float:
