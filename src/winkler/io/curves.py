@@ -208,10 +208,14 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
     if path.suffix.lower() not in known:
         end = f"files that end in '{path.suffix}' are not known; tables and {', '.join(known)} are read"
         raise _no_table(path, end)
+    exchanged = False
     with _quiet_and_limited(path):
         try:
             _refuse_large_contents(path)
-            group = afmformats.load_data(path, meta_override=overrides)
+            try:
+                group = afmformats.load_data(path, meta_override=overrides)
+            except NotImplementedError:  # of some formats it takes no other numbers: they are exchanged below
+                group, exchanged = afmformats.load_data(path), True
         except MissingMetaDataError:
             other = (
                 "; if it is no curve of a microscope but numbers without names, give columns = { depth = 1, "
@@ -234,7 +238,7 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
                 sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)),
                 _quiet_and_limited(path),
             ):
-                placed = _translated(data, name, str(path), overrides)
+                placed = _translated(data, name, str(path), overrides, exchanged=exchanged)
         except InvalidInput as error:
             yield UnreadCurve(name, str(error))
         else:
@@ -283,8 +287,10 @@ def _refuse_large_contents(path: Path) -> None:
             )
 
 
-def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float]) -> PlacedCurve:
-    """Return a curve of afmformats in the signs of winkler."""
+def _translated(
+    data: Any, name: str, file_name: str, overrides: dict[str, float], *, exchanged: bool = False
+) -> PlacedCurve:
+    """Return a curve of afmformats in the signs of winkler; `exchanged` if its force is by the numbers of the file."""
     columns = set(data.columns)
     height = next((word for word in HEIGHT_COLUMNS if word in columns), "")
     if not height or "force" not in columns:
@@ -294,6 +300,13 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
         )
     position, force = -np.asarray(data[height], dtype=float), np.asarray(data["force"], dtype=float)
     stiffness = overrides.get("spring constant", data.metadata.get("spring constant", np.nan))
+    for word in overrides if exchanged else ():
+        stated = data.metadata.get(word, np.nan)
+        if not stated > 0.0:
+            raise InvalidInput(
+                f"{file_name}: the file states no {word} by which its force could be turned into another."
+            )
+        force = force * overrides[word] / stated
     if not stiffness > 0.0:
         raise InvalidInput(
             f"{file_name}: the file does not state the spring constant of the cantilever, from which the depth "
