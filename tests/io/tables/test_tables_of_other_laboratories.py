@@ -130,8 +130,18 @@ def test_a_refusal_shows_names_and_no_row_of_numbers(tmp_path):
 def test_a_second_table_is_named_where_it_begins(tmp_path):
     table = ["Time\tRelaxation Modulus", "[s]\t[Pa]", *(f"{t}\t{1e4 / t}" for t in (1, 2, 3, 4))]
     (tmp_path / "two.txt").write_text("\n".join([*table, "Result: second", *table]))
-    with pytest.raises(InvalidInput, match=r"line 7: .* stands again in line 8: give each table a file of its own"):
+    with pytest.raises(InvalidInput, match=r"line 7: .* stands again in line 8, give each table a file of its own"):
         read_relaxation(tmp_path / "two.txt")
+    (tmp_path / "next.txt").write_text("\n".join([*table, *table]))
+    with pytest.raises(InvalidInput, match="line 7: the header stands again; give each table a file of its own"):
+        read_relaxation(tmp_path / "next.txt")
+
+
+def test_a_refusal_shows_the_names_above_a_word_that_ends_the_header(tmp_path):
+    rows = [f"{n},{n * n},{0.1 * n}" for n in range(5)]
+    (tmp_path / "end.csv").write_text("\n".join(["Ramp [nm],Sensor [nm],Clock [ms]", "eoh", *rows]))
+    with pytest.raises(InvalidInput, match=r"whose columns are 'Ramp \[nm\]', 'Sensor \[nm\]', 'Clock \[ms\]'"):
+        read_curve(tmp_path / "end.csv")
 
 
 OMEGA = np.array([0.1, 1.0, 10.0, 100.0])

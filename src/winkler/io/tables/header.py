@@ -298,7 +298,8 @@ def _names_above(lines: Sequence[str]) -> tuple[list[str], int]:
             return above, index
         if text:
             row = next((cells for cells in splits if len(cells) > 1), [text])
-            above = row if not above or not _are_units(row) else above
+            if not above or not (_are_units(row) or len(row) == 1 < len(above)):  # a single word ends the header
+                above = row
     return above, len(lines)
 
 

@@ -138,6 +138,8 @@ def read_table(
         if line.strip() in again:
             repeats.append(index + 1)
             continue
+        if line.strip() in above:
+            raise InvalidInput(f"{file}, line {index + 1}: the header stands again; give each table a file of its own.")
         cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
@@ -149,7 +151,7 @@ def read_table(
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
             second = next((n + 1 for n in range(index, len(lines)) if lines[n].strip() in above), 0)
             if second:
-                hint = f"; the header stands again in line {second}: give each table a file of its own"
+                hint = f"; the header stands again in line {second}, give each table a file of its own"
             raise InvalidInput(f"{file}, line {index + 1}: {size}{hint}.")
         try:
             if "_" in line:
