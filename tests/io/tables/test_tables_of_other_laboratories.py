@@ -229,3 +229,10 @@ def test_triangles_are_refused_with_what_to_do(tmp_path):
     (tmp_path / "rock.stl").write_text("solid rock\nendsolid rock\n")
     with pytest.raises(InvalidInput, match="a surface of triangles has no pixels; save its heights on a grid"):
         read_topography(tmp_path / "rock.stl", unit="um")
+
+
+@pytest.mark.parametrize("unit", ["C", "deg C", "°C", "degC"])
+def test_a_temperature_in_c_is_in_degrees_celsius(tmp_path, unit):
+    header = [f"f (Hz),T ({unit}),G' (Pa),G'' (Pa)"]
+    columns = [np.tile(OMEGA, 2), np.repeat([20.0, 40.0], 4), np.tile(2.0 + OMEGA, 2), np.tile(OMEGA, 2)]
+    assert read_dynamic_sweeps(_file(tmp_path, header, columns)).temperature == pytest.approx(columns[1] + 273.15)

@@ -30,7 +30,8 @@ __all__ = [
 ]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
-CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
+CELSIUS, CELSIUS_ZERO = ("degC", "°C", "deg C", "C"), 273.15
+"""Units of a temperature in degrees Celsius; of another quantity C is the coulomb."""
 PER_SECOND = ("1/s", "s-1", "s^-1")
 """Units in which an angular frequency is written too: its name says that it counts radians."""
 COMMENT_MARKS = "#% \t"
