@@ -313,3 +313,26 @@ def test_texts_with_missing_last_heights_and_with_counted_rows(tmp_path):
     counted.write_text(f",0,1,2,3\n{rows}\n", encoding="utf-8")
     with pytest.raises(InvalidInput, match="the first row and the first column count 0, 1, 2 and so on"):
         read_topography(counted, unit="nm", lengths=(1e-6, 1e-6))
+
+
+def test_lengths_are_handed_on_to_files_that_do_not_state_them(tmp_path):
+    """They were refused: "the file does not state how long its height map is; save it as an NPY file"."""
+    pytest.importorskip("SurfaceTopography")
+    from scipy.io import savemat
+
+    heights = np.random.default_rng(7).normal(size=(20, 30))
+    savemat(tmp_path / "map.mat", {"heights": heights})
+    rough = read_topography(tmp_path / "map.mat", unit="nm", lengths=(2e-6, 3e-6))
+    assert rough.lengths == pytest.approx((2e-6, 3e-6))
+    assert rough.heights == pytest.approx(heights * 1e-9)
+    for unknown in ({}, {"lengths": (float("nan"), float("nan"))}):
+        with pytest.raises(InvalidInput, match=r"give lengths=\(x, y\) in m"):
+            read_topography(tmp_path / "map.mat", unit="nm", **unknown)
+
+
+def test_bytes_of_a_square_number_are_no_map(tmp_path):
+    """A reader of bare integers takes them for one, whatever they are."""
+    pytest.importorskip("SurfaceTopography")
+    (tmp_path / "picture.bin").write_bytes(bytes(range(200)))
+    with pytest.raises(InvalidInput, match="does not state how long"):
+        read_topography(tmp_path / "picture.bin", unit="nm", lengths=(2e-6, 3e-6))

@@ -19,7 +19,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
-from winkler.io.foreign import in_file, quiet, sentence_of
+from winkler.io.foreign import in_file, quiet, reason_of, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.instruments.find import instrument_tests
 from winkler.io.instruments.instrument_test import InstrumentTest
@@ -31,6 +31,7 @@ from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
 from winkler.io.tables.given_units import GivenFacts, checked_columns, checked_units
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
+from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.limits import FILE_BYTES
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
@@ -38,6 +39,7 @@ __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curve
 HDF5_ENDING = ".h5"
 ARCHIVE_ENDINGS = (".jpk", ".zip")
 """Endings of archives, which may not begin as such: their list of contents stands at the end."""
+IMAGE_HINT = "; an image without curves is read by read_topography; else export its curves as text"
 HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
 
@@ -65,7 +67,7 @@ def read_curve(
     units : mapping of str to str, optional
         Units of columns that the file does not state: ``{"position": "nm", "force": "uN", "time": "s"}``.
     columns : mapping of str to int, optional
-        Of a text table without names, the number of each column from 1: ``{"depth": 1, "force": 2, "time": 3}``.
+        Of a table without names, the number of each column from 1: ``{"depth": 1, "force": 2, "time": 3}``.
 
     Returns
     -------
@@ -144,16 +146,24 @@ def _each(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[PlacedCur
         file = existing(path, "a force curve")
         refuse_large(file, FILE_BYTES)
         is_text = _is_text(file)
+        is_table = is_text or is_workbook(file)
         if given.columns:
-            if not is_text:
-                raise InvalidInput(f"{file}: columns are counted in text tables, and this is none; leave columns out.")
+            if not is_table:
+                raise InvalidInput(f"{file}: columns are counted in tables, and this is none; leave columns out.")
             yield from read_curve_tables(file, given)
             return
-        if (tests := instrument_tests(file, given, is_text=is_text)) is not None:
-            yield from _curves_of_tests(tests, file, given)
-            return
-        if is_text and (wide := tests_side_by_side(file, given)) is not None:
-            yield from _curves_of_tests(wide, file, given)
+        tests = tests_side_by_side(file, given) if is_table and not is_text else None
+        if tests is None:
+            tests = instrument_tests(file, given, is_text=is_text)
+        if tests is None and is_text:
+            tests = tests_side_by_side(file, given)
+        if tests is not None:
+            try:
+                yield from _curves_of_tests(tests, file, given)
+            except InvalidInput:  # no sheet of a test; a rheometer's workbook is a table
+                if is_text or not is_table or not is_curve_table(file):
+                    raise
+                yield from read_curve_tables(file, given)
             return
         if is_text and is_curve_table(file):
             yield from read_curve_tables(file, given)
@@ -198,10 +208,14 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
     if path.suffix.lower() not in known:
         end = f"files that end in '{path.suffix}' are not known; tables and {', '.join(known)} are read"
         raise _no_table(path, end)
+    exchanged = False
     with _quiet_and_limited(path):
         try:
             _refuse_large_contents(path)
-            group = afmformats.load_data(path, meta_override=overrides)
+            try:
+                group = afmformats.load_data(path, meta_override=overrides)
+            except NotImplementedError:  # of some formats it takes no other numbers: they are exchanged below
+                group, exchanged = afmformats.load_data(path), True
         except MissingMetaDataError:
             other = (
                 "; if it is no curve of a microscope but numbers without names, give columns = { depth = 1, "
@@ -214,8 +228,8 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
         except (InvalidInput, MemoryError):
             raise
         except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise many types
-            hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else ""
-            raise _no_table(path, f"afmformats cannot read this file ({type(error).__name__}){hint}") from None
+            hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else IMAGE_HINT
+            raise _no_table(path, f"afmformats cannot read this file ({reason_of(error)}){hint}") from None
     for number, data in enumerate(group):
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
@@ -224,7 +238,7 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
                 sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)),
                 _quiet_and_limited(path),
             ):
-                placed = _translated(data, name, str(path), overrides)
+                placed = _translated(data, name, str(path), overrides, exchanged=exchanged)
         except InvalidInput as error:
             yield UnreadCurve(name, str(error))
         else:
@@ -273,8 +287,10 @@ def _refuse_large_contents(path: Path) -> None:
             )
 
 
-def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float]) -> PlacedCurve:
-    """Return a curve of afmformats in the signs of winkler."""
+def _translated(
+    data: Any, name: str, file_name: str, overrides: dict[str, float], *, exchanged: bool = False
+) -> PlacedCurve:
+    """Return a curve of afmformats in the signs of winkler; `exchanged` if its force is by the numbers of the file."""
     columns = set(data.columns)
     height = next((word for word in HEIGHT_COLUMNS if word in columns), "")
     if not height or "force" not in columns:
@@ -284,6 +300,13 @@ def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float
         )
     position, force = -np.asarray(data[height], dtype=float), np.asarray(data["force"], dtype=float)
     stiffness = overrides.get("spring constant", data.metadata.get("spring constant", np.nan))
+    for word in overrides if exchanged else ():
+        stated = data.metadata.get(word, np.nan)
+        if not stated > 0.0:
+            raise InvalidInput(
+                f"{file_name}: the file states no {word} by which its force could be turned into another."
+            )
+        force = force * overrides[word] / stated
     if not stiffness > 0.0:
         raise InvalidInput(
             f"{file_name}: the file does not state the spring constant of the cantilever, from which the depth "

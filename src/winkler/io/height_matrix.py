@@ -18,10 +18,16 @@ from winkler.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.units import quantity
 
-__all__ = ["MapContents", "array_map", "refuse_many", "text_map"]
+__all__ = ["MapContents", "array_map", "point_map", "refuse_many", "text_map"]
 
 LEAST_ROWS = 4
 """Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
+POINT_CELLS = 3
+"""Cells of a point x, y, z."""
+SAME_PLACE = 1e-5
+"""Greatest distance of points that are in one row of a grid, relative to its length."""
+UNEVEN = 0.05
+"""Greatest deviation of the distance of two rows from the mean."""
 NO_HEIGHT = "is no height; give a matrix of numbers, nan where they are missing"
 HEADER = re.compile(r"#\s*+(Width|Height|Value units)\s*+:(.*)")
 """Header lines that Gwyddion writes above a matrix."""
@@ -70,6 +76,8 @@ def text_map(path: Path) -> MapContents:
         raise InvalidInput(f"{path}: there are no heights; give a matrix, one row in a line.")
     separator = next((mark for mark in ("\t", ";", ",") if mark in numbered[0][1].strip()), None)
     heights = _rows(path, numbered, separator)
+    if heights.shape[1] == POINT_CELLS and (grid := _grid(heights)) is not None:
+        return grid
     if min(heights.shape) < LEAST_ROWS:
         rows, columns = heights.shape
         raise InvalidInput(
@@ -87,6 +95,52 @@ def text_map(path: Path) -> MapContents:
             if word in stated:
                 lengths[axis] = quantity(stated[word], unit, what=f"{path}, '# {word}'")
     return MapContents(heights, lengths, unit)
+
+
+def point_map(path: Path, points: Array) -> MapContents:
+    """Return the map of a list of points x, y, z [m].
+
+    Raises
+    ------
+    InvalidInput
+        If they are on no regular grid.
+    """
+    grid = _grid(points)
+    if grid is None:
+        raise InvalidInput(
+            f"{path}: its {len(points)} points are on no full, even grid of at least {LEAST_ROWS} x {LEAST_ROWS}; "
+            "interpolate the heights on one."
+        )
+    return grid._replace(unit="m")
+
+
+def _grid(points: Array) -> MapContents | None:
+    """Return the map of a list of points x, y, z, in any order; None if they are on no full, even grid."""
+    x, y, z = points.T
+    along_x, along_y = _axis(x), _axis(y)
+    if along_x is None or along_y is None or points.shape[0] != along_x[0] * along_y[0]:
+        return None
+    (columns, step_x), (rows, step_y) = along_x, along_y
+    cells = np.rint((x - x.min()) / step_x).astype(int) * rows + np.rint((y - y.min()) / step_y).astype(int)
+    if np.unique(cells).size != cells.size:
+        return None
+    heights = np.empty(cells.size)
+    heights[cells] = z
+    return MapContents(heights.reshape(columns, rows), np.array([columns * step_x, rows * step_y]), "")
+
+
+def _axis(places: Array) -> tuple[int, float] | None:
+    """Return the number of places of points along an axis, and their distance; None where it is not even."""
+    if not np.all(np.isfinite(places)):
+        return None
+    ordered = np.sort(places)
+    steps = np.diff(ordered)
+    gap = np.flatnonzero(steps > SAME_PLACE * np.ptp(ordered))
+    count = gap.size + 1
+    if count < LEAST_ROWS:
+        return None
+    step = float(np.ptp(ordered)) / (count - 1)
+    return (count, step) if np.all(np.abs(steps[gap] - step) <= UNEVEN * step) else None
 
 
 def _rows(path: Path, numbered: list[tuple[int, str]], separator: str | None) -> Array:

@@ -1,4 +1,5 @@
-"""Files of calibrated indenters, in TOML, all numbers SI; and tables of cross-sections over the contact depth.
+"""Files of calibrated indenters, in TOML, all numbers SI; tables of cross-sections over the contact depth; and the
+area functions that Hysitron's programs save, names and numbers in turn, in powers of nm.
 
 A table becomes the coefficients of an area function: so many, and from so shallow a depth on, that the area is that of
 the table within one per cent.
@@ -19,6 +20,7 @@ from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.foreign import in_file, sentence_of
 from winkler.io.tables.table import Column, read_table
+from winkler.io.tables.table_lines import table_head
 from winkler.io.text_file import lines_of
 from winkler.io.whole_file import write_whole_text
 from winkler.materials.elastic import Elastic
@@ -34,6 +36,8 @@ LARGEST_ERROR = 0.01
 """Greatest relative difference between the area function and the table."""
 SHALLOWEST = (0.01, 0.02, 0.05, 0.1, 0.2, 0.3)
 """Parts of the greatest depth from which on the area function may hold."""
+HYSITRON = "Hysitron Area Function Coefficients"
+NANOMETRE = 1e-9
 NEEDED = ("area", "frame_compliance", "young", "poisson")
 ALLOWED = (*NEEDED, "kind", "shallowest", "deepest", "covariance", "shape_factor", "made_from")
 
@@ -78,7 +82,8 @@ def read_area(path: str | os.PathLike[str], header: str = "") -> CalibratedArea:
     Parameters
     ----------
     path : str or path
-        The file, with units in its header as in ``depth [nm], area [nm^2]``.
+        The file, with units in its header as in ``depth [nm], area [nm^2]``; or an area function of Hysitron, which
+        does not state between which depths it was calibrated.
     header : str, optional
         That line, where the file has none.
 
@@ -93,6 +98,9 @@ def read_area(path: str | os.PathLike[str], header: str = "") -> CalibratedArea:
         If the file is no such table, or no area function of nine terms is within one per cent of it.
     """
     with sentence_of(path, "no area of a tip can be read from it", "give a table of contact depth and area"):
+        lines = [] if header else table_head(path, "a table of contact depth and area")
+        if lines and lines[0].startswith(HYSITRON):
+            return _hysitron_area(lines, path)
         try:
             table = read_table(path, (DEPTH, AREA), decimal_comma=True, stated=header)
         except InvalidInput as error:
@@ -103,6 +111,22 @@ def read_area(path: str | os.PathLike[str], header: str = "") -> CalibratedArea:
     depth, area = table.values.T
     with in_file(str(path)):
         return _fitted_area(depth[area > 0.0], area[area > 0.0])
+
+
+def _hysitron_area(lines: list[str], path: str | os.PathLike[str]) -> CalibratedArea:
+    """Return the coefficients of an area function, each a line below its name; A and h are in powers of nm there."""
+    stated = dict(zip(map(str.strip, lines), map(str.strip, lines[1:]), strict=False))
+    words = [stated[f"C{term}"] for term in range(MOST_TERMS) if f"C{term}" in stated]
+    offset = stated.get("B", "0")
+    try:
+        numbers, constant = [float(word) for word in words], float(offset)
+    except ValueError:
+        raise InvalidInput(f"{path}: its coefficients are {', '.join(words)}, B {offset}; give numbers.") from None
+    if not numbers or constant != 0.0:
+        raise InvalidInput(f"{path}: it states {len(numbers)} coefficients and B {offset}; give C0 and on, without B.")
+    powers = 2.0 ** (1.0 - np.arange(len(numbers)))
+    with in_file(str(path)):
+        return CalibratedArea(tuple((np.array(numbers) * NANOMETRE ** (2.0 - powers)).tolist()))
 
 
 def _fitted_area(depth: Array, area: Array) -> CalibratedArea:

@@ -9,10 +9,12 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
-from winkler.io.height_matrix import MapContents, array_map, text_map
+from winkler.io.height_matrix import MapContents, array_map, point_map, text_map
 from winkler.io.instrument_map import instrument_map
+from winkler.io.tables.header import names_columns
+from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import content_of, existing
-from winkler.io.workbook_cells import is_workbook
+from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.limits import TEXT_BYTES
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
@@ -21,6 +23,12 @@ from winkler.units import scale
 __all__ = ["read_topography"]
 
 ARRAY_ENDINGS = {".npy", ".npz"}
+MESH_ENDINGS = {".stl", ".ply", ".obj"}
+POINT_COLUMNS = (
+    Column("x", ("x",), "m", "um"),
+    Column("y", ("y",), "m", "um"),
+    Column("height", ("z", "height", "h"), "m", "nm"),
+)
 TEXT_ENDINGS = {".csv", ".txt", ".asc", ".dat", ".tsv"}
 STEEPEST_RATIO = 1e4
 """Largest ratio of root mean square height to pixel size; only mistaken units exceed it."""
@@ -46,11 +54,11 @@ def read_topography(
     path : str or path
         A matrix of heights as text (tabs, semicolons, commas or spaces between; every line runs along the second
         direction; nan, nothing, or a number that instruments write for it (-25400, -9999, 1e10 ...), far from others,
-        where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
-        file; an NPZ file with ``heights`` and, if they are known, ``lengths``, ``unit`` and ``periodic``; or a file
-        that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf, Zygo, Gwyddion, X3P and some forty
-        others; or a container (zip) that contact.engineering has published, whose maps come as its authors prepared
-        them.
+        where heights are missing; header lines of Gwyddion above a matrix are read); a list of points x, y, z on a
+        grid, with or without a header; an NPY file; an NPZ file with ``heights`` and, if they are known, ``lengths``,
+        ``unit`` and ``periodic``; or a file that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf,
+        Zygo, Gwyddion, X3P and some forty others; or a container (zip) that contact.engineering has published, whose
+        maps come as its authors prepared them.
     lengths : tuple of float, optional
         Lengths [m] of the map; needed where the file does not state them; they replace those of the file.
     unit : str, optional
@@ -79,6 +87,10 @@ def read_topography(
         raise InvalidInput(f"{file}: an array has no channels; leave channel {channel!r} out.")
     if suffix in ARRAY_ENDINGS:
         contents = array_map(file)
+    elif suffix in MESH_ENDINGS:
+        raise InvalidInput(
+            f"{file}: a surface of triangles has no pixels; save its heights on a grid, as a matrix or as rows x, y, z."
+        )
     elif (suffix in TEXT_ENDINGS or is_workbook(file)) and not channel:
         try:
             contents = text_map(file)
@@ -119,13 +131,22 @@ def read_topography(
 
 
 def _other_text(file: Path, reason: InvalidInput) -> MapContents:
-    """Return the map of a text that is no matrix: some instruments write texts too; else raise why it is no matrix."""
+    """Return the map of a text that is no matrix: points with a header, or a text of an instrument; else raise why."""
+    if _has_points(file):
+        return point_map(file, read_table(file, POINT_COLUMNS).values)
     if content_of(file, TEXT_BYTES).count(b"\n") > MOST_LINES_TRIED:
         raise reason
     try:
         return instrument_map(file, "")
     except InvalidInput:
         raise reason from None
+
+
+def _has_points(file: Path) -> bool:
+    try:
+        return names_columns(file, POINT_COLUMNS)
+    except InvalidInput:  # the reason why it is no text is known already
+        return False
 
 
 def _per_metre(unit: str, what: str) -> float:

@@ -7,7 +7,7 @@ import pytest
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
-from winkler.io.curves import read_curve
+from winkler.io.curves import read_curve, read_curves
 
 SPRING, SENSITIVITY = 0.05, 6e-8
 HEIGHT = np.linspace(2e-6, 0.0, 101)
@@ -74,3 +74,16 @@ def test_what_the_head_does_not_state_is_asked_for(tmp_path):
     assert _read(tmp_path, volts, sensitivity=SENSITIVITY).force.max() == pytest.approx(FORCE.max(), rel=1e-5)
     with pytest.raises(InvalidInput, match="is a height"):
         _read(tmp_path, _text().replace("measuredHeight", "hDeflection"))
+
+
+def test_curves_of_a_map_below_each_other_are_told_by_their_numbers(tmp_path):
+    """The time of the second curve fell, and the map was refused as one curve."""
+    texts = []
+    for number in range(3):
+        for part in _text().split("# segmentIndex")[1:]:
+            head = f"# index: {number}\n# xPosition: {number}e-6\n# yPosition: 0\n# springConstant: 0.05\n"
+            texts.append(f"{head}# segmentIndex{part}")
+    (tmp_path / "map.txt").write_text("\n".join(texts))
+    curves = list(read_curves(tmp_path / "map.txt"))
+    assert [placed.x for placed in curves] == pytest.approx([0.0, 1e-6, 2e-6])
+    assert all(placed.curve.force == pytest.approx(np.r_[FORCE, FORCE[::-1]], abs=1e-15) for placed in curves)

@@ -36,7 +36,17 @@ def _channel(name, offset, length, least, soft, ways=f"{BACK} {THERE}"):
 
 
 def _file(
-    tmp_path, *, size=2, grid=(), sensor=False, unit=" nm/V", start=r"\*Force file list", cut=0, shift=0, more=()
+    tmp_path,
+    *,
+    size=2,
+    grid=(),
+    sensor=False,
+    unit=" nm/V",
+    start=r"\*Force file list",
+    cut=0,
+    shift=0,
+    more=(),
+    padded=False,
 ):
     """A curve, or a volume whose curves touch later and later; with a sensor of the height."""
     count = int(np.prod(grid)) if grid else 1
@@ -44,8 +54,9 @@ def _file(
     for number in range(count):
         for points in (THERE, BACK):  # each way from the deepest point outwards
             travel, deflection = _curve(points, 0.6 + 0.01 * number)
-            blocks.append(np.round(deflection[::-1] / LEAST))
-            sensed.append(np.round(travel[::-1] / SENSOR / LEAST))
+            room = np.full(max(THERE, BACK) - points if padded else 0, -1.0)
+            blocks.append(np.r_[np.round(deflection[::-1] / LEAST), room])
+            sensed.append(np.r_[np.round(travel[::-1] / SENSOR / LEAST), room])
     offset, length = 8192, sum(map(len, blocks)) * size
     lines = [
         start, r"\Version: 0x09200000", r"\*Scanner list", rf"\@Sens. Zsens: V {PIEZO * 1e9:.4f} nm/V",
@@ -83,6 +94,18 @@ def test_a_curve_is_read_from_its_head(tmp_path, size):
     assert curve.time[[THERE - 1, -1]] == pytest.approx([RAMP / SPEED, 1.5 * RAMP / SPEED])
     assert "sensitivity 27.39 nm/V from the file" in curve.reading
     assert "position from the ramp" in curve.reading
+
+
+@pytest.mark.parametrize("sensor", [False, True])
+def test_older_versions_keep_room_for_the_longer_way_in_both(tmp_path, sensor):
+    """'Deflection' has 4096 bytes for 1 curve of 1972 points."""
+    (tmp_path / "old").mkdir()
+    new, old = (
+        read_curve(_file(tmp_path, sensor=sensor)),
+        read_curve(_file(tmp_path / "old", sensor=sensor, padded=True)),
+    )
+    assert np.array_equal(old.force, new.force)
+    assert np.array_equal(old.position, new.position)
 
 
 def test_a_measured_height_precedes_the_ramp(tmp_path):

@@ -134,7 +134,7 @@ def test_a_sheet_of_too_many_rows_is_refused_before_they_are_read(tmp_path, monk
     from openpyxl.worksheet._read_only import ReadOnlyWorksheet
 
     path = new_workbook(tmp_path / "long.xlsx", {"S": [["h (nm)", "P (mN)"], *([[1.0, 2.0]] * 20)]})
-    monkeypatch.setattr("winkler.io.workbook_cells.MOST_ROWS", 20)
+    monkeypatch.setattr("winkler.io.workbooks.workbook_cells.MOST_ROWS", 20)
     if states:
         monkeypatch.setattr(ReadOnlyWorksheet, "iter_rows", None)
     else:
@@ -159,3 +159,39 @@ def test_without_the_package(tmp_path, monkeypatch, ending, package):
     monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(wk.InvalidInput, match=rf"workbooks need {package}; install it with pip install 'winkler\[nano"):
         read_curve(path)
+
+
+def test_tests_side_by_side_in_a_sheet(tmp_path):
+    """H is the name of the sample there, and no depth without a unit."""
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    signals = ("X", "Time_[s]"), ("Y", "Fn_[mN]"), ("Y", "Pd_[nm]")
+    book.active.append([f"{axis}_H_100mN_{n}_{what}" for n in (2, 4) for axis, what in signals])
+    for n in range(50):
+        book.active.append([0.1 * n, 0.01 * n**2, 3.0 * n, 0.1 * n, 0.02 * n**2, 4.0 * n])
+    book.create_sheet("evaluated").append(["E", "H"])
+    book.save(tmp_path / "lot.xlsx")
+    curves = [placed.curve for placed in read_curves(tmp_path / "lot.xlsx")]
+    assert [curve.position[-1] for curve in curves] == pytest.approx([147e-9, 196e-9])
+    assert [curve.force[-1] for curve in curves] == pytest.approx([24.01e-3, 48.02e-3])
+
+
+def test_columns_of_a_sheet_are_counted_too(tmp_path):
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    for n in range(30):
+        book.active.append([0.5 * n, 2.0 * n, 0.01 * n**2])
+    book.save(tmp_path / "bare.xlsx")
+    units = {"position": "nm", "force": "mN"}
+    curve = read_curve(tmp_path / "bare.xlsx", columns={"depth": 2, "force": 3}, units=units)
+    assert curve.position[-1] == pytest.approx(58e-9)
+
+
+def test_a_sheet_of_a_rheometer_is_a_table(tmp_path):
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    book.active.append(["Point", "Gap (mm)", "Normal Force (N)"])
+    for n in range(30):
+        book.active.append([n, 1.0 - 0.01 * n, 0.01 * n**2])
+    book.save(tmp_path / "gap.xlsx")
+    assert np.ptp(read_curve(tmp_path / "gap.xlsx", spring_constant=float("inf")).position) == pytest.approx(0.29e-3)

@@ -61,3 +61,38 @@ def test_studies_take_the_table_and_numbers_of_columns(tmp_path):
     assert read.indenter.area.coefficients == pytest.approx([24.5, 24.5 * 24e-9], rel=1e-6)
     assert read.indenter.area.deepest == pytest.approx(400e-9)
     assert read.indenter.frame_compliance == pytest.approx(2e-7)
+
+
+HYSITRON = """Hysitron Area Function Coefficients, File Version: 4.00
+C0
+24.5
+C1
+{first}
+C2
+-3000.0
+B
+{offset}
+C0 Uncertainty
+0.0
+C1 Uncertainty
+20.5
+Tip Poisson's Ratio
+0.07
+"""
+
+
+def test_an_area_function_of_hysitron_is_in_powers_of_nm(tmp_path):
+    """It was refused as a table without a contact depth."""
+    (tmp_path / "tip.txt").write_text(HYSITRON.format(first="1250.5", offset="0.0"))
+    found = read_area(tmp_path / "tip.txt")
+    for h in (50.0, 400.0):
+        expected = 24.5 * h**2 + 1250.5 * h - 3000.0 * h**0.5
+        assert found.area(h * 1e-9) == pytest.approx(expected * 1e-18, rel=1e-12)
+    assert len(found.coefficients) == 3
+
+
+@pytest.mark.parametrize(("first", "offset"), [("many", "0.0"), ("1250.5", "3.0")])
+def test_an_area_function_with_other_terms_is_refused(tmp_path, first, offset):
+    (tmp_path / "tip.txt").write_text(HYSITRON.format(first=first, offset=offset))
+    with pytest.raises(InvalidInput, match=r"tip\.txt: its coefficients are|without B"):
+        read_area(tmp_path / "tip.txt")

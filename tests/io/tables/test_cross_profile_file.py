@@ -128,3 +128,30 @@ def test_a_pair_that_does_not_meet_is_refused_in_one_sentence(tmp_path):
         wk.read_profile_pair(rail, wheel, down=True)
     with pytest.raises(wk.InvalidInput, match="wheel.whl"):
         wk.read_profile_pair(rail, tmp_path / "wheel.whl")
+
+
+@pytest.mark.parametrize("separator", [" ", "\t", ",", ";"])
+def test_two_bare_columns_need_the_unit_alone(tmp_path, separator):
+    """Drawing programs write y and z without a header."""
+    file = tmp_path / "rail.dat"
+    file.write_text("\n".join(f"{y:.3f}{separator}{z:.5f}" for y, z in zip(Y, Z, strict=True)))
+    with pytest.raises(wk.InvalidInput, match="give unit, such as unit = 'mm'"):
+        wk.read_cross_profile(file)
+    profile = wk.read_cross_profile(file, unit="mm")
+    assert profile.y == pytest.approx(Y * 1e-3)
+    assert profile.z == pytest.approx(Z * 1e-3)
+
+
+def test_a_unit_that_the_file_states_is_not_given_again(tmp_path):
+    file = tmp_path / "rail.csv"
+    file.write_text("y [mm],z [mm]\n" + "\n".join(f"{y},{z}" for y, z in zip(Y, Z, strict=True)))
+    with pytest.raises(wk.InvalidInput, match="leave unit 'm' out"):
+        wk.read_cross_profile(file, unit="m")
+
+
+def test_a_pair_of_bare_columns_needs_the_unit_alone(tmp_path):
+    for name, sign in (("rail.dat", 1.0), ("wheel.dat", -1.0)):
+        (tmp_path / name).write_text("\n".join(f"{y} {sign * 0.01 * y * y}" for y in Y))
+    lower, upper = wk.read_profile_pair(tmp_path / "rail.dat", tmp_path / "wheel.dat", down=True, unit="mm")
+    assert lower.z == pytest.approx(-1e-5 * Y**2)
+    assert upper.z == pytest.approx(1e-5 * Y**2)

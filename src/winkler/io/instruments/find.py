@@ -17,7 +17,7 @@ from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
-from winkler.io.workbook_cells import is_workbook
+from winkler.io.workbooks.workbook_cells import is_workbook
 
 __all__ = ["instrument_tests"]
 

@@ -6,6 +6,7 @@ states what makes a force of it.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Iterator, Sequence
@@ -49,14 +50,23 @@ def is_jpk_text(head: Sequence[str]) -> bool:
 
 
 def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: GivenFacts) -> Iterator[InstrumentTest]:
-    """Yield the one curve of a text.
+    """Yield the curve of a text, or each of a map, whose segments state the number of their curve.
 
     Raises
     ------
     InvalidInput
         If segments differ in their columns, there is no height, or nothing makes a force of the deflection.
     """
-    segments = _segments(lines, path)
+    curves = [
+        (number, list(segments))
+        for number, segments in itertools.groupby(_segments(lines, path), lambda one: one.settings.get("index", ""))
+    ]
+    for number, segments in curves:
+        yield _test(segments, name if len(curves) == 1 else f"{name}, curve {number}", path, given)
+
+
+def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: GivenFacts) -> InstrumentTest:
+    """Return one curve from its segments."""
     first = segments[0].settings
     if any(one.settings[key] != first[key] for one in segments for key in ("columns", "units")):
         raise InvalidInput(f"{path}: its segments differ in their columns or units; export each to a file of its own.")
@@ -89,7 +99,7 @@ def tests_of_jpk_text(lines: Sequence[str], name: str, path: object, given: Give
         f"segments {kinds}; {segment_fact(position, force, numbers, 'segment')}",
     )
     x, y = (_number(first, key) for key in PLACES)
-    yield InstrumentTest(
+    return InstrumentTest(
         "JPK, text export",
         name,
         tuple(columns),

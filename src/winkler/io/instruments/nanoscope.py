@@ -169,8 +169,12 @@ def _counts_of(channel: _Channel, path: Path) -> tuple[int, int]:
 def _numbers(channel: _Channel, head: _Head, content: bytes, path: Path) -> Array:
     """Return the integers of all curves ``(curves, points)``."""
     offset, length = (_whole(channel.settings, key, path) for key in ("Data offset", "Data length"))
-    curves, points = head.grid[0] * head.grid[1], sum(_counts_of(channel, path))
+    passes = _counts_of(channel, path)
+    curves, points = head.grid[0] * head.grid[1], sum(passes)
     size, rest = divmod(length, curves * points) if 0 < curves <= MOST_CURVES else (0, 1)
+    padded = bool(rest) and length in (curves * 2 * max(passes) * one for one in POINT_BYTES)
+    if padded:  # older versions keep room for the longer pass in both
+        size, rest = length // (curves * 2 * max(passes)), 0
     if rest or size not in POINT_BYTES:
         raise InvalidInput(
             f"{path}: '{channel.name}' has {length} bytes for {curves} curves of {points} points; 2 or 4 bytes a "
@@ -179,7 +183,9 @@ def _numbers(channel: _Channel, head: _Head, content: bytes, path: Path) -> Arra
     block = content[offset : offset + length]
     if len(block) != length:
         raise InvalidInput(f"{path}: the file ends before the numbers of '{channel.name}'; copy it anew.")
-    counts = np.frombuffer(block, dtype=f"<i{size}").reshape(curves, points)
+    counts = np.frombuffer(block, dtype=f"<i{size}").reshape(curves, -1)
+    if padded:
+        counts = np.delete(counts, np.r_[passes[0] : max(passes), max(passes) + passes[1] : 2 * max(passes)], axis=1)
     largest = float(np.abs(counts[0].astype(float)).max())
     if largest > LARGEST_COUNT:
         raise InvalidInput(

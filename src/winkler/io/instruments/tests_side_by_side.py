@@ -22,7 +22,7 @@ from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentT
 from winkler.io.instruments.number_block import is_row, rows_of
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.table_cells import like_number
-from winkler.io.text_file import head_of, lines_of
+from winkler.io.tables.table_lines import table_head, table_lines
 from winkler.numerics.types import Array
 
 __all__ = ["tests_side_by_side"]
@@ -55,7 +55,7 @@ class _Named(NamedTuple):
 
 
 def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
-    """Return the tests of a text with several groups of columns; None if it is no such table.
+    """Return the tests of a table with several groups of columns; None if it is no such table.
 
     Raises
     ------
@@ -63,7 +63,7 @@ def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Itera
         If the times of one test differ between its columns, there are no numbers, or a position needs the spring
         constant.
     """
-    head = head_of(path, "a force curve")
+    head = table_head(path, "a force curve")
     for index, line in enumerate(head[:-1]):
         for separator in SEPARATORS:
             cells = [cell.strip().strip("\"'") for cell in line.lstrip("#% ").split(separator)]
@@ -117,13 +117,14 @@ def _named(place: int, cell: str, below: str) -> _Named | None:
         words = words[1:]
     lower = [word.lower() for word in words]
     readings = [
-        (end - begin, quantity, si, begin, end)
+        (end - begin, len(words[begin]), quantity, si, begin, end)
         for quantity, names, si in QUANTITIES
         for begin in range(len(words))
         for end in range(begin + 1, len(words) + 1)
         if " ".join(lower[begin:end]) in names
     ]
-    for _, quantity, si, begin, end in sorted(readings, key=lambda one: -one[0]):
+    # more words before fewer, and a word before a letter: H is the name of a sample in Y_H_2_Pd_[nm]
+    for _, _, quantity, si, begin, end in sorted(readings, key=lambda one: (-one[0], -one[1])):
         rest = [*words[:begin], *words[end:]]
         unit = stated[1] if stated else below
         if not unit:
@@ -137,7 +138,7 @@ def _named(place: int, cell: str, below: str) -> _Named | None:
 def _tests(
     path: Path, groups: dict[tuple[str, ...], dict[str, list[_Named]]], first: int, count: int, separator: str
 ) -> Iterator[InstrumentTest]:
-    rows = rows_of(lines_of(path, "a force curve"), first, count, path, separator=separator)
+    rows = rows_of(table_lines(path, "a force curve"), first, count, path, separator=separator)
     tests = [
         (label, {quantity: _columns(rows, columns, path) for quantity, columns in group.items()})
         for label, group in groups.items()

@@ -18,7 +18,7 @@ from winkler.errors import InvalidInput
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, split_unit
-from winkler.io.workbook_cells import Cell, WorkbookSheet, sheets_of
+from winkler.io.workbooks.workbook_cells import Cell, WorkbookSheet, sheets_of
 from winkler.numerics.types import Array
 
 __all__ = ["tests_of_workbook"]

@@ -27,6 +27,8 @@ CONTENTS = {1: ("line scan", "height maps"), 2: ("height map", "line scans")}
 """What is looked for, and what else there may be."""
 REMEDIES = {1: "save it as a table with the columns place and height", 2: "save it as an NPY file or as a text"}
 """How else scans and maps are read."""
+UNMARKED = "HGTReader"
+"""It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
 
 def channel_contents(
@@ -73,7 +75,8 @@ def channel_contents(
         refuse_other_files(path)
         _refuse_cut_array(path)
         try:
-            opened = open_topography(str(path)).channels
+            file = open_topography(str(path))
+            opened = file.channels
         except CannotDetectFileFormat:  # its message lists what each of its formats missed, in words of NumPy
             raise InvalidInput(f"{path}: {wrong} (none of its formats fits); {remedy}.") from None
         along = [signal for signal in opened if signal.dim == directions]
@@ -92,7 +95,9 @@ def channel_contents(
         chosen = fitting[names.index(channel) if channel else 0]
         refuse(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
         if chosen.physical_sizes is None:
-            raise InvalidInput(f"{path}: the file does not state how long its {what} is; {remedy}.")
+            if directions == 1 or type(file).__name__ == UNMARKED:
+                raise InvalidInput(f"{path}: the file does not state how long its {what} is; {remedy}.")
+            return contents(chosen.topography(physical_sizes=(math.nan, math.nan)))  # the caller asks for them
         # without a unit nothing is converted; where it is missing, the caller asks for it
         return contents(chosen.topography())
 

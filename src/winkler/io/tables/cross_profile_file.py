@@ -27,7 +27,7 @@ MILLIMETRE = 1e-3
 
 @reader("a profile across")
 def read_cross_profile(
-    path: str | os.PathLike[str], *, down: bool = False, mirrored: bool = False, smoothing: float = 0.0
+    path: str | os.PathLike[str], *, down: bool = False, mirrored: bool = False, smoothing: float = 0.0, unit: str = ""
 ) -> CrossProfile:
     """Read a profile across the direction of rolling.
 
@@ -43,6 +43,8 @@ def read_cross_profile(
         Whether y is to change its sign.
     smoothing : float, optional
         As of `CrossProfile` [m].
+    unit : str, optional
+        Of both columns, such as mm, where the first two are y and z without a header, as drawing programs write them.
 
     Returns
     -------
@@ -61,11 +63,28 @@ def read_cross_profile(
     elif any(line.startswith(("columndef=", "xypoints=")) for line in low):
         points = _miniprof(file, lines)
     else:
-        points = read_table(file, (ACROSS, UP)).values
+        points = _table(file, unit)
+        unit = ""
+    if unit:
+        raise InvalidInput(f"{file}: such a file states its unit; leave unit {unit!r} out.")
     with in_file(file):
         return CrossProfile(
             -points[:, 0] if mirrored else points[:, 0], -points[:, 1] if down else points[:, 1], smoothing
         )
+
+
+def _table(file: Path, unit: str) -> Array:
+    """Return the columns of a table with a header, or the first two of one without."""
+    try:
+        table = read_table(file, (ACROSS, UP))
+    except InvalidInput as reason:
+        if unit:
+            return read_table(file, (ACROSS, UP), stated=f"y [{unit}], z [{unit}]").values
+        hint = "; where its first columns are y and z without names, give unit, such as unit = 'mm'."
+        raise reason.reworded(lambda one: one.rstrip(".") + hint) from None
+    if unit:
+        raise InvalidInput(f"{file}: a table states its columns and their units; leave unit {unit!r} out.")
+    return table.values
 
 
 def _numbers(file: Path, rows: list[tuple[int, str]], places: tuple[int, int]) -> Array:

@@ -30,13 +30,15 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve
 from winkler.io.segments import directions, segment_fact
-from winkler.io.swapped_columns import swap_note
+from winkler.io.swapped_columns import is_list, is_reversed, swap_note
 from winkler.io.tables.given_units import GivenFacts
-from winkler.io.tables.header import header_lines, names_columns, names_seen
+from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
+from winkler.io.tables.table_cells import cells_of, named
 from winkler.io.tables.table_makers import maker_in
+from winkler.numerics.types import Array
 from winkler.units import comma_hint
 
 __all__ = ["is_curve_table", "read_curve_tables"]
@@ -51,7 +53,11 @@ VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", 
 TIME = Column("time", TIME_NAMES, "s")
 STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
+GAPS = (STIFFNESS.word,)
+"""Measured in parts of a test alone."""
 NOTHING = GivenFacts()
+GAP_OR_DEPTH = re.compile(r"h(?![^\W_])", re.IGNORECASE)
+"""A name that is the gap of a rheometer, or the depth of an indenter."""
 SPRING_CONSTANT_LINE = re.compile(
     r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
 )
@@ -110,11 +116,12 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     further = tuple(
         column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
     )
-    wanted = [_narrowed(path, head, column) for column in (place, load, *further)]
-    table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True, numbers=given.columns)
+    wanted = [_narrowed(path, head, column) for column in (place, _beside(head, place, load), *further)]
+    table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True, numbers=given.columns, gaps=GAPS)
     found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
     stiffness = _stiffness(path, stated, spring_constant)
     position, force = table.values[:, 0] * (-1.0 if place is GAP else 1.0), table.values[:, 1]
+    _refuse_other_tables(path, table, position, force, timed="time" in found)
     if load is not FORCE:
         if stiffness is None:
             raise InvalidInput(
@@ -169,6 +176,23 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     return curves
 
 
+def _refuse_other_tables(
+    path: str | os.PathLike[str], table: Table, position: Array, force: Array, *, timed: bool
+) -> None:
+    """Refuse a list of results with a depth and a force for each test, and a gap that is called h."""
+    if not timed and is_list(position, force):
+        raise InvalidInput(
+            f"{path}: its rows are no curve but a list, for neither '{table.read_as[0]}' nor '{table.read_as[1]}' goes "
+            "on from row to row, as in a table of results; give the curves themselves."
+        )
+    name = table.read_as[0]
+    if GAP_OR_DEPTH.match(name) and is_reversed(position, force):
+        raise InvalidInput(
+            f"{path}: the force rises as '{name}' falls, as over the gap of a rheometer; if it is one, give columns = "
+            f"{{ gap = {table.numbers[0]}, force = {table.numbers[1]} }}; if it is a depth, correct its sign."
+        )
+
+
 def _refuse_unparted(path: str | os.PathLike[str], table: Table, parts: Sequence[slice], place: Column) -> None:
     """Refuse a header that stands again where no test ends and another begins."""
     ends = [float(table.lines[part.stop - 1]) for part in parts]
@@ -192,6 +216,31 @@ def _narrowed(path: str | os.PathLike[str], head: Sequence[str], column: Column)
         if " " in name and names_columns(path, (one := dataclasses.replace(column, names=(name,)),), head=head):
             return one
     return column
+
+
+def _beside(head: Sequence[str], place: Column, load: Column) -> Column:
+    """Return the column of the load that stands beside the place, where each other one stands beside another place.
+
+    Instruments write what they have measured before what they have made of it: ``Displacement, Force, Depth, Load``.
+    """
+    others = {*POSITION.names, *DEPTH.names} - set(place.names)
+    for line in head:
+        for separator in SEPARATORS_TRIED:
+            cells = cells_of(line.strip(), separator)
+            loads = [number for number, cell in enumerate(cells) if named(cell, load.names)[0]]
+            near = {number: [*cells[max(number - 1, 0) : number], *cells[number + 1 : number + 2]] for number in loads}
+            chosen = [number for number in loads if any(named(cell, place.names)[0] for cell in near[number])]
+            if (
+                len(loads) > 1
+                and len(chosen) == 1
+                and all(
+                    any(named(cell, tuple(others))[0] for cell in near[number])
+                    for number in loads
+                    if number != chosen[0]
+                )
+            ):
+                return dataclasses.replace(load, names=(cells[chosen[0]].lower(),))
+    return load
 
 
 def _place(path: str | os.PathLike[str], head: Sequence[str], *, prefer_position: bool = False) -> Column | None:

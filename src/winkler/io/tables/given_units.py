@@ -49,8 +49,8 @@ class GivenFacts(NamedTuple):
 
 
 def key_of(word: str) -> str:
-    """Return the key under which the unit of a column is given: a depth counts as a position."""
-    return "position" if word == "depth" else word
+    """Return the key under which the unit of a column is given: a depth and a gap count as a position."""
+    return "position" if word in PLACES else word
 
 
 def checked_units(raw: Any, what: str = "units") -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -15,6 +16,7 @@ from winkler.io.tables.table_lines import table_head
 from winkler.units import scale
 
 __all__ = [
+    "SEPARATORS_TRIED",
     "Header",
     "header_lines",
     "header_of",
@@ -28,11 +30,16 @@ __all__ = [
 ]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
-CELSIUS, CELSIUS_ZERO = ("degC", "°C"), 273.15
+CELSIUS, CELSIUS_ZERO = ("degC", "°C", "deg C", "C"), 273.15
+"""Units of a temperature in degrees Celsius; of another quantity C is the coulomb."""
+PER_SECOND = ("1/s", "s-1", "s^-1")
+"""Units in which an angular frequency is written too: its name says that it counts radians."""
 COMMENT_MARKS = "#% \t"
 MOST_BETWEEN = 1
 """Most rows between the names and their units: empty, or such as "Waveform"."""
 LONGEST_UNIT = 12
+MOSTLY = 0.6
+"""Least share of numbers in a row of them."""
 NO_NUMBERS = re.compile(r"[^\d\s.,;eE+-]", re.ASCII)
 NAME_LETTER = re.compile(r"[^\W\d_eE]")
 """A letter other than that of an exponent: rows of numbers have none."""
@@ -90,7 +97,13 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
     """Return whether a line holds the letters of every column's name; rows of numbers are excluded quickly."""
-    return all(any(name in line for name in column.names) for column in columns)
+    return all(any(part in line for part in _first_parts(column.names)) for column in columns)
+
+
+@functools.lru_cache(maxsize=256)
+def _first_parts(names: tuple[str, ...]) -> frozenset[str]:
+    """Return the first word of each name: behind it may stand a hyphen, a space or a low line."""
+    return frozenset(re.split(r"[ _-]", name, maxsplit=1)[0] for name in names)
 
 
 def needs_of(columns: Sequence[Column]) -> str:
@@ -218,6 +231,10 @@ def _with_units(
                 units=filled_units(header.units, header.cells, header.places, columns, given, where)
             )
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
+    plain = tuple(
+        "rad/s" if column.word.startswith("angular") and unit in PER_SECOND else unit
+        for column, unit in zip(columns, plain, strict=True)
+    )
     for column, unit in zip(columns, plain, strict=True):
         if not zero_of(unit, column.unit):
             scale(unit, column.unit, what=f"{where}, {column.word}")
@@ -278,14 +295,19 @@ def _names_above(lines: Sequence[str]) -> tuple[list[str], int]:
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT_MARKS).rstrip()
         splits = [cells_of(text, separator) for separator in SEPARATORS_TRIED]
-        if text == line.strip() and any(
-            any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
-        ):
+        if text == line.strip() and any(_are_numbers([cell for cell in cells if cell]) for cells in splits):
             return above, index
         if text:
             row = next((cells for cells in splits if len(cells) > 1), [text])
-            above = row if not above or not _are_units(row) else above
+            if not above or not (_are_units(row) or len(row) == 1 < len(above)):  # a single word ends the header
+                above = row
     return above, len(lines)
+
+
+def _are_numbers(cells: Sequence[str]) -> bool:
+    """Return whether a row holds numbers, perhaps with a label among them, such as the one of an interval."""
+    count = sum(map(like_number, cells))
+    return bool(cells) and (count == len(cells) or count > max(2.0, MOSTLY * len(cells)))
 
 
 def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:

@@ -25,6 +25,7 @@ def read_profile_pair(
     mirrored: bool | tuple[bool, bool] = False,
     smoothing: float = 0.0,
     lateral: float = 0.0,
+    unit: str = "",
 ) -> tuple[CrossProfile, CrossProfile]:
     """Read the profiles of two bodies, and refuse them where the upper one would not stand on the lower one.
 
@@ -41,6 +42,8 @@ def read_profile_pair(
         As of `CrossProfile` [m].
     lateral : float, optional
         Where y = 0 of the upper profile stands across, as of `ProfilePair` [m].
+    unit : str, optional
+        Of y and z in both files, where these are two columns without a header, as of `read_cross_profile`.
 
     Returns
     -------
@@ -68,7 +71,7 @@ def read_profile_pair(
     """
     turned, flipped = ((each, each) if isinstance(each, bool) else each for each in (down, mirrored))
     lower, upper = (
-        read_cross_profile(file, down=is_down, mirrored=is_mirrored, smoothing=smoothing)
+        read_cross_profile(file, down=is_down, mirrored=is_mirrored, smoothing=smoothing, unit=unit)
         for file, is_down, is_mirrored in zip((first, second), turned, flipped, strict=True)
     )
     where = f"{path_text(first)} and {path_text(second)}"

@@ -46,18 +46,21 @@ SHEAR_COMPLIANCE = Column(
 TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
 SHEAR_STORAGE = Column(
     "storage modulus in shear",
-    ("storage_shear", "storage", "g'", "g_stor", "storage modulus", "speichermodul"),
+    ("storage_shear", "storage", "g'", "gp", "g_stor", "storage modulus", "speichermodul"),
     "Pa",
     "kPa",
 )
 SHEAR_LOSS = Column(
-    "loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "g_loss", "loss modulus", "verlustmodul"), "Pa", "kPa"
+    "loss modulus in shear",
+    ("loss_shear", "loss", "g''", 'g"', "gpp", "g_loss", "loss modulus", "verlustmodul"),
+    "Pa",
+    "kPa",
 )
 TENSILE_STORAGE = Column(
-    "storage modulus in tension", ("tensile_storage", "e'", "e_stor", "tensile storage modulus"), "Pa", "MPa"
+    "storage modulus in tension", ("tensile_storage", "e'", "ep", "e_stor", "tensile storage modulus"), "Pa", "MPa"
 )
 TENSILE_LOSS = Column(
-    "loss modulus in tension", ("tensile_loss", "e''", 'e"', "e_loss", "tensile loss modulus"), "Pa", "MPa"
+    "loss modulus in tension", ("tensile_loss", "e''", 'e"', "epp", "e_loss", "tensile loss modulus"), "Pa", "MPa"
 )
 LOSS_FACTOR = Column(
     "loss factor", ("tan delta", "tan_delta", "tan(delta)", "tan δ", "tan(δ)", "tanδ", "tand", "loss factor"), ""

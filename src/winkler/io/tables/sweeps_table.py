@@ -27,6 +27,8 @@ __all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
 TEMPERATURE = Column("temperature", ("temperature", "temp", "temp.", "t_c", "temperatur"), "K", "degC")
 TEMPERATURE_OR_T = Column(TEMPERATURE.word, (*TEMPERATURE.names, "t"), "K", "degC")
 """Where there is no time, T is the temperature."""
+LEAST_RANGE, SAME_FREQUENCY = 1.0, 1e-6
+"""Temperatures [K], and relative frequencies, that differ by less are one."""
 
 
 @reader("sweeps of storage and loss")
@@ -58,6 +60,11 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, h
         rows.append(dynamic_rows(file, (TEMPERATURE_OR_T,), poisson, header)[1])
     with in_file(str(path)):
         temperature, angular, storage, loss = np.concatenate(rows).T
+        if np.ptp(temperature) < LEAST_RANGE and np.ptp(angular) <= SAME_FREQUENCY * angular.max():
+            raise InvalidInput(
+                f"all of its {angular.size} rows have one frequency, {angular[0]:.4g} rad/s, and one temperature, "
+                f"{temperature[0]:.4g} K, as in a sweep of time or strain; give sweeps of frequency or temperature."
+            )
         return DynamicSweeps(temperature, angular, storage, loss, poisson=poisson)
 
 

@@ -24,7 +24,7 @@ from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
 from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, stated_header, zero_of
-from winkler.io.tables.table_cells import cells_of, number_in
+from winkler.io.tables.table_cells import cells_of, like_number, number_in
 from winkler.io.tables.table_lines import table_lines
 from winkler.io.text_file import headed
 from winkler.numerics.types import Array
@@ -36,6 +36,10 @@ __all__ = ["Column", "Table", "read_table"]
 
 MARK = re.compile(r"<[A-Za-z /]{1,40}>")
 """A line by which some instruments end a block of numbers."""
+END_OF_HEADER = re.compile(r"[A-Za-z*_-]{1,40}")
+"""A single word by which some instruments end the header,"""
+FIRST_ROWS = 2
+"""and the number of rows above which it may stand."""
 
 
 @value
@@ -52,6 +56,8 @@ class Table:
         The line of the file, counted from 1, on which each row stands.
     read_as : tuple of str
         Name and unit of each column as they stand in the header, such as "Load [uN]".
+    numbers : tuple of int
+        Number of each column in the file, counted from 1.
     repeats : tuple of int
         Lines on which the header stands again.
     """
@@ -60,6 +66,7 @@ class Table:
     values: Array
     lines: Array
     read_as: tuple[str, ...] = ()
+    numbers: tuple[int, ...] = ()
     repeats: tuple[int, ...] = ()
 
 
@@ -72,6 +79,7 @@ def read_table(
     repeated: bool = False,
     numbers: Mapping[str, int] | None = None,
     stated: str = "",
+    gaps: Sequence[str] = (),
 ) -> Table:
     """Read columns of numbers from a text file with a header.
 
@@ -91,6 +99,8 @@ def read_table(
         The number of each column, counted from 1, in place of its name.
     stated : str, optional
         A header in place of that of the file.
+    gaps : sequence of str, optional
+        Words of the columns in which numbers may be missing; they are nan there.
 
     Returns
     -------
@@ -115,22 +125,33 @@ def read_table(
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
     again = above if repeated else frozenset[str]()
     repeats = list[int]()
-    cells_read, places, gaps = array("d"), array("q"), list[int]()
+    cells_read, places, incomplete = array("d"), array("q"), list[int]()
+    needed = [number for number, column in enumerate(columns) if column.word not in gaps]
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
             continue
         if repeated and MARK.fullmatch(line.strip()):
             continue
+        if len(places) < FIRST_ROWS and len(header.cells) > 1 and END_OF_HEADER.fullmatch(line.strip()):
+            continue
         if line.strip() in again:
             repeats.append(index + 1)
             continue
+        if line.strip() in above:
+            raise InvalidInput(f"{file}, line {index + 1}: the header stands again; give each table a file of its own.")
         cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
+        if len(cells) < len(header.cells) and separator == "\t":  # spaces in some rows, tabs in others
+            spaced = cells_of(line, None)
+            cells = spaced if len(spaced) == len(header.cells) and all(map(like_number, spaced)) else cells
         if len(cells) != len(header.cells):
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
+            second = next((n + 1 for n in range(index, len(lines)) if lines[n].strip() in above), 0)
+            if second:
+                hint = f"; the header stands again in line {second}, give each table a file of its own"
             raise InvalidInput(f"{file}, line {index + 1}: {size}{hint}.")
         try:
             if "_" in line:
@@ -149,13 +170,14 @@ def read_table(
                 )
                 for p in header.places
             ]
-        if not all(map(math.isfinite, row)):
-            gaps.append(index + 1)
+        if not all(map(math.isfinite, row)) and not all(math.isfinite(row[number]) for number in needed):
+            incomplete.append(index + 1)
         cells_read.extend(row)
         places.append(index + 1)
-    if gaps:
-        listed = ", ".join(map(str, gaps[:5])) + (f" and {len(gaps) - 5} more" if len(gaps) > 5 else "")
-        few = "line" if len(gaps) == 1 else "lines"
+    if incomplete:
+        more = len(incomplete) - 5
+        listed = ", ".join(map(str, incomplete[:5])) + f" and {more} more" * (more > 0)
+        few = "line" if len(incomplete) == 1 else "lines"
         raise InvalidInput(f"{file}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
     if commas is not None:
         commas.refuse_ambiguous()
@@ -170,7 +192,7 @@ def read_table(
     )
     with np.errstate(over="ignore"):
         values = np.array(cells_read).reshape(-1, len(columns)) / factors + np.array(zeros)
-    computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
+    computable = ~np.any(np.abs(values) > LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]
         raise InvalidInput(f"{file}, line {place}: a number is too large to be computed with in SI units; check it.")
@@ -178,4 +200,4 @@ def read_table(
         header.cells[place] if not unit or unit in header.cells[place] else f"{header.cells[place]} [{unit}]"
         for place, unit in zip(header.places, header.units, strict=True)
     )
-    return Table(file, values, np.array(places), read_as, tuple(repeats))
+    return Table(file, values, np.array(places), read_as, tuple(place + 1 for place in header.places), tuple(repeats))

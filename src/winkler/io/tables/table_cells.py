@@ -5,6 +5,7 @@ Each function takes a time proportional to the length of the line, whatever it c
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterator
 
@@ -17,6 +18,12 @@ __all__ = ["cells_of", "is_number", "like_number", "named", "number_in", "unit_i
 ABSENT = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 """A name with a unit in brackets behind it, or a word."""
+
+
+MEAN = re.compile(r"\A(?:mean|average|avg) | (?:mean|average|avg)\Z")
+DEVIATION = re.compile(
+    r"(?<![^\W_])(?:std|sd|sem|stdev|stddev|std\.? ?dev\.?|standard deviation|stdabw\.?)(?![^\W_])", re.IGNORECASE
+)
 
 
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
@@ -80,15 +87,29 @@ def number_in(cell: str, where: str, wrong: str) -> float:
 
 
 def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
-    """Return whether a cell of the header has one of the names, and the unit behind it if there is one."""
-    if len(cell) > CELL_LETTERS:
+    """Return whether a cell of the header has one of the names, and the unit behind it if there is one.
+
+    A mean has the name of its quantity, as in ``F_avg (N)``; the standard deviation beside it has none.
+    """
+    if len(cell) > CELL_LETTERS or DEVIATION.search(cell):
         return False, ""
-    if cell.lower() in names:  # before "Storage Modulus" is a storage in a unit of "Modulus"
+    known = _plain_names(names)
+    if _plain(cell) in known:  # before "Storage Modulus" is a storage in a unit of "Modulus"
         return True, ""
     for name, unit in _readings(cell):
-        if name.lower() in names:
+        if _plain(name) in known:
             return True, unit.strip(" -")
     return False, ""
+
+
+@functools.lru_cache(maxsize=256)
+def _plain_names(names: tuple[str, ...]) -> frozenset[str]:
+    return frozenset(map(_plain, names))
+
+
+def _plain(name: str) -> str:
+    """Return a name in small letters, with spaces for ``-`` and ``_``, and without what says that it is a mean."""
+    return MEAN.sub("", name.lower().replace("-", " ").replace("_", " "))
 
 
 def unit_in(cell: str, wanted: str) -> str:

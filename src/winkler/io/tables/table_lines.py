@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import os
 from pathlib import Path
 
 from winkler.io.tables.table_cells import is_number
 from winkler.io.text_file import existing, head_of, headed, lines_of
-from winkler.io.workbook_cells import Cell, is_workbook, sheets_of
+from winkler.io.workbooks.workbook_cells import Cell, is_workbook, sheets_of
 
 __all__ = ["table_head", "table_lines"]
 
@@ -31,7 +32,7 @@ def table_lines(path: str | os.PathLike[str], needs: str) -> list[str]:
         If it cannot be read.
     """
     file = existing(path, "a text file")
-    return _sheet(file) if is_workbook(file) else lines_of(file, needs)
+    return list(_sheet(file)) if is_workbook(file) else lines_of(file, needs)
 
 
 def table_head(path: str | os.PathLike[str], needs: str) -> list[str]:
@@ -43,16 +44,23 @@ def table_head(path: str | os.PathLike[str], needs: str) -> list[str]:
         If it cannot be read.
     """
     file = existing(path, "a text file")
-    return headed(_sheet(file), str(path)) if is_workbook(file) else head_of(file, needs)
+    return headed(list(_sheet(file)), str(path)) if is_workbook(file) else head_of(file, needs)
 
 
-def _sheet(path: Path) -> list[str]:
-    first: list[str] = []
+def _sheet(path: Path) -> tuple[str, ...]:
+    status = path.stat()
+    return _lines_of_sheet(path, status.st_size, status.st_mtime_ns)
+
+
+@functools.lru_cache(maxsize=1)  # the header is looked at for each quantity, and a workbook is slow to unpack
+def _lines_of_sheet(path: Path, size: int, changed: int) -> tuple[str, ...]:
+    """Return the lines of the first sheet with a table, of a workbook of this size and time [ns] of its last change."""
+    first: tuple[str, ...] = ()
     for sheet in sheets_of(path):
         filled = [place for row in sheet.rows for place, cell in enumerate(row) if cell != ""]
         first_column, end = min(filled, default=0), max(filled, default=-1) + 1
         cells = [[_text(cell) for cell in row[first_column:end]] for row in sheet.rows]
-        lines = ["\t".join([*row, *[""] * (end - first_column - len(row))]) for row in cells]
+        lines = tuple("\t".join([*row, *[""] * (end - first_column - len(row))]) for row in cells)
         first = first or lines
         if sum(_numbers(row) >= LEAST_NUMBERS for row in sheet.rows) >= LEAST_ROWS:
             return lines

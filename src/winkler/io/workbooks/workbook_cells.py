@@ -1,35 +1,30 @@
-"""Sheets of a workbook as rows of texts and numbers, by xlrd (.xls) and openpyxl (.xlsx)."""
+"""Sheets of a workbook as rows of texts and numbers: .xls by xlrd, .xlsx by openpyxl, and .ods."""
 
 from __future__ import annotations
 
 import contextlib
+import functools
 import io
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.io.archive_file import refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.memory import limited_memory
 from winkler.io.text_file import refuse_large
+from winkler.io.workbooks.open_document import Cell, WorkbookSheet, is_open_document, open_document_sheets
 from winkler.limits import TEXT_BYTES
 
 __all__ = ["Cell", "WorkbookSheet", "is_workbook", "sheets_of"]
 
-Cell = str | float
 OLD, NEW = b"\xd0\xcf\x11\xe0", b"PK\x03\x04"
-ENDINGS = (".xls", ".xlsx", ".xlsm")
+ENDINGS = (".xls", ".xlsx", ".xlsm", ".ods")
+START_BYTES = 128
 MOST_COLUMNS = 500
 MOST_ROWS = 200_000
 """Of a sheet: more take longer than 5 s."""
-
-
-class WorkbookSheet(NamedTuple):
-    """A sheet: its name, and its rows of texts and numbers; empty cells are empty texts."""
-
-    name: str
-    rows: list[list[Cell]]
 
 
 def is_workbook(path: Path) -> bool:
@@ -49,12 +44,18 @@ def sheets_of(path: Path) -> Iterator[WorkbookSheet]:
     """
     refuse_large(path, TEXT_BYTES)
     with path.open("rb") as file:
-        old = file.read(4) == OLD
+        start = file.read(START_BYTES)
     remedy = "save it anew, or a sheet as text (CSV)"
     with sentence_of(path, "the workbook cannot be read", remedy, also=(AssertionError,)), quiet():
-        if not old:
-            refuse_large_archive(path, "save a part of the tests")
-        yield from _old(path) if old else _new(path)
+        if start.startswith(OLD):
+            yield from _old(path)
+            return
+        refuse_large_archive(path, "save a part of the tests")
+        if not is_open_document(start):
+            yield from _new(path)
+            return
+        with limited_memory(path):
+            yield from open_document_sheets(path, functools.partial(_refuse_large, path))
 
 
 def _old(path: Path) -> Iterator[WorkbookSheet]:
@@ -110,6 +111,11 @@ def _cell(content: Any) -> Cell:
     if isinstance(content, bool) or content is None:
         return "" if content is None else str(content)
     return float(content) if isinstance(content, int | float) else str(content).strip()
+
+
+def _refuse_large(path: Path, name: str, rows: int, columns: int) -> None:
+    _refuse_long(path, name, rows)
+    _refuse_wide(path, name, columns)
 
 
 def _refuse_long(path: Path, name: str, count: int) -> None:

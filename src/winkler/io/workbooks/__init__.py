@@ -1,0 +1,1 @@
+"""Sheets of workbooks as rows of texts and numbers."""

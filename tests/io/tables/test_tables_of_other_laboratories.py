@@ -1,0 +1,238 @@
+"""Tables as laboratories publish them: means beside deviations, raw beside corrected, lists of results, odd headers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from winkler.errors import InvalidInput
+from winkler.io.curves import read_curve
+from winkler.io.tables.relaxation_table import read_dynamic, read_relaxation
+from winkler.io.tables.sweeps_table import read_dynamic_sweeps
+from winkler.io.tables.table_cells import named
+from winkler.io.topography_file import read_topography
+
+DEPTH = np.linspace(0.0, 100.0, 101)
+FORCE = 1e-4 * DEPTH**2
+
+
+def _file(tmp_path, header, columns, name="table.csv", separator=","):
+    rows = [separator.join(f"{number:.9g}" for number in row) for row in zip(*columns, strict=True)]
+    (tmp_path / name).write_text("\n".join([*header, *rows]) + "\n", encoding="utf-8")
+    return tmp_path / name
+
+
+@pytest.mark.parametrize(
+    "header",
+    ["depth(nm),F_avg(mN),F_std(mN)", "Depth (nm),Mean Load (mN),Load SD (mN)", "depth_nm,load_mN,load_std_mN",
+     "Depth [nm],Load mean [mN],Load stdev [mN]"],
+)  # fmt: skip
+def test_the_mean_is_read_and_not_the_deviation_beside_it(tmp_path, header):
+    """'F_avg(N)' and 'F_std(N)' may each be the force; rename all but one."""
+    curve = read_curve(_file(tmp_path, [header], [DEPTH, FORCE, 0.1 * FORCE]))
+    assert curve.force == pytest.approx(FORCE * 1e-3)
+
+
+def test_names_with_hyphens_and_low_lines_are_names():
+    assert named("Storage-Modulus", ("storage modulus",)) == (True, "")
+    assert named("angular_frequency [rad/s]", ("angular frequency",)) == (True, "rad/s")
+    assert named("Z-Piezo (nm)", ("z-piezo",)) == (True, "nm")
+    assert not named("Load std. dev. (mN)", ("load",))[0]
+    assert named("Standard force (mN)", ("load", "force")) == (False, "")
+
+
+def test_what_was_corrected_precedes_what_was_measured(tmp_path):
+    """An export with Displacement, Force beside DEPTH, LOAD; the stiffness begins later than the test."""
+    header = ["Markers,Displacement,Force,Time,DEPTH,LOAD,STIFFNESS", ",nm,mN,s,nm,mN,N/m"]
+    rows = [
+        f"{'Surface Index' * (n == 0)},{800 + h:.6g},{f - 0.5:.6g},{0.1 * n:.6g},{h:.6g},{f:.6g},"
+        + (f"{2e4 * f / h:.6g}" if h > 20.0 else "")
+        for n, (h, f) in enumerate(zip(DEPTH, FORCE, strict=True))
+    ]
+    file = tmp_path / "test.csv"
+    file.write_text("\n".join([*header, *rows]))
+    curve = read_curve(file)
+    assert curve.position[-1] == pytest.approx(100e-9)
+    assert curve.force[-1] == pytest.approx(1e-3)
+    assert "force from 'LOAD [mN]'" in curve.reading
+    assert "continuous stiffness from 'STIFFNESS [N/m]': 80 points of the loading" in curve.reading
+
+
+def test_two_forces_beside_one_depth_stay_refused(tmp_path):
+    file = _file(tmp_path, ["Depth (nm),Load (mN),Force (mN)"], [DEPTH, FORCE, 2.0 * FORCE])
+    with pytest.raises(InvalidInput, match="may each be the force"):
+        read_curve(file)
+
+
+def test_a_list_of_results_is_no_curve(tmp_path):
+    """A map of 40,000 indents, a row for each, was read as one curve of 40,000 points."""
+    random = np.random.default_rng(4)
+    depth, force = 50.0 + 10.0 * random.standard_normal(400), 0.4 + 1e-4 * random.standard_normal(400)
+    file = _file(tmp_path, ["Load (mN),Depth (nm),Modulus (GPa)"], [force, depth, 3.0 * depth])
+    with pytest.raises(InvalidInput, match="no curve but a list"):
+        read_curve(file)
+
+
+def test_a_noisy_curve_is_no_list(tmp_path):
+    random = np.random.default_rng(5)
+    depth, force = DEPTH + 3.0 * random.standard_normal(101), FORCE + 0.05 * random.standard_normal(101)
+    assert read_curve(_file(tmp_path, ["Depth (nm),Load (mN)"], [depth, force])).position.size == 101
+
+
+def test_a_gap_that_is_called_h_is_no_depth(tmp_path):
+    """The height of a rheometer was read as the depth of an indenter, in silence."""
+    gap = 1.0 - 1e-3 * DEPTH
+    file = _file(tmp_path, ["No,Fn in N,h in mm,t in s"], [DEPTH, FORCE, gap, DEPTH])
+    with pytest.raises(InvalidInput, match=r"give columns = \{ gap = 3, force = 2 \}"):
+        read_curve(file)
+    curve = read_curve(file, columns={"gap": 3, "force": 2, "time": 4}, spring_constant=float("inf"))
+    assert curve.position[-1] - curve.position[0] == pytest.approx(0.1e-3)
+
+
+def test_the_unit_of_a_gap_is_given_as_that_of_a_position(tmp_path):
+    file = _file(tmp_path, ["No,Time,Gap,Normal Force"], [DEPTH, DEPTH, 1.0 - 1e-3 * DEPTH, FORCE])
+    with pytest.raises(InvalidInput, match=r'units = \{ position = "nm", force = "uN", time = "s" \}'):
+        read_curve(file)
+    units = {"position": "mm", "force": "N", "time": "s"}
+    assert np.ptp(read_curve(file, units=units, spring_constant=float("inf")).position) == pytest.approx(0.1e-3)
+
+
+@pytest.mark.parametrize("place", [1, 2])
+def test_a_word_that_ends_the_header_is_passed_over(tmp_path, place):
+    file = _file(tmp_path, ["Depth (nm)\tLoad (mN)"], [DEPTH, FORCE], separator="\t")
+    lines = file.read_text().splitlines()
+    file.write_text("\n".join([*lines[:place], "eoh", *lines[place:]]))
+    assert read_curve(file).force == pytest.approx(FORCE * 1e-3)
+
+
+def test_a_word_between_the_rows_is_not(tmp_path):
+    file = _file(tmp_path, ["Depth (nm)\tLoad (mN)"], [DEPTH, FORCE], separator="\t")
+    lines = file.read_text().splitlines()
+    file.write_text("\n".join([*lines[:50], "eoh", *lines[50:]]))
+    with pytest.raises(InvalidInput, match="line 51: the line has 1 and the header 2 cells"):
+        read_curve(file)
+
+
+def test_rows_apart_by_spaces_below_a_header_with_tabs(tmp_path):
+    rows = [f"{h:.6g}{separator}{f:.9g}" for h, f, separator in zip(DEPTH, FORCE, ["\t", " "] * 51, strict=False)]
+    (tmp_path / "mixed.txt").write_text("\n".join(["Depth (nm)\tLoad (mN)", *rows]))
+    assert read_curve(tmp_path / "mixed.txt").force == pytest.approx(FORCE * 1e-3)
+
+
+def test_a_refusal_shows_names_and_no_row_of_numbers(tmp_path):
+    """Where each row had a label such as 1|3, the refusal listed the numbers of the last row as names."""
+    rows = [f"1|{n},{0.1 * n:.3f},{20 * n:.2f},37" for n in range(9)]
+    (tmp_path / "segments.csv").write_text("\n".join(["SegIndex,t in s,Torque in Nm,T in K", *rows]))
+    with pytest.raises(InvalidInput, match=r"there are 'SegIndex', 't in s', 'Torque in Nm', 'T in K'"):
+        read_relaxation(tmp_path / "segments.csv")
+
+
+def test_a_second_table_is_named_where_it_begins(tmp_path):
+    table = ["Time\tRelaxation Modulus", "[s]\t[Pa]", *(f"{t}\t{1e4 / t}" for t in (1, 2, 3, 4))]
+    (tmp_path / "two.txt").write_text("\n".join([*table, "Result: second", *table]))
+    with pytest.raises(InvalidInput, match=r"line 7: .* stands again in line 8, give each table a file of its own"):
+        read_relaxation(tmp_path / "two.txt")
+    (tmp_path / "next.txt").write_text("\n".join([*table, *table]))
+    with pytest.raises(InvalidInput, match="line 7: the header stands again; give each table a file of its own"):
+        read_relaxation(tmp_path / "next.txt")
+
+
+def test_a_refusal_shows_the_names_above_a_word_that_ends_the_header(tmp_path):
+    rows = [f"{n},{n * n},{0.1 * n}" for n in range(5)]
+    (tmp_path / "end.csv").write_text("\n".join(["Ramp [nm],Sensor [nm],Clock [ms]", "eoh", *rows]))
+    with pytest.raises(InvalidInput, match=r"whose columns are 'Ramp \[nm\]', 'Sensor \[nm\]', 'Clock \[ms\]'"):
+        read_curve(tmp_path / "end.csv")
+
+
+OMEGA = np.array([0.1, 1.0, 10.0, 100.0])
+
+
+@pytest.mark.parametrize(
+    ("names", "factor"), [("w [1/s],G' [Pa],G'' [Pa]", 1.0), ("w (rad/s),Gp (kPa),Gpp (kPa)", 1e3)]
+)
+def test_an_angular_frequency_per_second_counts_radians(tmp_path, names, factor):
+    moduli = read_dynamic(_file(tmp_path, [names], [OMEGA, 2.0 + OMEGA, OMEGA]))
+    assert moduli.angular_frequency == pytest.approx(OMEGA)
+    assert moduli.storage_shear == pytest.approx(factor * (2.0 + OMEGA))
+
+
+def test_decimal_commas_below_semicolons(tmp_path):
+    header = "Freq. (Hz);Storage modulus (MPa);Loss modulus (MPa);Temperature (°C)"
+    rows = ["0,1;10,5;1,2;20", "1,5;12,2;1,5;20", "10,25;15,1;2,1;20", "99,5;18,4;2,9;20"]
+    (tmp_path / "commas.csv").write_text("\n".join([header, *rows]), encoding="utf-8")
+    moduli = read_dynamic(tmp_path / "commas.csv")
+    assert moduli.storage_shear == pytest.approx([10.5e6, 12.2e6, 15.1e6, 18.4e6])
+    (tmp_path / "three.csv").write_text("\n".join([header, *rows[:3]]), encoding="utf-8")
+    with pytest.raises(InvalidInput, match="has 3 numbers; give a row of at least 4"):
+        read_dynamic(tmp_path / "three.csv")
+
+
+def test_a_sweep_of_time_is_no_sweep_of_frequency(tmp_path):
+    """Sixty-one rows at one frequency were sixty-one sweeps."""
+    strain = np.arange(1.0, 9.0)
+    header = ["Angular frequency (rad/s),Temperature (degC),Strain,Storage modulus (Pa),Loss modulus (Pa)"]
+    columns = [np.full(8, 6.28), 25.0 + 0.01 * strain, strain, 1e3 / strain, 10.0 * strain]
+    with pytest.raises(InvalidInput, match="all of its 8 rows have one frequency, 6.28 rad/s, and one temperature"):
+        read_dynamic_sweeps(_file(tmp_path, header, columns))
+    columns[1] = 25.0 + 5.0 * strain  # a ramp of temperature at one frequency is one
+    assert read_dynamic_sweeps(_file(tmp_path, header, columns)).temperature.size == 8
+
+
+X, Y = (part.ravel() for part in np.meshgrid(np.arange(6) * 25.0, np.arange(5) * 20.0, indexing="ij"))
+Z = 0.3 * X + np.sin(Y)
+
+
+@pytest.mark.parametrize("ending", [".asc", ".xlsx"])
+@pytest.mark.parametrize("order", ["rows", "columns", "mixed"])
+def test_points_on_a_grid_are_a_map(tmp_path, ending, order):
+    ways = {
+        "rows": np.lexsort((Y, X)),
+        "columns": np.lexsort((X, Y)),
+        "mixed": np.random.default_rng(2).permutation(30),
+    }
+    points = np.column_stack([X + 0.05 * np.sin(X), Y, Z])[ways[order]]
+    file = tmp_path / f"points{ending}"
+    if ending == ".xlsx":
+        openpyxl = pytest.importorskip("openpyxl")
+        book = openpyxl.Workbook()
+        for row in points.tolist():
+            book.active.append(row)
+        book.save(file)
+    else:
+        np.savetxt(file, points, fmt="%12.6f")
+    rough = read_topography(file, unit="um, nm")
+    assert rough.lengths == pytest.approx((150e-6, 100e-6), rel=1e-3)
+    assert rough.heights == pytest.approx(Z.reshape(6, 5) * 1e-9, abs=1e-14)
+
+
+def test_points_may_have_a_header_with_units(tmp_path):
+    file = _file(tmp_path, ["X (mm),Y (mm),Z (um)"], [X * 1e-3, Y * 1e-3, Z])
+    rough = read_topography(file)
+    assert rough.lengths == pytest.approx((150e-6, 100e-6))
+    assert rough.heights == pytest.approx(Z.reshape(6, 5) * 1e-6)
+
+
+@pytest.mark.parametrize("fault", ["missing", "twice", "uneven"])
+def test_points_on_no_full_grid_are_refused(tmp_path, fault):
+    x, y, z = X.copy(), Y.copy(), Z.copy()
+    if fault == "missing":
+        x, y, z = x[:-1], y[:-1], z[:-1]
+    elif fault == "twice":
+        x[-1], y[-1] = x[0], y[0]
+    else:
+        x[x == 125.0] = 150.0
+    with pytest.raises(InvalidInput, match="are on no full, even grid"):
+        read_topography(_file(tmp_path, ["X (um),Y (um),Z (nm)"], [x, y, z]))
+
+
+def test_triangles_are_refused_with_what_to_do(tmp_path):
+    (tmp_path / "rock.stl").write_text("solid rock\nendsolid rock\n")
+    with pytest.raises(InvalidInput, match="a surface of triangles has no pixels; save its heights on a grid"):
+        read_topography(tmp_path / "rock.stl", unit="um")
+
+
+@pytest.mark.parametrize("unit", ["C", "deg C", "°C", "degC"])
+def test_a_temperature_in_c_is_in_degrees_celsius(tmp_path, unit):
+    header = [f"f (Hz),T ({unit}),G' (Pa),G'' (Pa)"]
+    columns = [np.tile(OMEGA, 2), np.repeat([20.0, 40.0], 4), np.tile(2.0 + OMEGA, 2), np.tile(OMEGA, 2)]
+    assert read_dynamic_sweeps(_file(tmp_path, header, columns)).temperature == pytest.approx(columns[1] + 273.15)
