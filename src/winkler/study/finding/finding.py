@@ -12,6 +12,7 @@ from collections import Counter, defaultdict
 from importlib import resources
 from typing import Any, NamedTuple
 
+import winkler
 from winkler.materials.named import material_names
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
@@ -19,14 +20,14 @@ from winkler.study.language.explain import summary
 __all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "neighbours", "words"]
 
 LANGUAGES = ("en", "de", "fr")
-SATURATION, LENGTH = 1.2, 0.3
+SATURATION, LENGTH = 1.2, 0.1
 """Of BM25: how soon one more occurrence counts no more, and how far long entries are held back."""
 
 NAME, SAID, MATERIAL = 3.0, 2.0, 1.0
 """Weight of a word in the name of a kind, in its entry of ``words.toml``, in the name of a material."""
 
-PREFIX, PART, TYPO = 0.7, 0.6, 0.5
-"""Weight of a word that begins another, is a part of it, or is spelled like it."""
+ALIKE, PREFIX, PART, TYPO = 0.7, 0.7, 0.6, 0.5
+"""Weight of a word that means the same, begins another, is a part of it, or is spelled like it."""
 
 SHARE = 0.6
 """Least share of a word that its beginning has, if it is to stand for it."""
@@ -34,8 +35,12 @@ SHARE = 0.6
 SAME = 0.8
 """Least similarity, by difflib, of a mistyped word to the known one."""
 
-SHORTEST = 5
-"""Letters of the shortest word that may begin another, be a part of it, or be mistyped."""
+SHORTEST, SHORTEST_PART, LONGEST = 5, 3, 40
+"""Letters of the shortest word that may begin another, be a part of it, or be mistyped; of the shortest and of the
+longest part of a compound."""
+
+LINKS = ("", "s", "n", "en", "es", "er", "e")
+"""Letters between the parts of a German compound."""
 
 COMMON, SELDOM = 1.1, 0.6
 """Factor of what is meant most often, and of kinds that are mere parts of a study, such as solids and steps."""
@@ -51,7 +56,7 @@ PROMISED = 0.45
 
 ENDINGS = (
     "ungen", "ations", "ation", "ements", "ement", "ings", "ing", "ung", "ies", "ed", "es", "en", "er", "s", "e", "n",
-    "t", "y",
+    "als", "al", "t", "y",
 )  # fmt: skip
 """What is cut off a word, the first that fits, if four letters are left."""
 
@@ -62,9 +67,10 @@ class Hit(NamedTuple):
     Parameters
     ----------
     name
-        A kind, a material, or a task that is no kind: fit, nanoindentation, materials, export, sweep, map.
+        A kind, a material, a task that is no kind (fit, nanoindentation, materials, export, sweep, map), or a public
+        name of Python.
     group
-        The slot of the kind; ``task`` or ``material`` otherwise.
+        The slot of the kind; ``task``, ``material`` or ``python`` otherwise.
     command
         What shows it.
     """
@@ -78,6 +84,8 @@ class Hit(NamedTuple):
         """What it is, in one sentence."""
         if self.group == "material":
             return "A material of the table."
+        if self.group == "python":
+            return summary(getattr(winkler, self.name))
         task = _table()["task"].get(self.name) if self.group == "task" else None
         return str(task["meaning"]) if task else summary(kinds()[self.name].cls)
 
@@ -134,7 +142,7 @@ def _folded(text: str) -> str:
 
 def _stem(word: str) -> str:
     for ending in ENDINGS:
-        if word.endswith(ending) and len(word) - len(ending) >= 4:
+        if word.endswith(ending) and len(word) - len(ending) >= (5 if ending == "er" else 4):
             return word.removesuffix(ending)
     return word
 
@@ -144,7 +152,34 @@ def _tokens(text: str) -> list[str]:
     found = re.findall(r"[a-z]+[0-9]*|[0-9]+", _folded(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)))
     idle = _table()["idle"].split()
     told = [word for word in found if len(word) > 1 and word not in idle]
-    return list(dict.fromkeys(token for word in told for token in (word, _stem(word))))
+    return list(dict.fromkeys(map(_stem, told)))
+
+
+@functools.cache
+def _alike() -> dict[str, tuple[str, ...]]:
+    """Return folded word or stem -> stems of the words that mean the same in the entries."""
+    found: defaultdict[str, dict[str, None]] = defaultdict(dict)
+    for line in _table()["alike"]["words"].strip().splitlines():
+        head, _, others = line.partition(":")
+        for other in _tokens(others):
+            found[other].update(dict.fromkeys(_tokens(head)))
+    return {word: tuple(heads) for word, heads in found.items()}
+
+
+@functools.cache
+def _parts(token: str) -> tuple[str, ...]:
+    """Return the known words of which a compound consists, the longest first ones, or nothing."""
+    known = _index().scores.keys() | _alike().keys()
+    for end in range(min(len(token), LONGEST), SHORTEST_PART - 1, -1):
+        part, rest = token[:end], token[end:]
+        if part not in known and _stem(part) not in known:
+            continue
+        if not rest:
+            return (part,)
+        for link in LINKS:
+            if rest.startswith(link) and (others := _parts(rest.removeprefix(link))):
+                return (part, *others)
+    return ()
 
 
 def words(name: str) -> str:
@@ -194,8 +229,10 @@ class _Index:
 
     def alike(self, token: str) -> dict[str, float]:
         """Return known words that a typed one may mean, and how surely."""
-        if token in self.scores:
-            return {token: 1.0}
+        same = [head for head in _alike().get(token, ()) if head in self.scores]
+        found = dict.fromkeys(same, ALIKE) | ({token: 1.0} if token in self.scores else {})
+        if found:
+            return found
         found = dict.fromkeys(difflib.get_close_matches(token, self.scores, n=3, cutoff=SAME), TYPO)
         for known in self.scores:
             short, long = sorted((token, known), key=len)
@@ -222,6 +259,24 @@ def neighbours() -> tuple[Beyond, ...]:
     return tuple(_index().beyond.values())
 
 
+def _asked(text: str) -> list[str]:
+    """Return the words of a question; a compound that is not known is replaced by its parts."""
+    known = _index().scores.keys() | _alike().keys()
+    found: list[str] = []
+    for token in _tokens(text):
+        parts = (token,) if token in known else _parts(token)
+        found += [each for part in parts for each in (part, _stem(part)) if each in known] or [token]
+    return list(dict.fromkeys(found))
+
+
+def _public(text: str) -> list[Hit]:
+    """Return the kinds of a class, or the public name of Python, that a text names; capitals do not count."""
+    hits, told = _index().hits, text.strip().lower()
+    made = [hits[kind] for kind, line in kinds().items() if line.path.split(":")[1].lower() == told]
+    others = [name for name in winkler.__all__ if name.lower() == told and not name.startswith("_")]
+    return made or [Hit(name, "python", f"python -m pydoc winkler.{name}") for name in others if name not in hits]
+
+
 def find(text: str, *, most: int = 5) -> SearchResult:
     """Return what a word or a question means, the best first.
 
@@ -241,7 +296,7 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     """
     index = _index()
     totals: defaultdict[str, float] = defaultdict(float)
-    for token in _tokens(text):
+    for token in _asked(text):
         best: defaultdict[str, float] = defaultdict(float)
         for known, sure in index.alike(token).items():
             for name, score in index.scores[known].items():
@@ -249,15 +304,17 @@ def find(text: str, *, most: int = 5) -> SearchResult:
         decides = token in index.scores and all(name.startswith("beyond.") for name in best)
         for name, score in best.items():
             totals[name] += score * (DECIDES if decides else 1.0)
+    public = _public(text)
     if not totals:
-        return SearchResult((), None)
+        return SearchResult(tuple(public), None)
     for name in totals:
         totals[name] *= index.favour.get(name, 1.0)
     ranked = sorted(totals, key=lambda name: -totals[name])
-    if ranked[0].startswith("beyond."):
+    if ranked[0].startswith("beyond.") and not public:
         beyond = index.beyond[ranked[0].removeprefix("beyond.")]
         return SearchResult(tuple(index.hits[name] for name in beyond.nearest), beyond)
     least = PROMISED * totals[ranked[0]]
     names = [name for name in ranked if name in index.hits and totals[name] >= least]
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
-    return SearchResult(tuple(index.hits[name] for name in names[:most]), None)
+    found = dict.fromkeys([*public, *(index.hits[name] for name in names)])
+    return SearchResult(tuple(found)[:most], None)
