@@ -47,12 +47,12 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
     to 4), of German and French ones 74, 83, 83 and 90 %, and said of 85, 77, 67 and 67 % that they are not covered.
     The shares below are those of today, of words that have been seen: what a new word meets is nearer to the former.
     """
-    rounds = [one for one in asked_later() if (one[3] == ["beyond"]) == (language == "beyond")]
-    asked = [one for one in rounds if language in (one[1], "beyond")]
+    asked = [one for one in asked_later() if language == ("beyond" if one[3] == ["beyond"] else one[1])]
     missed = []
     for _, _, query, answers in asked:
         found = find(query, most=FIRST)
-        if (found.beyond is None and not {hit.name for hit in found.hits} & set(answers)) or (found.beyond is not None and "beyond" not in answers):
+        names = {"beyond"} if found.beyond else {hit.name for hit in found.hits}
+        if not names & set(answers):
             missed.append(query)
     assert len(asked) >= least
     assert len(missed) <= (1.0 - share) * len(asked), missed
@@ -89,7 +89,7 @@ def test_every_problem_is_found_by_its_name_its_class_and_a_word_in_each_languag
     for kind, line in CATALOGUE["problem"].items():
         for text in (kind.replace("_", " "), line.path.split(":")[1]):
             assert find(text).hits[0].name == kind, text
-        assert set(words[kind]) == {"en", "de", "fr"}, kind
+        assert set(words[kind]) - {"key"} == {"en", "de", "fr"}, kind
 
 
 def test_the_table_names_what_there_is():
@@ -117,6 +117,20 @@ def test_the_table_names_what_there_is():
 )
 def test_words_of_the_trade(words, first):
     assert {hit.name for hit in find(words, most=FIRST).hits} & set(first.split())
+
+
+@pytest.mark.parametrize(
+    "word, meant",
+    [("hot", "friction_heating"), ("temperature", "friction_heating"), ("leak", "seal"),
+     ("bearing", "elliptic_indentation"),
+     ("AFM", "fit"), ("modulus", "fit"), ("gasket", "seal"), ("hertz", "indentation"), ("strength", "yield_onset"),
+     ("gear", "line_indentation"), ("wheel-rail", "profile_pair"), ("bolt", "joint_stiffness"), ("wear", "sliding_wear"),
+     ("rubber", "viscoelastic_indentation"), ("friction", "tangential"), ("adhesion", "adhesive_indentation"),
+     ("roughness", "surface_contact"), ("stress", "contact_stress"), ("hardness", "nanoindentation"),
+     ("coating", "coated_half_space"), ("roller", "line_indentation"), ("steel", "materials")],
+)  # fmt: skip
+def test_a_common_word_means_the_common_problem(word, meant):
+    assert meant in [hit.name for hit in find(word, most=FIRST).hits]
 
 
 @pytest.mark.parametrize("nonsense", ["", "   ", "qqqqxx", "?!", "der die das", "\x00", "x" * 10_000])

@@ -23,8 +23,9 @@ LANGUAGES = ("en", "de", "fr")
 SATURATION, LENGTH = 1.2, 0.1
 """Of BM25: how soon one more occurrence counts no more, and how far long entries are held back."""
 
-NAME, SAID, MATERIAL = 3.0, 2.0, 1.0
-"""Weight of a word in the name of a kind, in its entry of ``words.toml``, in the name of a material."""
+NAME, KEY, SAID, MATERIAL = 3.0, 5.0, 2.0, 1.0
+"""Weight of a word in the name of a kind, under "key" of its entry of ``words.toml``, in the rest of the entry, in the
+name of a material."""
 
 ALIKE, PREFIX, PART, TYPO = 0.7, 0.7, 0.6, 0.5
 """Weight of a word that means the same, begins another, is a part of it, or is spelled like it."""
@@ -182,10 +183,19 @@ def _parts(token: str) -> tuple[str, ...]:
     return ()
 
 
+def _entry(name: str) -> dict[str, str]:
+    table = _table()
+    return table["kind"].get(name) or table["task"].get(name) or {}
+
+
+def _key(name: str) -> str:
+    """Return the common words that mean a kind or task above all."""
+    return _entry(name).get("key", "")
+
+
 def words(name: str) -> str:
     """Return all that people call a kind or task, in three languages; empty where nothing is known."""
-    table = _table()
-    entry = table["kind"].get(name) or table["task"].get(name) or {}
+    entry = _entry(name)
     return " ".join(entry.get(language, "") for language in LANGUAGES)
 
 
@@ -206,10 +216,10 @@ class _Index:
 
         for kind, line in kinds().items():  # their classes are not loaded for this: that takes seconds
             self.hits[kind] = Hit(kind, slot_of(kind), f"winkler show {kind}")
-            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID))
+            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID), (_key(kind), KEY))
         for name, entry in table["task"].items():
             self.hits[name] = Hit(name, "task", entry["command"])
-            count(name, (name, NAME), (words(name), SAID))
+            count(name, (name, NAME), (words(name), SAID), (_key(name), KEY))
         for name in material_names():
             self.hits[name] = Hit(name, "material", f"winkler show {name}")
             count(name, (name, MATERIAL))
