@@ -139,7 +139,7 @@ def test_nonsense_finds_nothing(nonsense):
     assert find(nonsense) == ((), None)
 
 
-@pytest.mark.parametrize("word", ["gear", "steel", "wheel-rail", "bolt"])
+@pytest.mark.parametrize("word", ["gear", "wheel-rail", "bolt"])
 def test_no_word_is_taken_for_another_by_its_letters(word, capsys):
     assert main(["show", word]) == 0
     out = capsys.readouterr().out

@@ -13,7 +13,7 @@ from importlib import resources
 from typing import Any, NamedTuple
 
 import winkler
-from winkler.materials.named import material_names
+from winkler.materials.named import material_names, other_names
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
@@ -222,7 +222,7 @@ class _Index:
             count(name, (name, NAME), (words(name), SAID), (_key(name), KEY))
         for name in material_names():
             self.hits[name] = Hit(name, "material", f"winkler show {name}")
-            count(name, (name, MATERIAL))
+            count(name, (name, MATERIAL), (" ".join(other_names(name)), MATERIAL))
         for name, entry in table["beyond"].items():
             self.beyond[name] = Beyond(entry["what"], tuple(entry["nearest"]))
             count(f"beyond.{name}", (entry["what"], SAID), (" ".join(entry[each] for each in LANGUAGES), SAID))

@@ -71,7 +71,11 @@ QUESTIONS = (
         "Does my seal leak?",
         "How much water passes between two rough faces of steel?",
         "seal",
-        {"problem.contact.medium.second": dict(STEEL)},
+        {
+            "problem.contact.medium.second": dict(STEEL),
+            "problem.contact.topography.spectrum.shortest": "120 um",  # eight pixels: the grid resolves the leak
+            "problem.contact.load": {"kind": "force", "force": "100 N"},
+        },
     ),
     FrontExample("What modulus is this curve?", "What are modulus and contact point of a force curve?", "fit", {}),
     FrontExample(
