@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import functools
+import importlib
 import math
 import re
 import tomllib
@@ -12,7 +13,6 @@ from collections import Counter, defaultdict
 from importlib import resources
 from typing import Any, NamedTuple
 
-import winkler
 from winkler.materials.named import material_names, other_names
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
@@ -86,7 +86,7 @@ class Hit(NamedTuple):
         if self.group == "material":
             return "A material of the table."
         if self.group == "python":
-            return summary(getattr(winkler, self.name))
+            return summary(getattr(_package(), self.name))
         task = _table()["task"].get(self.name) if self.group == "task" else None
         return str(task["meaning"]) if task else summary(kinds()[self.name].cls)
 
@@ -126,6 +126,11 @@ class SearchResult(NamedTuple):
             "not_covered": self.beyond.what if self.beyond else None,
             "found": [{**hit._asdict(), "meaning": hit.meaning} for hit in self.hits],
         }
+
+
+def _package() -> Any:
+    """Return the package with its public names, which lies above this module."""
+    return importlib.import_module("winkler")
 
 
 @functools.cache
@@ -283,7 +288,7 @@ def _public(text: str) -> list[Hit]:
     """Return the kinds of a class, or the public name of Python, that a text names; capitals do not count."""
     hits, told = _index().hits, text.strip().lower()
     made = [hits[kind] for kind, line in kinds().items() if line.path.split(":")[1].lower() == told]
-    others = [name for name in winkler.__all__ if name.lower() == told and not name.startswith("_")]
+    others = [name for name in _package().__all__ if name.lower() == told and not name.startswith("_")]
     return made or [Hit(name, "python", f"python -m pydoc winkler.{name}") for name in others if name not in hits]
 
 
