@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import difflib
 import functools
-import importlib
 import math
 import re
 import tomllib
@@ -86,7 +86,7 @@ class Hit(NamedTuple):
         if self.group == "material":
             return "A material of the table."
         if self.group == "python":
-            return summary(getattr(_package(), self.name))
+            return _described(self.name)
         task = _table()["task"].get(self.name) if self.group == "task" else None
         return str(task["meaning"]) if task else summary(kinds()[self.name].cls)
 
@@ -128,9 +128,30 @@ class SearchResult(NamedTuple):
         }
 
 
-def _package() -> Any:
-    """Return the package with its public names, which lies above this module."""
-    return importlib.import_module("winkler")
+PAGES = ("winkler.public", "winkler.public_problems")
+"""Modules whose imports are the public names."""
+
+
+def _parsed(module: str) -> list[ast.stmt]:
+    """Return the statements of a module, which is not loaded for it; none if its text is not there."""
+    folders = module.split(".")[1:]
+    file = resources.files("winkler").joinpath(*folders[:-1], f"{folders[-1]}.py")
+    return ast.parse(file.read_text(encoding="utf-8")).body if file.is_file() else []
+
+
+@functools.cache
+def _public_names() -> dict[str, str]:
+    """Return public name -> its module."""
+    imports = [line for page in PAGES for line in _parsed(page) if isinstance(line, ast.ImportFrom)]
+    return {imported.name: line.module or "" for line in imports for imported in line.names}
+
+
+def _described(name: str) -> str:
+    """Return the first sentence of the docstring of a public name."""
+    for line in _parsed(_public_names()[name]):
+        if isinstance(line, ast.ClassDef | ast.FunctionDef) and line.name == name:
+            return (ast.get_docstring(line) or "").split("\n\n")[0].replace("\n", " ")
+    return "A public name of Python."
 
 
 @functools.cache
@@ -288,7 +309,7 @@ def _public(text: str) -> list[Hit]:
     """Return the kinds of a class, or the public name of Python, that a text names; capitals do not count."""
     hits, told = _index().hits, text.strip().lower()
     made = [hits[kind] for kind, line in kinds().items() if line.path.split(":")[1].lower() == told]
-    others = [name for name in _package().__all__ if name.lower() == told and not name.startswith("_")]
+    others = [name for name in _public_names() if name.lower() == told]
     return made or [Hit(name, "python", f"python -m pydoc winkler.{name}") for name in others if name not in hits]
 
 
