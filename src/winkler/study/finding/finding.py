@@ -269,6 +269,8 @@ class _Index:
         found = dict.fromkeys(same, ALIKE) | ({token: 1.0} if token in self.scores else {})
         if found:
             return found
+        if len(token) < SHORTEST:
+            return {}
         found = dict.fromkeys(difflib.get_close_matches(token, self.scores, n=3, cutoff=SAME), TYPO)
         for known in self.scores:
             short, long = sorted((token, known), key=len)
