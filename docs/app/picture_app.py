@@ -75,7 +75,7 @@ STATES = (
     State("current", "Relay contact", "current and heat"),
     State("frictional_heat", "friction_heating", "frictional heat"),
     State("rolling", "Wheel on rail", "rolling"),
-    State("wear", "Worn flat", "wear"),
+    State("wear", "How long does it last?", "wear"),
     State("rough_surfaces", "Rough joint", "measured and rough surfaces"),
     State("seals", "seal", "true areas and seals"),
     State("surface_current", "surface_constriction", "current through surfaces"),

@@ -38,6 +38,7 @@ SPELLINGS = [
     (re.compile("[·⋅×]"), "*"),
     (re.compile("−"), "-"),
     (re.compile(r"\b([kmunM]?N)m\b"), r"\1 m"),
+    (re.compile(r"\bMsi\b"), "Mpsi"),
     (re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])"), "*"),
 ]
 """Spellings in common use, and how they are read."""

@@ -57,7 +57,8 @@ def test_the_worst_doubt_says_what_to_do(fresh):
 def test_the_page_begins_with_examples(fresh):
     app_page = fresh()
     page = app_page.page
-    assert page.locator(".front-card").count() == 10
+    assert page.locator(".front-card").count() == 16
+    assert page.locator(".front-questions .front-card").count() == 8
     words = page.locator(".study-side").inner_text()
     for slot in (
         "profile: what presses",
@@ -81,7 +82,7 @@ def test_the_page_begins_with_examples(fresh):
     app_page.choose("problem", "line_indentation")
     page.get_by_text("Kept: medium (half space).").wait_for(timeout=30_000)
     titles = [one.title for one in FRONT_EXAMPLES]
-    for title in titles:  # the last one is a fit
+    for title in titles:
         before = page.locator(".head .sought-line").inner_text()
         page.locator('[data-kept="examples"]').click()
         page.get_by_role("button", name=title).click()

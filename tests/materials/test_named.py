@@ -23,14 +23,72 @@ RANGES = {
 def test_every_number_has_a_word_a_source_and_a_sane_size(name):
     found = wk.material(name)
     quantities = [figure.quantity for figure in found.figures]
-    assert {"young", "poisson"} <= set(quantities)
+    assert "young" in quantities
     assert len(set(quantities)) == len(quantities)
     for figure in found.figures:
         least, greatest = RANGES[figure.quantity]
         assert least <= figure.number <= greatest
         assert GLOSSARY[figure.quantity].unit is not None
         assert len(figure.source) > 8
-    assert found.elastic.young == found.number("young")
+        if figure.spread:
+            assert figure.spread[0] <= figure.number <= figure.spread[1]
+            assert figure.spread[0] < figure.spread[1]
+    if "poisson" in quantities:
+        assert found.elastic.young == found.number("young")
+    else:
+        assert "that a table states" in found.sort
+        with pytest.raises(wk.InvalidInput, match="no poisson is in the table"):
+            found.elastic  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    "name", ["aluminium alloy", "titanium alloy", "brass", "bronze", "alloy steel", "stainless steel"]
+)
+def test_heat_and_current_of_alloys_come_from_the_same_electrons(name):
+    """These conduct L T / rho, L = pi^2/3 (k/e)^2 = 2.443e-8 V^2/K^2; the lattice adds up to a dozen W/(m K)."""
+    alloy = wk.material(name)
+    electrons = 2.443e-8 * 293.0 / alloy.number("resistivity")
+    lattice = alloy.number("conductivity") - electrons
+    assert -0.08 * electrons < lattice < 12.0
+
+
+def test_rubbers_by_their_shore_hardness():
+    """ASTM D2240's chart has 80 of scale A beside 29 or 30 of scale D; natural rubber of 50 has about 2.2 MPa."""
+    soft, hard = wk.material("Shore A 80"), wk.material("rubber shore d 30")
+    assert soft.number("young") == pytest.approx(hard.number("young"), rel=1e-12)
+    assert hard.figures[0].spread is None
+    (young, poisson) = wk.material("Shore A50").figures
+    assert young.spread[0] == pytest.approx(2.2e6, rel=0.2)
+    assert young.spread[1] == pytest.approx(young.number) == pytest.approx(10.0**0.5347 * 1e6)
+    assert poisson.number == 0.5
+    assert wk.NamedElastic("Shore A 60").young == wk.material("Shore A 60").number("young")
+    moduli = [wk.material(f"Shore A {hardness}").number("young") for hardness in range(20, 81)]
+    assert all(one < other for one, other in zip(moduli, moduli[1:], strict=False))
+
+
+@pytest.mark.parametrize("name", ["Shore A 19", "Shore A 81", "Shore D 29.9", "shore d 90"])
+def test_a_hardness_out_of_range(name):
+    with pytest.raises(wk.InvalidInput, match="out of the range of"):
+        wk.material(name)
+
+
+def test_a_word_lists_its_materials(capsys):
+    from winkler.cli import main
+    from winkler.materials.named import materials_called
+
+    assert {"bearing steel", "stainless steel", "carbon steel", "alloy steel", "tool steel"} == set(
+        materials_called("Steel")
+    )
+    assert materials_called("") == materials_called("steels") == ()
+    assert main(["show", "steel"]) == 0
+    shown = capsys.readouterr().out
+    assert all(name in shown for name in materials_called("steel"))
+    assert main(["show", "Shore", "A", "70"]) == 0
+    assert "Gent" in capsys.readouterr().out
+    assert main(["show", "Shore", "A", "95"]) == 2
+    assert "20 to 80" in capsys.readouterr().err
+    assert main(["show", "POM"]) == 0
+    assert "Poisson ratio of your own" in capsys.readouterr().out
 
 
 LORENZ = {

@@ -8,12 +8,13 @@ import pytest
 import tomli_w
 
 from winkler.study.batch.run import run
+from winkler.study.finding.finding import find
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.reading import parse_study
 from winkler.validity import Standing, worst
 from winkler.web.form import form
-from winkler.web.form.front_examples import FRONT_EXAMPLES, first_table
+from winkler.web.form.front_examples import FRONT_EXAMPLES, QUESTIONS, first_table
 from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.page.question import _chapters
 
@@ -32,6 +33,14 @@ def test_each_example_is_answered(one):
     assert not outcome.failed
     assert worst(outcome.validity) is not Standing.OUTSIDE
     assert one.question.endswith("?")
+
+
+def test_each_question_has_its_problem():
+    """The search in the list finds it by the same question."""
+    asked = {one.title: one.kind for one in QUESTIONS}
+    assert len(asked) == 8
+    for title, kind in asked.items():
+        assert kind in [hit.name for hit in find(title).hits], title
 
 
 def test_the_curve_to_fit_is_there(tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from winkler.cli import terminal
@@ -10,22 +11,22 @@ from winkler.cli.streams import until_closed
 if TYPE_CHECKING:
     from winkler.materials.named import NamedMaterial
 
-__all__ = ["every", "one"]
+__all__ = ["one", "several"]
 
 TABLE_QUANTITIES = ("young", "poisson", "hardness", "density", "conductivity", "resistivity")
 """Quantities in the table of all materials."""
 
 
 @until_closed()
-def every() -> None:
-    """Show all materials, with their most common quantities."""
-    from winkler.materials.named import material, material_names
+def several(names: Sequence[str]) -> None:
+    """Show materials, with their most common quantities."""
+    from winkler.materials.named import material
     from winkler.vocabulary import GLOSSARY
 
     table = terminal.table("material", "sort")
     for quantity in TABLE_QUANTITIES:
         table.add_column(f"{quantity}\n[{GLOSSARY[quantity].unit or '-'}]", justify="right")
-    for name in material_names():
+    for name in names:
         entry = material(name)
         numbers = {figure.quantity: figure.number for figure in entry.figures}
         table.add_row(
@@ -44,11 +45,18 @@ def one(entry: NamedMaterial) -> None:
     from winkler.readable import scale_of
     from winkler.vocabulary import GLOSSARY
 
-    table = terminal.table("quantity", "value", "unit", "source")
+    table = terminal.table("quantity", "value", "range", "unit", "source")
     for figure in entry.figures:
         scale = scale_of(GLOSSARY[figure.quantity].unit, figure.number)
-        table.add_row(figure.quantity, f"{figure.number / scale.factor:.6g}", scale.unit, figure.source)
+        ends = [f"{end / scale.factor:.3g}" for end in figure.spread or ()]
+        number = f"{figure.number / scale.factor:.6g}"
+        table.add_row(figure.quantity, number, " to ".join(ends) or "-", scale.unit, figure.source)
     out = terminal.console()
     out.print(f"{entry.name}: {entry.sort}, at room temperature")
     out.print(table)
+    if {"young", "poisson"} - {figure.quantity for figure in entry.figures}:
+        out.print(
+            'It is no named_elastic body: write kind = "elastic" with its modulus and a Poisson ratio of your own.'
+        )
+        return
     out.print(f'In a study: first = {{ kind = "named_elastic", name = "{entry.name}" }}', soft_wrap=True)

@@ -47,9 +47,15 @@ def _meant(text: str, names: list[str]) -> str:
 
 
 def new(
-    problem: Annotated[
-        str, typer.Argument(help="Kind of the problem, such as indentation.", autocompletion=_kinds("problem"))
-    ] = "indentation",
+    words: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="Kind of the problem, such as indentation; or what you look for, in your own words, for its name.",
+            autocompletion=_kinds("problem"),
+            metavar="[PROBLEM]",
+            show_default=False,
+        ),
+    ] = None,
     profile: Annotated[str, typer.Option(help="Kind of the profile.", autocompletion=_kinds("profile"))] = "",
     medium: Annotated[str, typer.Option(help="Kind of the medium.", autocompletion=_kinds("medium"))] = "",
     bed: Annotated[str, typer.Option(help="Kind of the bed.", autocompletion=_kinds("bed"))] = "",
@@ -61,6 +67,8 @@ def new(
 ) -> None:
     """Write a commented study for a problem; it runs as it is.
 
+    Without a problem it is indentation.  Words that are no kind are searched for, and the nearest problems named.
+
     Example: winkler new indentation --profile cone --output cone.toml
     """
     from winkler.errors import InvalidInput, WinklerError
@@ -70,6 +78,7 @@ def new(
     from winkler.study.language.reading import parse_study
     from winkler.study.language.template import template
 
+    problem = " ".join(words or ("indentation",))
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
         names = [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
         if name and name not in names:

@@ -118,7 +118,9 @@ def show(
     elif name == "nanoindentation":
         show_nanoindentation.show_nanoindentation()
     elif name == "materials":
-        materials.every()
+        from winkler.materials.named import material_names
+
+        materials.several(material_names())
     elif not name or name in CATALOGUE:
         _list(name)
     elif name in REFUSED:
@@ -128,15 +130,20 @@ def show(
 
 
 def _search(text: str, *, as_json: bool) -> None:
-    """Show a material, or what comes nearest to words of the user's own."""
+    """Show a material, those that share a name, or what comes nearest to words of the user's own."""
     from winkler.cli import materials
     from winkler.errors import InvalidInput, suggest
-    from winkler.materials.named import material, material_names
+    from winkler.materials.named import SHORE, material, material_names, materials_called
     from winkler.study.finding.finding import find
 
     try:
         entry = material(text)
     except InvalidInput:
+        if SHORE.fullmatch(" ".join(text.lower().split())):
+            raise
+        if (called := materials_called(text)) and not as_json:
+            materials.several(called)
+            return
         found = find(text)
         if not found.hits:
             near = suggest(text, [*_names(), *material_names()])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
+import re
 import tomllib
 from importlib import resources
 from typing import Any
@@ -22,9 +23,21 @@ __all__ = [
     "TabulatedProperty",
     "material",
     "material_names",
+    "materials_called",
+    "other_names",
 ]
 
 TABLE_FILE = "materials.toml"
+
+SHORE = re.compile(r"(?:rubber )?shore ?([ad]) ?(\d+(?:\.\d+)?)")
+SHORE_RANGES = {"a": (20.0, 80.0, 0.0), "d": (30.0, 85.0, 50.0)}
+"""Scale -> least and greatest hardness for which its modulus is known, and what makes one of scale A of it."""
+
+QI = (
+    "log10 of E in MPa = 0.0235 S - 0.6403, S of scale A or 50 more than that of scale D: H. J. Qi, K. Joyce, "
+    "M. C. Boyce, Rubber Chem. Technol. 76 (2003) 419, doi:10.5254/1.3547752"
+)
+GENT = "; the other end of the range: A. N. Gent, Rubber Chem. Technol. 31 (1958) 896, doi:10.5254/1.3542351"
 
 
 @value
@@ -39,17 +52,21 @@ class TabulatedProperty:
         In the glossary's SI unit.
     source : str
         Where it stands.
+    spread : tuple of float, optional
+        The least and the greatest value that sources state, or that treatment and composition give.
     """
 
     __words__ = words(
         quantity=("", None, "word of the glossary that a number stands for"),
         number=("", None, "a number in the glossary's SI unit"),
         source=("", None, "where a number stands"),
+        spread=("", None, "least and greatest value of sources"),
     )
 
     quantity: str
     number: float
     source: str
+    spread: tuple[float, float] | None = None
 
 
 @value
@@ -57,7 +74,8 @@ class NamedMaterial:
     """The properties of a material from tables at room temperature.
 
     Two or three digits: enough for an estimate and for comparing materials; alloying, heat treatment and curing change
-    moduli by percents, hardness and strength by factors.
+    moduli by percents, hardness and strength by factors. Where sources state a range, it stands beside the number; what
+    no source states is left out.
 
     Parameters
     ----------
@@ -133,19 +151,51 @@ def material_names() -> tuple[str, ...]:
     return tuple(_table()["materials"])
 
 
+def other_names(name: str) -> tuple[str, ...]:
+    """Return what else a material is called, and of which sort it is."""
+    row = _table()["materials"][name]
+    return (*row["also"], row["sort"])
+
+
+def materials_called(word: str) -> tuple[str, ...]:
+    """Return the materials that have a word in their name or in one of their other names, such as ``steel``.
+
+    Examples
+    --------
+    >>> materials_called("carbide")
+    ('tungsten carbide', 'silicon carbide')
+    """
+    told = word.strip().lower()
+    called = re.compile(rf"\b{re.escape(told)}\b") if told else None
+    rows = _table()["materials"].items()
+    return tuple(
+        name for name, row in rows if called and any(called.search(each.lower()) for each in (name, *row["also"]))
+    )
+
+
 def material(name: str) -> NamedMaterial:
     """Return a common material.
 
     Parameters
     ----------
     name : str
-        Such as ``"fused silica"``; capitals do not count, and usual other names are known.
+        Such as ``"fused silica"``; capitals do not count, and usual other names are known. ``"Shore A 60"`` is a rubber
+        of that hardness (20 to 80 of scale A, 30 to 85 of scale D): moduli by two published relations, whose
+        difference is the spread.
 
     Raises
     ------
     InvalidInput
-        If the table does not contain it; the message names those that it contains.
+        If the table does not contain it, and the message names those that it contains; or a hardness is out of range.
+
+    Examples
+    --------
+    >>> rubber = material("Shore A 60")
+    >>> round(rubber.number("young") / 1e6, 2), rubber.number("poisson")
+    (5.88, 0.5)
     """
+    if isinstance(name, str) and (found := SHORE.fullmatch(" ".join(name.lower().split()))):
+        return _rubber(found[1], float(found[2]))
     known = {word.lower(): one for one, row in _table()["materials"].items() for word in (one, *row["also"])}
     if not isinstance(name, str) or name.strip().lower() not in known:
         near = suggest(name.strip().lower(), known) if isinstance(name, str) else ""
@@ -153,10 +203,29 @@ def material(name: str) -> NamedMaterial:
     return _made(known[name.strip().lower()])
 
 
+def _rubber(scale: str, hardness: float) -> NamedMaterial:
+    """Return the rubber of a Shore hardness."""
+    least, greatest, added = SHORE_RANGES[scale]
+    if not least <= hardness <= greatest:
+        raise InvalidInput(
+            f"the hardness {hardness:g} of scale {scale.upper()} is out of the range of {least:g} to {greatest:g} in "
+            "which a modulus is known; give a Young's modulus."
+        )
+    young, spread = 1e6 * 10.0 ** (0.0235 * (hardness + added) - 0.6403), None
+    if scale == "a":
+        gent = 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness))
+        spread = (min(young, gent), max(young, gent))
+    figures = (
+        TabulatedProperty("young", young, QI + GENT * (scale == "a"), spread),
+        TabulatedProperty("poisson", 0.5, _table()["sources"]["incompressible"]),
+    )
+    return NamedMaterial(f"Shore {scale.upper()} {hardness:g}", "rubber, by its hardness", figures)
+
+
 def _made(name: str) -> NamedMaterial:
     row, sources = _table()["materials"][name], _table()["sources"]
     figures = [
-        TabulatedProperty(quantity, content[0], sources[content[1]])
+        TabulatedProperty(quantity, content[0], sources[content[1]], tuple(content[2]) if content[2:] else None)
         for quantity, content in row.items()
         if quantity not in ("sort", "also")
     ]

@@ -9,11 +9,13 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
+from winkler.materials.named import material_names
 from winkler.study.finding.finding import _table, find
 from winkler.study.language.catalogue import CATALOGUE, kinds
 
 ASKED = json.loads(Path(__file__).with_name("asked.json").read_text(encoding="utf-8"))
 FIRST = 3
+LATER = Path(__file__).with_name("asked_later.txt")
 
 
 def answered(one):
@@ -21,6 +23,45 @@ def answered(one):
     if not one["answers"]:
         return found.beyond is not None and len(found.hits) > 0
     return found.beyond is None and any(hit.name in one["answers"] for hit in found.hits)
+
+
+def asked_later():
+    """Yield round, language, text and what answers it."""
+    number = 0
+    for line in LATER.read_text(encoding="utf-8").splitlines():
+        if line.startswith("=="):
+            number = int(line.strip("= "))
+        elif line and not line.startswith("#"):
+            language, query, answers = line.split(" | ")
+            yield number, language, query, answers.split()
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize(
+    "language, share, least", [("en", 0.98, 400), ("de", 0.98, 75), ("fr", 0.98, 60), ("beyond", 0.96, 90)]
+)
+def test_words_that_were_new_when_they_were_asked(language, share, least):
+    """Each round was written before the search had seen it, and read by those who then mended the table.
+
+    At first sight the search found, among the first three, of English words and questions 82, 77, 65 and 78 % (rounds 1
+    to 4), of German and French ones 74, 83, 83 and 90 %, and said of 85, 77, 67 and 67 % that they are not covered.
+    The shares below are those of today, of words that have been seen: what a new word meets is nearer to the former.
+    """
+    asked = [one for one in asked_later() if language == ("beyond" if one[3] == ["beyond"] else one[1])]
+    missed = []
+    for _, _, query, answers in asked:
+        found = find(query, most=FIRST)
+        names = {"beyond"} if found.beyond else {hit.name for hit in found.hits}
+        if not names & set(answers):
+            missed.append(query)
+    assert len(asked) >= least
+    assert len(missed) <= (1.0 - share) * len(asked), missed
+
+
+def test_answers_that_are_expected_exist():
+    table = _table()
+    there = {*kinds(), *table["task"], *material_names(), "beyond"}
+    assert {one for _, _, _, answers in asked_later() for one in answers} <= there
 
 
 @pytest.mark.few(2)
@@ -48,7 +89,7 @@ def test_every_problem_is_found_by_its_name_its_class_and_a_word_in_each_languag
     for kind, line in CATALOGUE["problem"].items():
         for text in (kind.replace("_", " "), line.path.split(":")[1]):
             assert find(text).hits[0].name == kind, text
-        assert set(words[kind]) == {"en", "de", "fr"}, kind
+        assert set(words[kind]) - {"key"} == {"en", "de", "fr"}, kind
 
 
 def test_the_table_names_what_there_is():
@@ -78,12 +119,27 @@ def test_words_of_the_trade(words, first):
     assert {hit.name for hit in find(words, most=FIRST).hits} & set(first.split())
 
 
+@pytest.mark.parametrize(
+    "word, meant",
+    [("hot", "friction_heating"), ("temperature", "friction_heating"), ("leak", "seal"),
+     ("bearing", "elliptic_indentation"),
+     ("AFM", "fit"), ("modulus", "fit"), ("gasket", "seal"), ("hertz", "indentation"), ("strength", "yield_onset"),
+     ("gear", "line_indentation"), ("wheel-rail", "profile_pair"), ("bolt", "joint_stiffness"),
+     ("wear", "sliding_wear"),
+     ("rubber", "viscoelastic_indentation"), ("friction", "tangential"), ("adhesion", "adhesive_indentation"),
+     ("roughness", "surface_contact"), ("stress", "contact_stress"), ("hardness", "nanoindentation"),
+     ("coating", "coated_half_space"), ("roller", "line_indentation"), ("steel", "materials")],
+)  # fmt: skip
+def test_a_common_word_means_the_common_problem(word, meant):
+    assert meant in [hit.name for hit in find(word, most=FIRST).hits]
+
+
 @pytest.mark.parametrize("nonsense", ["", "   ", "qqqqxx", "?!", "der die das", "\x00", "x" * 10_000])
 def test_nonsense_finds_nothing(nonsense):
     assert find(nonsense) == ((), None)
 
 
-@pytest.mark.parametrize("word", ["gear", "steel", "wheel-rail", "bolt"])
+@pytest.mark.parametrize("word", ["gear", "wheel-rail", "bolt"])
 def test_no_word_is_taken_for_another_by_its_letters(word, capsys):
     assert main(["show", word]) == 0
     out = capsys.readouterr().out
@@ -112,5 +168,12 @@ def test_a_new_study_is_offered_what_the_word_means(capsys, tmp_path, monkeypatc
 
 
 def test_public_names_are_words_too():
-    assert wk.Seal.__name__ in {line.path.split(":")[1] for line in kinds().values()}
-    assert find("Seal").hits[0].name == "seal"
+    """A class of a kind finds the kind, any other public name itself."""
+    classes = {kind: line.path.split(":")[1] for kind, line in kinds().items()}
+    for name in wk.__all__:
+        if not name.startswith("_"):
+            hits = find(name, most=FIRST).hits
+            assert any(name.lower() in (hit.name.lower(), classes.get(hit.name, "").lower()) for hit in hits), name
+    (solution, *_) = find("sealsolution").hits
+    assert solution.name == "SealSolution"
+    assert solution.meaning.startswith("The solution of a `Seal`")

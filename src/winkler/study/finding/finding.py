@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import difflib
 import functools
 import math
@@ -12,21 +13,22 @@ from collections import Counter, defaultdict
 from importlib import resources
 from typing import Any, NamedTuple
 
-from winkler.materials.named import material_names
+from winkler.materials.named import material_names, other_names
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
 __all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "neighbours", "words"]
 
 LANGUAGES = ("en", "de", "fr")
-SATURATION, LENGTH = 1.2, 0.3
+SATURATION, LENGTH = 1.2, 0.1
 """Of BM25: how soon one more occurrence counts no more, and how far long entries are held back."""
 
-NAME, SAID, MATERIAL = 3.0, 2.0, 1.0
-"""Weight of a word in the name of a kind, in its entry of ``words.toml``, in the name of a material."""
+NAME, KEY, SAID, MATERIAL = 3.0, 5.0, 2.0, 1.0
+"""Weight of a word in the name of a kind, under "key" of its entry of ``words.toml``, in the rest of the entry, in the
+name of a material."""
 
-PREFIX, PART, TYPO = 0.7, 0.6, 0.5
-"""Weight of a word that begins another, is a part of it, or is spelled like it."""
+ALIKE, PREFIX, PART, TYPO = 0.7, 0.7, 0.6, 0.5
+"""Weight of a word that means the same, begins another, is a part of it, or is spelled like it."""
 
 SHARE = 0.6
 """Least share of a word that its beginning has, if it is to stand for it."""
@@ -34,8 +36,12 @@ SHARE = 0.6
 SAME = 0.8
 """Least similarity, by difflib, of a mistyped word to the known one."""
 
-SHORTEST = 5
-"""Letters of the shortest word that may begin another, be a part of it, or be mistyped."""
+SHORTEST, SHORTEST_PART, LONGEST = 5, 3, 40
+"""Letters of the shortest word that may begin another, be a part of it, or be mistyped; of the shortest and of the
+longest part of a compound."""
+
+LINKS = ("", "s", "n", "en", "es", "er", "e")
+"""Letters between the parts of a German compound."""
 
 COMMON, SELDOM = 1.1, 0.6
 """Factor of what is meant most often, and of kinds that are mere parts of a study, such as solids and steps."""
@@ -51,7 +57,7 @@ PROMISED = 0.45
 
 ENDINGS = (
     "ungen", "ations", "ation", "ements", "ement", "ings", "ing", "ung", "ies", "ed", "es", "en", "er", "s", "e", "n",
-    "t", "y",
+    "als", "al", "t", "y",
 )  # fmt: skip
 """What is cut off a word, the first that fits, if four letters are left."""
 
@@ -62,9 +68,10 @@ class Hit(NamedTuple):
     Parameters
     ----------
     name
-        A kind, a material, or a task that is no kind: fit, nanoindentation, materials, export, sweep, map.
+        A kind, a material, a task that is no kind (fit, nanoindentation, materials, export, sweep, map), or a public
+        name of Python.
     group
-        The slot of the kind; ``task`` or ``material`` otherwise.
+        The slot of the kind; ``task``, ``material`` or ``python`` otherwise.
     command
         What shows it.
     """
@@ -78,6 +85,8 @@ class Hit(NamedTuple):
         """What it is, in one sentence."""
         if self.group == "material":
             return "A material of the table."
+        if self.group == "python":
+            return _described(self.name)
         task = _table()["task"].get(self.name) if self.group == "task" else None
         return str(task["meaning"]) if task else summary(kinds()[self.name].cls)
 
@@ -119,6 +128,32 @@ class SearchResult(NamedTuple):
         }
 
 
+PAGES = ("winkler.public", "winkler.public_problems")
+"""Modules whose imports are the public names."""
+
+
+def _parsed(module: str) -> list[ast.stmt]:
+    """Return the statements of a module, which is not loaded for it; none if its text is not there."""
+    folders = module.split(".")[1:]
+    file = resources.files("winkler").joinpath(*folders[:-1], f"{folders[-1]}.py")
+    return ast.parse(file.read_text(encoding="utf-8")).body if file.is_file() else []
+
+
+@functools.cache
+def _public_names() -> dict[str, str]:
+    """Return public name -> its module."""
+    imports = [line for page in PAGES for line in _parsed(page) if isinstance(line, ast.ImportFrom)]
+    return {imported.name: line.module or "" for line in imports for imported in line.names}
+
+
+def _described(name: str) -> str:
+    """Return the first sentence of the docstring of a public name."""
+    for line in _parsed(_public_names()[name]):
+        if isinstance(line, ast.ClassDef | ast.FunctionDef) and line.name == name:
+            return (ast.get_docstring(line) or "").split("\n\n")[0].replace("\n", " ")
+    return "A public name of Python."
+
+
 @functools.cache
 def _table() -> Any:
     text = resources.files(__package__).joinpath("words.toml").read_text(encoding="utf-8")
@@ -134,7 +169,7 @@ def _folded(text: str) -> str:
 
 def _stem(word: str) -> str:
     for ending in ENDINGS:
-        if word.endswith(ending) and len(word) - len(ending) >= 4:
+        if word.endswith(ending) and len(word) - len(ending) >= (5 if ending == "er" else 4):
             return word.removesuffix(ending)
     return word
 
@@ -144,13 +179,49 @@ def _tokens(text: str) -> list[str]:
     found = re.findall(r"[a-z]+[0-9]*|[0-9]+", _folded(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)))
     idle = _table()["idle"].split()
     told = [word for word in found if len(word) > 1 and word not in idle]
-    return list(dict.fromkeys(token for word in told for token in (word, _stem(word))))
+    return list(dict.fromkeys(map(_stem, told)))
+
+
+@functools.cache
+def _alike() -> dict[str, tuple[str, ...]]:
+    """Return folded word or stem -> stems of the words that mean the same in the entries."""
+    found: defaultdict[str, dict[str, None]] = defaultdict(dict)
+    for line in _table()["alike"]["words"].strip().splitlines():
+        head, _, others = line.partition(":")
+        for other in _tokens(others):
+            found[other].update(dict.fromkeys(_tokens(head)))
+    return {word: tuple(heads) for word, heads in found.items()}
+
+
+@functools.cache
+def _parts(token: str) -> tuple[str, ...]:
+    """Return the known words of which a compound consists, the longest first ones, or nothing."""
+    known = _index().scores.keys() | _alike().keys()
+    for end in range(min(len(token), LONGEST), SHORTEST_PART - 1, -1):
+        part, rest = token[:end], token[end:]
+        if part not in known and _stem(part) not in known:
+            continue
+        if not rest:
+            return (part,)
+        for link in LINKS:
+            if rest.startswith(link) and (others := _parts(rest.removeprefix(link))):
+                return (part, *others)
+    return ()
+
+
+def _entry(name: str) -> dict[str, str]:
+    table = _table()
+    return table["kind"].get(name) or table["task"].get(name) or {}
+
+
+def _key(name: str) -> str:
+    """Return the common words that mean a kind or task above all."""
+    return _entry(name).get("key", "")
 
 
 def words(name: str) -> str:
     """Return all that people call a kind or task, in three languages; empty where nothing is known."""
-    table = _table()
-    entry = table["kind"].get(name) or table["task"].get(name) or {}
+    entry = _entry(name)
     return " ".join(entry.get(language, "") for language in LANGUAGES)
 
 
@@ -171,13 +242,13 @@ class _Index:
 
         for kind, line in kinds().items():  # their classes are not loaded for this: that takes seconds
             self.hits[kind] = Hit(kind, slot_of(kind), f"winkler show {kind}")
-            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID))
+            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID), (_key(kind), KEY))
         for name, entry in table["task"].items():
             self.hits[name] = Hit(name, "task", entry["command"])
-            count(name, (name, NAME), (words(name), SAID))
+            count(name, (name, NAME), (words(name), SAID), (_key(name), KEY))
         for name in material_names():
             self.hits[name] = Hit(name, "material", f"winkler show {name}")
-            count(name, (name, MATERIAL))
+            count(name, (name, MATERIAL), (" ".join(other_names(name)), MATERIAL))
         for name, entry in table["beyond"].items():
             self.beyond[name] = Beyond(entry["what"], tuple(entry["nearest"]))
             count(f"beyond.{name}", (entry["what"], SAID), (" ".join(entry[each] for each in LANGUAGES), SAID))
@@ -194,8 +265,12 @@ class _Index:
 
     def alike(self, token: str) -> dict[str, float]:
         """Return known words that a typed one may mean, and how surely."""
-        if token in self.scores:
-            return {token: 1.0}
+        same = [head for head in _alike().get(token, ()) if head in self.scores]
+        found = dict.fromkeys(same, ALIKE) | ({token: 1.0} if token in self.scores else {})
+        if found:
+            return found
+        if len(token) < SHORTEST:
+            return {}
         found = dict.fromkeys(difflib.get_close_matches(token, self.scores, n=3, cutoff=SAME), TYPO)
         for known in self.scores:
             short, long = sorted((token, known), key=len)
@@ -222,6 +297,24 @@ def neighbours() -> tuple[Beyond, ...]:
     return tuple(_index().beyond.values())
 
 
+def _asked(text: str) -> list[str]:
+    """Return the words of a question; a compound that is not known is replaced by its parts."""
+    known = _index().scores.keys() | _alike().keys()
+    found: list[str] = []
+    for token in _tokens(text):
+        parts = (token,) if token in known else _parts(token)
+        found += [each for part in parts for each in (part, _stem(part)) if each in known] or [token]
+    return list(dict.fromkeys(found))
+
+
+def _public(text: str) -> list[Hit]:
+    """Return the kinds of a class, or the public name of Python, that a text names; capitals do not count."""
+    hits, told = _index().hits, text.strip().lower()
+    made = [hits[kind] for kind, line in kinds().items() if line.path.split(":")[1].lower() == told]
+    others = [name for name in _public_names() if name.lower() == told]
+    return made or [Hit(name, "python", f"python -m pydoc winkler.{name}") for name in others if name not in hits]
+
+
 def find(text: str, *, most: int = 5) -> SearchResult:
     """Return what a word or a question means, the best first.
 
@@ -241,7 +334,7 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     """
     index = _index()
     totals: defaultdict[str, float] = defaultdict(float)
-    for token in _tokens(text):
+    for token in _asked(text):
         best: defaultdict[str, float] = defaultdict(float)
         for known, sure in index.alike(token).items():
             for name, score in index.scores[known].items():
@@ -249,15 +342,17 @@ def find(text: str, *, most: int = 5) -> SearchResult:
         decides = token in index.scores and all(name.startswith("beyond.") for name in best)
         for name, score in best.items():
             totals[name] += score * (DECIDES if decides else 1.0)
+    public = _public(text)
     if not totals:
-        return SearchResult((), None)
+        return SearchResult(tuple(public), None)
     for name in totals:
         totals[name] *= index.favour.get(name, 1.0)
     ranked = sorted(totals, key=lambda name: -totals[name])
-    if ranked[0].startswith("beyond."):
+    if ranked[0].startswith("beyond.") and not public:
         beyond = index.beyond[ranked[0].removeprefix("beyond.")]
         return SearchResult(tuple(index.hits[name] for name in beyond.nearest), beyond)
     least = PROMISED * totals[ranked[0]]
     names = [name for name in ranked if name in index.hits and totals[name] >= least]
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
-    return SearchResult(tuple(index.hits[name] for name in names[:most]), None)
+    found = dict.fromkeys([*public, *(index.hits[name] for name in names)])
+    return SearchResult(tuple(found)[:most], None)

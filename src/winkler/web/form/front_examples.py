@@ -8,7 +8,7 @@ from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE
 
-__all__ = ["FRONT_EXAMPLES", "FrontExample", "first_table"]
+__all__ = ["FRONT_EXAMPLES", "QUESTIONS", "FrontExample", "first_table"]
 
 STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
 SECOND = "problem.bed.medium.second"
@@ -54,7 +54,59 @@ def first_table() -> dict[str, Any]:
     return table
 
 
+QUESTIONS = (
+    FrontExample(
+        "Will it yield?",
+        "At which load does a ball of bearing steel mark a stainless plate?",
+        "yield_onset",
+        {
+            "problem.bed.medium.first": {"kind": "named_elastic", "name": "stainless steel"},
+            SECOND: {"kind": "named_elastic", "name": "bearing steel"},
+        },
+    ),
+    FrontExample(
+        "How hot?", "How warm is a ball of steel that slides over steel?", "friction_heating", {SECOND: dict(STEEL)}
+    ),
+    FrontExample(
+        "Does my seal leak?",
+        "How much water passes between two rough faces of steel?",
+        "seal",
+        {
+            "problem.contact.medium.second": dict(STEEL),
+            "problem.contact.topography.spectrum.shortest": "120 um",  # eight pixels: the grid resolves the leak
+            "problem.contact.load": {"kind": "force", "force": "100 N"},
+        },
+    ),
+    FrontExample("What modulus is this curve?", "What are modulus and contact point of a force curve?", "fit", {}),
+    FrontExample(
+        "How deep does my tip go?",
+        "How deep does a blunt silicon tip press into a polymer?",
+        "indentation",
+        {
+            "problem.bed.profile": {"kind": "sphero_conical", "curvature_radius": "30 nm", "half_angle": "20 deg"},
+            "problem.bed.medium.first": {"kind": "elastic", "young": "2 GPa", "poisson": 0.4},
+            SECOND: {"kind": "named_elastic", "name": "silicon"},
+            "problem.load": {"kind": "force", "force": "50 nN"},
+        },
+    ),
+    FrontExample(
+        "What does it cost per cycle?",
+        "How much energy does a ball of steel lose that is pushed to and fro?",
+        "friction_damping",
+        {SECOND: dict(STEEL)},
+    ),
+    FrontExample(
+        "How long does it last?",
+        "How deep has a sliding ball worn after a given way?",
+        "sliding_wear",
+        {SECOND: dict(STEEL)},
+    ),
+    FrontExample("How stiff is the joint?", "How stiff are two rough faces that are clamped?", "joint_stiffness", {}),
+)
+"""The questions that users ask first, each with an example to change."""
+
 FRONT_EXAMPLES = (
+    *QUESTIONS,
     FrontExample(
         "AFM bead on a gel",
         "How deep does it go, and does it stick?",
@@ -130,7 +182,5 @@ FRONT_EXAMPLES = (
         "surface_contact",
         {"problem.topography.shape": [128, 128], "problem.medium.second": dict(STEEL)},
     ),
-    FrontExample("Worn flat", "How much is worn off after a metre?", "sliding_wear", {SECOND: dict(STEEL)}),
-    FrontExample("A force curve to fit", "What are modulus and contact point?", "fit", {}),
 )
 """In the order of the page."""

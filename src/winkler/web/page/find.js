@@ -4,10 +4,10 @@ export default {
   template: `<div class="find">
     <input type="search" autocomplete="off" :placeholder="label" :aria-label="label" @input="filter" @keydown="pressed"
       @click.stop />
-    <p v-show="none || beyond" role="status">{{ none ? "Nothing has these words." : beyond }}</p>
+    <p v-show="none || said" role="status">{{ said || "Nothing has these words." }}</p>
   </div>`,
   props: { label: String },
-  data: () => ({ none: false, beyond: "" }),
+  data: () => ({ none: false, said: "" }),
   mounted() {
     this.input = this.$el.querySelector("input");
     if (matchMedia("(hover: hover)").matches) setTimeout(() => this.input?.focus(), 0); // no keyboard over a phone's list
@@ -21,14 +21,14 @@ export default {
     },
     filter() {
       const text = this.input.value.trim();
-      this.beyond = "";
+      this.said = "";
       this.keep(text.toLowerCase().split(/\s+/), []);
       if (text.length > 1) this.$emit("sought", text);
     },
-    // what the app found for a text: labels of options, the best first, and a sentence on what is not covered
-    found(text, labels, beyond) {
+    // what the app found for a text: labels, the best first, a sentence on what is not covered, and one on other hits
+    found(text, labels, beyond, also) {
       if (text !== this.input?.value.trim()) return; // more was typed by the time
-      this.beyond = beyond;
+      this.said = [beyond, also].filter(Boolean).join(" ");
       this.keep(beyond ? null : text.toLowerCase().split(/\s+/), labels);
     },
     // show options with these labels first, then those with all of these words

@@ -8,7 +8,7 @@ from typing import Any
 
 from nicegui import ui
 
-from winkler.web.form.front_examples import FRONT_EXAMPLES
+from winkler.web.form.front_examples import FRONT_EXAMPLES, QUESTIONS
 
 __all__ = ["Front"]
 
@@ -26,11 +26,13 @@ class Front:
         self.take = take
         with ui.element("section").classes("front").props('aria-label="Examples"') as self.place:
             with ui.element("div").classes("front-head"):
-                ui.label("Begin with an example, or change the study on the left")
+                ui.label("Begin with a question or an example, or change the study on the left")
                 close = ui.button(icon="close", on_click=lambda: self.show(visible=False)).props("flat dense round")
                 close.props["aria-label"] = "close the examples"
-            with ui.element("div").classes("front-cards"):
-                for place, one in enumerate(FRONT_EXAMPLES):
+            questions = ui.element("div").classes("front-cards front-questions")
+            examples = ui.element("div").classes("front-cards")
+            for place, one in enumerate(FRONT_EXAMPLES):
+                with questions if place < len(QUESTIONS) else examples:
                     with ui.element("button").classes("front-card") as card:
                         ui.label(one.title).classes("front-title")
                         ui.label(one.question).classes("meaning")
