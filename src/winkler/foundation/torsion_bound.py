@@ -79,7 +79,7 @@ class TwistBound:
         self.bed, self.coefficient, self.forced = bed, coefficient, forced
         self.widest = widest
         self.narrowest = widest * 0.5**HALVINGS
-        """Radius [m] below which a contact bears less than rounding of what the widest does: nothing, on these panels."""
+        """Radius [m] below which panels resolve no contact: what it bears is far below rounding of the widest."""
         self.endless = math.isinf(coefficient)
         """Whether nothing ever slides."""
         responses = self._responses()

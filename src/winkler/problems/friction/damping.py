@@ -94,7 +94,6 @@ class FrictionDamping:
 
     __words__ = words(
         amplitude=("", None, "amplitude of the shift or of the shear force"),
-        method=("", None, "how slip is followed"),
     )
 
     bed: Bed

@@ -104,7 +104,6 @@ class Tangential:
     """
 
     __words__ = words(
-        method=("", None, "how slip is followed"),
         by_rings=("", None, "whether rings are followed, not springs"),
         relaxes=("", None, "whether the bodies relax"),
         count=("n", "", "how many springs"),

@@ -43,7 +43,7 @@ def layers_of_rings(bed: Bed) -> PushedWaves | None:
     return medium
 
 
-def pushed_body(bed: Bed, owner: str = "Tangential") -> PushedWaves:
+def pushed_body(bed: Bed, owner: str = "Tangential", remedy: str = ", or give springs,") -> PushedWaves:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface.
 
     Raises
@@ -56,7 +56,7 @@ def pushed_body(bed: Bed, owner: str = "Tangential") -> PushedWaves:
         raise OutsideValidity(
             f"{owner}: the medium of the bed is a {type(bed.medium).__name__}; rings need kernels of their own, "
             "those of a CoatedHalfSpace, of a StackedHalfSpace whose layers are bonded or of a DepthGradedHalfSpace "
-            "under a body of revolution: leave the method out, or give springs, for other media and shapes."
+            f"under a body of revolution: leave the method out{remedy} for other media and shapes."
         )
     return medium
 
