@@ -6,11 +6,8 @@ from collections.abc import Sequence
 from enum import StrEnum
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed
-from winkler.problems.normal.stiffness_ratio import common_ratio
-from winkler.problems.ring_slip.push_bound import layers_of_rings
 
-__all__ = ["Method", "exact_ratio", "refuse_method"]
+__all__ = ["Method", "refuse_method"]
 
 
 class Method(StrEnum):
@@ -40,15 +37,3 @@ def refuse_method(owner: str, method: Method, known: Sequence[Method]) -> None:
         raise InvalidInput(
             f"{owner}: the method {method} does not follow this kind of contact; give {', '.join(others)} or {last}."
         )
-
-
-def exact_ratio(owner: str, bed: Bed, radius: float) -> float:
-    """Return c_T / c_N of the springs up to a radius [m], which the method `Method.EXACT` needs to be one.
-
-    Raises
-    ------
-    OutsideValidity
-        If it is not, with the nearest method that follows them.
-    """
-    nearest = Method.RINGS if layers_of_rings(bed) is not None else Method.SPRINGS
-    return common_ratio(owner, bed, radius, f"the method {Method.EXACT} needs one ratio: give the method {nearest}")

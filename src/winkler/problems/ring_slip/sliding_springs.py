@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.foundation.bed import Bed
-from winkler.problems.method import Method, exact_ratio
+from winkler.problems.method import Method
 from winkler.problems.normal.stiffness_ratio import alike, common_ratio, stiffness_ratios
 from winkler.problems.ring_slip.push_bound import layers_of_rings
 from winkler.problems.ring_slip.ring_table import RingTable, ring_table
@@ -41,7 +41,8 @@ def sliding_springs(
         If the springs are neither alike nor rings of a coating, or the tangential stiffness is not known.
     """
     if method is Method.EXACT:
-        return exact_ratio(owner, bed, radius), None
+        other = f"give the method {Method.RINGS}" if layers_of_rings(bed) is not None else "give another medium"
+        return common_ratio(owner, bed, radius, f"the method {method} needs one ratio: {other}"), None
     if method is not Method.RINGS and alike(stiffness_ratios(bed, radius)):
         return common_ratio(owner, bed, radius, ""), None
     if math.isinf(coefficient) or layers_of_rings(bed) is not None:
