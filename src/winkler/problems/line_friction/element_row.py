@@ -88,11 +88,6 @@ class LineGoal(NamedTuple):
     bulk: float
     """The bulk stress [Pa], for messages."""
 
-    @property
-    def forces(self) -> Array:
-        """The three that change in proportion."""
-        return np.array(self[:3])
-
 
 class LineCells(NamedTuple):
     """What elements remember.
@@ -143,7 +138,7 @@ class ElementRow(Row[LineGoal, LineCells]):
         self.most = friction * max(goal.force for goal in self.goals)
         self.strained = bool(path.bulk.any())
         self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
-        pieces = [self._piece(before.forces, after.forces) for before, after in pairwise(self.goals)]
+        pieces = [self._piece(before, after) for before, after in pairwise(self.goals)]
         start = self.goals[0].force
         forces = np.unique(np.concatenate([[start, 0.5 * start], *(piece[:, 0] for piece in pieces)]))
         found = under_force(bed, forces * self.elements.scale) / self.elements.scale  # at once, not one by one
@@ -151,23 +146,24 @@ class ElementRow(Row[LineGoal, LineCells]):
 
     def begin(self, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements pressed straight down, and sheared and strained after."""
-        none = np.zeros((6, self.elements.x.size))
+        none = np.zeros(self.elements.x.size)
         down = goal._replace(shear=0.0, strain=0.0, bulk=0.0)
-        cells = LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), *none, 0.0, 0.0, 0.0)
-        pressed = self._go(cells, down, down.forces, 0.5 * goal.force)
+        cells = LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), none, none, none, none, none, none, 0.0, 0.0, 0.0)
+        pressed = self._go(cells, down, np.array(down[:3]), 0.5 * goal.force)
         return pressed.then(self.step(pressed.state, goal))
 
     def step(self, state: LineCells, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements after forces and strain have changed in proportion."""
         refuse_sliding(self.friction, goal.force, goal.shear, self.unit)
-        piece = self._piece(state.goal.forces, goal.forces)
+        piece = self._piece(state.goal, goal)
         reached = Reached(state._replace(last=np.zeros(self.elements.x.size)), 0.0, 0.0)
         for at, middle in zip(piece[1::2], piece[::2], strict=True):
             reached = reached.then(self._go(reached.state, goal, at, float(middle[0])))
         return reached
 
-    def _piece(self, before: Array, after: Array) -> Array:
+    def _piece(self, start: LineGoal, goal: LineGoal) -> Array:
         """Return middles and ends of the steps along a straight piece of the path, in turn."""
+        before, after = np.array(start[:3]), np.array(goal[:3])
         ends = self._shares(before, after)
         middles = 0.5 * (ends + np.append(0.0, ends[:-1]))
         shares = np.stack([middles, ends], axis=1).ravel()[:, None]
