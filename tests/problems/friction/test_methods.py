@@ -17,16 +17,6 @@ BALL, LAW = wk.Paraboloid(1e-2), wk.Coulomb(0.3)
 LINE = wk.LinePath([1e3, 1.5e3, 1.2e3], [0.0, 200.0, -100.0])
 
 
-def twist(method):
-    return wk.Torsion(wk.Foundation(BALL, HALF), LAW, wk.Path([0.0], wk.Depth([1e-6]), wk.Angle([1e-4])), method)
-
-
-def mapped(method):
-    heights = wk.Topography(np.array([[0.0, 1.0], [1.0, 1.0]]) * 1e-6, [1e-3, 1e-3])
-    path = wk.Path([0.0], wk.Force([1.0]), wk.Shift([1e-7]))
-    return wk.SurfaceTangential(heights, wk.HalfSpace(wk.Elastic(1e9, 0.3)), LAW, path, method=method)
-
-
 def pressed_line(method, medium=HALF):
     bed = wk.LineFoundation(BALL, medium) if medium is HALF else wk.LayeredLineFoundation(BALL, medium)
     return wk.LineTangential(bed, LAW, LINE, method)
@@ -40,8 +30,6 @@ def bimodal(method, medium=HALF, coefficient=0.3):
 @pytest.mark.parametrize(
     ("make", "known"),
     [
-        (twist, "auto or rings"),
-        (mapped, "auto or elements"),
         (pressed_line, "auto, exact or elements"),
         (bimodal, "auto, exact or rings"),
     ],
@@ -56,11 +44,6 @@ def test_another_method_is_refused_with_those_that_hold(make, known):
         else:
             with pytest.raises(wk.InvalidInput, match=f"the method {method} does not follow .*; give {known}[.]"):
                 make(method)
-
-
-def test_a_twist_by_its_one_method_is_the_same():
-    found = [twist(method).solve() for method in (wk.Method.AUTO, wk.Method.RINGS)]
-    assert found[0].torque == pytest.approx(found[1].torque, rel=0.0, abs=0.0)
 
 
 def test_elements_of_a_line_agree_with_sums_of_earlier_contacts():

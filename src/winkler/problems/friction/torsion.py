@@ -30,7 +30,6 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
 from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
-from winkler.problems.method import Method, refuse_method
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
@@ -53,13 +52,11 @@ class Torsion:
         Friction.
     path : Path
         Its normal load a Depth or Force, its lateral load an Angle or Torque.
-    method : Method, optional
-        How slip is followed: AUTO or RINGS, which are the same.
 
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's, the path prescribes a shift, or the method is another one.
+        If the law is not Coulomb's, or the path prescribes a shift.
     OutsideValidity
         If the medium relaxes or is measured: there the bound of the springs is not known.
 
@@ -90,7 +87,6 @@ class Torsion:
     bed: Bed
     law: Coulomb
     path: Path
-    method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED | {Assumption.SLIP}
@@ -102,7 +98,6 @@ class Torsion:
                 f"Torsion: the path prescribes a {type(self.path.lateral).__name__}; give Path(time, normal, lateral) "
                 "with the lateral load Angle([...]) or Torque([...])."
             )
-        refuse_method("Torsion", self.method, (Method.AUTO, Method.RINGS))
         twisted_medium(self.bed.medium)
 
     @property

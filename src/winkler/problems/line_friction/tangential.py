@@ -145,15 +145,19 @@ class LineTangential:
                 "and beside a bulk stress under a steady force on a cylinder of which no edge slips back while the "
                 f"stress is in phase with the shear force: give the method {Method.ELEMENTS}."
             )
-        points = [row.tolist() for row in (forces, widths, self.path.along, self.path.bulk)]
+        columns = [row.tolist() for row in (forces, widths, self.path.along, self.path.bulk)]
+        points = zip(*columns, strict=True)
         if sums:
             row = SummedRow(bed, mu, self.path)
-            for *point, ((memory, _, shift), _, lost) in zip(*points, follow(row, row.goals), strict=True):
-                yield LineTangentialState(bed, self.law, *point, shift, lost, row.lean, memory)
+            for (force, width, shear, bulk), (state, _, lost) in zip(points, follow(row, row.goals), strict=True):
+                yield LineTangentialState(
+                    bed, self.law, force, width, shear, bulk, state.shift, lost, row.lean, state.memory
+                )
             return
         cells = ElementRow(bed, mu, self.path)
-        for *point, (state, _, lost) in zip(*points, follow(cells, cells.goals), strict=True):
-            yield marched_state(bed, self.law, cells.touching(state), *point, cells.lost_per_length(lost))
+        for (force, width, shear, bulk), (reached, _, lost) in zip(points, follow(cells, cells.goals), strict=True):
+            touching = cells.touching(reached)
+            yield marched_state(bed, self.law, touching, force, width, shear, bulk, cells.lost_per_length(lost))
 
     def gathered(self, states: Iterable[LineTangentialState | LineMarchedState]) -> LineTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

@@ -25,7 +25,6 @@ from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
-from winkler.problems.method import Method, refuse_method
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.mapped_medium import homogeneous
@@ -66,14 +65,12 @@ class SurfaceTangential:
         anticlockwise positive: one number, or one for each point of the path.  They do not turn unless given.
     tolerance : float, optional
         Greatest `SurfaceShearState.misfit` at which stick and slip count as solved.
-    method : Method, optional
-        How slip is followed: AUTO or ELEMENTS, which are the same.
 
     Raises
     ------
     InvalidInput
-        If the method is another one, heights are missing, the map is periodic and twisted, the numbers of the twist do
-        not fit the path, the path twists and there is a twist beside it, or the map is too large.
+        If heights are missing, the map is periodic and twisted, the numbers of the twist do not fit the path, the path
+        twists and there is a twist beside it, or the map is too large.
 
     References
     ----------
@@ -106,7 +103,6 @@ class SurfaceTangential:
     path: Path
     twist: Angle | Torque = HELD
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-8
-    method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = (
         "kalker_1990", "cattaneo_1938", "mindlin_1949", "spence_1975", "polonsky_keer_1999",
@@ -114,7 +110,6 @@ class SurfaceTangential:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP}
 
     def __post_init__(self) -> None:
-        refuse_method("SurfaceTangential", self.method, (Method.AUTO, Method.ELEMENTS))
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
         pixels = 2 * around * self.topography.heights.size
         affordable("SurfaceTangential", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)
