@@ -29,6 +29,7 @@ GIVEN: dict[str, Any] = {
     "adhesive_cycle.machine_stiffness": 1e3,
     "band_heating.partition": wk.FixedShare(0.2),
     "bimodal_damping.lateral_cycles": 2,
+    "bimodal_damping.method": wk.Method.RINGS,
     "bimodal_damping.normal_cycles": 2,
     "constriction.mean_free_path": 40e-9,
     "elastic_plastic_particle.work_closing": 10.0,
@@ -54,6 +55,7 @@ GIVEN: dict[str, Any] = {
     "line_rolling_start.reference": 1e-2,
     "line_shakedown.friction": wk.Coulomb(0.2),
     "line_sliding_wear.layer_wears": True,
+    "line_tangential.method": wk.Method.ELEMENTS,
     "line_yield_onset.friction": wk.Coulomb(0.2),
     "master_curve.entropic": True,
     "master_curve.fluid": True,
@@ -93,6 +95,7 @@ GIVEN: dict[str, Any] = {
 """Values of arguments that the examples leave out."""
 
 TOGETHER = {
+    "bimodal_damping.method": "kernels of their own",
     "elastic_plastic_particle.work_closing": "work_opening",
     "fretting_wear.layer_wears": "no layers",
     "friction_damping.method": "kernels of their own",

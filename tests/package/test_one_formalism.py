@@ -23,6 +23,8 @@ GONE = {
     "SlipPath": "SlipRow, under follow",
     "SlipPoint": "SlipState",
     "SpringRun": "SingleSprings, under follow",
+    "LineMarch": "ElementRow, under follow",
+    "MarchedRow": "LineCells",
     "step_by_angle": "RingRow, under follow",
     "step_to_torque": "RingRow, under follow",
 }

@@ -78,6 +78,8 @@ class TwistBound:
     def __init__(self, bed: Bed, coefficient: float, widest: float, forced: bool) -> None:
         self.bed, self.coefficient, self.forced = bed, coefficient, forced
         self.widest = widest
+        self.narrowest = widest * 0.5**HALVINGS
+        """Radius [m] below which panels resolve no contact: what it bears is far below rounding of the widest."""
         self.endless = math.isinf(coefficient)
         """Whether nothing ever slides."""
         responses = self._responses()

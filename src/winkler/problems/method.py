@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import StrEnum
 
-from winkler.foundation.bed import Bed
-from winkler.problems.normal.stiffness_ratio import common_ratio
-from winkler.problems.ring_slip.push_bound import layers_of_rings
+from winkler.errors import InvalidInput
 
-__all__ = ["Method", "exact_ratio"]
+__all__ = ["Method", "refuse_method"]
 
 
 class Method(StrEnum):
@@ -22,15 +21,19 @@ class Method(StrEnum):
     """Rings that bear their own pressure times the coefficient, with the kernels of layers and gradings."""
     SPRINGS = "springs"
     """Springs one by one: any law, any medium, paths in the plane; layers within the stated error only."""
+    ELEMENTS = "elements"
+    """Boundary elements of a line contact or a map: any medium that bears them, and a bulk stress beside."""
 
 
-def exact_ratio(owner: str, bed: Bed, radius: float) -> float:
-    """Return c_T / c_N of the springs up to a radius [m], which the method `Method.EXACT` needs to be one.
+def refuse_method(owner: str, method: Method, known: Sequence[Method]) -> None:
+    """Refuse a method by which a kind of problem is not followed.
 
     Raises
     ------
-    OutsideValidity
-        If it is not, with the nearest method that follows them.
+    InvalidInput
     """
-    nearest = Method.RINGS if layers_of_rings(bed) is not None else Method.SPRINGS
-    return common_ratio(owner, bed, radius, f"the method {Method.EXACT} needs one ratio: give the method {nearest}")
+    if method not in known:
+        *others, last = (str(each) for each in known)
+        raise InvalidInput(
+            f"{owner}: the method {method} does not follow this kind of contact; give {', '.join(others)} or {last}."
+        )

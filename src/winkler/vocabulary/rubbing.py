@@ -9,6 +9,7 @@ __all__ = ["RUBBING"]
 RUBBING: dict[str, Word] = {
     # rolling
     "friction": Word("", None, "how the surfaces rub"),
+    "method": Word("", None, "how slip is followed"),
     "creepage": Word("", None, "slip of the bodies over each other, over the speed with which they roll"),
     "calibration": Word("", None, "how stiff springs are that roll"),
     "longitudinal_creepage": Word(r"\xi", "", "creepage along the direction of rolling"),

@@ -8,8 +8,7 @@ from half_plane_march import HalfPlaneMarch
 from scipy.optimize import fsolve
 
 import winkler as wk
-from winkler.problems.line_friction.march import LineMarch
-from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
+from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
 
 UNIT = wk.HalfSpace.between(wk.Elastic(2.0, 0.0), wk.Elastic(2.0, 0.0))
@@ -26,12 +25,7 @@ def problem(bed, path):
 
 def marched(bed, path):
     """Return the solution by the march, also where sums of earlier contacts hold."""
-    march, posed = LineMarch(bed, MU, path), problem(bed, path)
-    points = zip(path.across, march.widths, path.along, path.bulk, strict=True)
-    rows = march.rows()
-    return posed.gathered(
-        marched_state(bed, posed.law, row, *map(float, at)) for row, at in zip(rows, points, strict=True)
-    )
+    return wk.LineTangential(bed, wk.Coulomb(MU), path, wk.Method.ELEMENTS).solve()
 
 
 def over(low, high, count):

@@ -46,9 +46,11 @@ from winkler.problems.friction.damping_springs import oscillating_contact
 from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
 from winkler.problems.last_cycle import per_unit
+from winkler.problems.method import Method, refuse_method
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.ring_slip.moving_notes import IN_CYCLES, moving_ring_notes
+from winkler.problems.ring_slip.push_bound import pushed_body
 from winkler.problems.ring_slip.ring_table import RingTable
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.problems.ring_slip.steady_loss import STEPS_PER_CYCLE, cycle_steps, loss_of_cycle
@@ -91,11 +93,16 @@ class BimodalDamping:
     normal_cycles, lateral_cycles : int, optional
         How often the contact is pressed and pushed in a closed cycle; without a common divisor.  A frequency ratio of
         3/2 is three lateral cycles to two normal ones.
+    method : Method, optional
+        How slip is followed: AUTO, EXACT (springs of one gap as one) or RINGS; by default springs where they are alike,
+        and rings elsewhere.
 
     Raises
     ------
     InvalidInput
-        If one of them is out of bounds, or the shapes do not go together.
+        If one of them is out of bounds, the shapes do not go together, or the method is another one.
+    OutsideValidity
+        If rings are asked for on a medium whose rings are not known, or a contact that is no disc.
 
     References
     ----------
@@ -124,11 +131,15 @@ class BimodalDamping:
     phase: FiniteQuantity = 0.0
     normal_cycles: Count = 1
     lateral_cycles: Count = 1
+    method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
 
     def __post_init__(self) -> None:
+        refuse_method("BimodalDamping", self.method, (Method.AUTO, Method.EXACT, Method.RINGS))
+        if self.method is Method.RINGS:
+            pushed_body(self.bed, "BimodalDamping", "")
         affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, MOST_SPRINGS)
         common = math.gcd(self.normal_cycles, self.lateral_cycles)
         if common > 1:
@@ -155,7 +166,8 @@ class BimodalDamping:
         ------
         OutsideValidity
             If the bodies never touch, the profile ends before the greatest depth, the springs are neither alike nor
-            rings of a coating, or a closed cycle on a coating holds more than 50 oscillations.
+            rings of a coating, or not alike while the method is exact, or a closed cycle on a coating holds more than
+            50 oscillations.
         NotConverged
             If the profile is too rough.
         """
@@ -163,7 +175,7 @@ class BimodalDamping:
         radius = float(deepest.radius)
         ratio, table = 1.0, None
         if not math.isinf(self.law.coefficient):
-            ratio, table = sliding_springs("BimodalDamping", self.bed, self.law.coefficient, radius)
+            ratio, table = sliding_springs("BimodalDamping", self.bed, self.law.coefficient, radius, self.method)
         pushed, ahead = np.broadcast_arrays(
             np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
         )
@@ -275,7 +287,8 @@ class BimodalDampingSolution(DampingSolution):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed, coefficient, radius = self.problem.bed, self.problem.law.coefficient, float(self.contact.radius)
-        rings = () if math.isinf(coefficient) else moving_ring_notes(bed, coefficient, radius, IN_CYCLES)
+        by_rings = self.problem.method is Method.RINGS
+        rings = () if math.isinf(coefficient) else moving_ring_notes(bed, coefficient, radius, IN_CYCLES, by_rings)
         return (
             *self.contact.notes_with(SurfaceFriction(coefficient)),
             STEADY,

@@ -29,10 +29,10 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.last_cycle import loss_factor, per_unit
-from winkler.problems.method import Method, exact_ratio
+from winkler.problems.method import Method
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
-from winkler.problems.ring_slip.push_bound import pushed_body
+from winkler.problems.ring_slip.push_bound import exact_ratio, pushed_body
 from winkler.problems.ring_slip.pushed_rings import PushedRings, pushed_rings
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -94,7 +94,6 @@ class FrictionDamping:
 
     __words__ = words(
         amplitude=("", None, "amplitude of the shift or of the shear force"),
-        method=("", None, "how slip is followed"),
     )
 
     bed: Bed

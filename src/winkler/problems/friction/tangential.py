@@ -36,11 +36,11 @@ from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipRow
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
-from winkler.problems.method import Method, exact_ratio
+from winkler.problems.method import Method
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.one_load import OfPath
-from winkler.problems.ring_slip.push_bound import layers_of_rings, pushed_body
+from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
 from winkler.problems.row import follow
 from winkler.problems.viscoelastic.tangential import DraggedState, dragged_notes, dragged_states, pressed_alone
 from winkler.validity import Assumption, Note
@@ -104,7 +104,6 @@ class Tangential:
     """
 
     __words__ = words(
-        method=("", None, "how slip is followed"),
         by_rings=("", None, "whether rings are followed, not springs"),
         relaxes=("", None, "whether the bodies relax"),
         count=("n", "", "how many springs"),

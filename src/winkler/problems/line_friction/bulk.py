@@ -11,7 +11,7 @@ is one that is shifted, by
 for similar bodies :math:`e = \sigma_B a/(4\mu p_0)`.  All of that holds under a steady normal force and while each
 earlier contact lies within the next: beyond it an edge slips against the shear force.  From the first moment on it does
 not if :math:`|\lambda|\,\mathrm dP\le E^*\,\mathrm da`, for similar bodies :math:`|\sigma_B|\le 4|Q|/(\pi a)`.  Every
-other path is marched along on boundary elements (`winkler.problems.line_friction.march`).
+other path is marched along on boundary elements (`winkler.problems.line_friction.element_row`).
 """
 
 from __future__ import annotations

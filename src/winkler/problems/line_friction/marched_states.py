@@ -13,7 +13,7 @@ from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, poisson_of, stresses
-from winkler.problems.line_friction.march import MarchedRow
+from winkler.problems.line_friction.element_row import TouchingElements
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
 from winkler.values import value, words
 
@@ -163,22 +163,23 @@ class LineMarchedState(ShearedStrip):
 def marched_state(
     bed: LineFoundation | LayeredLineFoundation,
     law: Coulomb,
-    row: MarchedRow,
+    row: TouchingElements,
     force: float,
     half_width: float,
     shear: float,
     bulk: float,
+    lost: float,
 ) -> LineMarchedState:
-    """Return the state of a row of elements under these forces per length [N/m] and this bulk stress [Pa]."""
+    """Return the state of elements under these forces [N/m], this bulk stress [Pa] and after this loss [J/m]."""
     used = row.traction / row.bound
     middle, half = stuck_strip(row, used, half_width)
     return LineMarchedState(
-        bed, law, force, half_width, shear, bulk, half, middle, row.slip_shift, row.lost, row.x, used, row.ahead,
+        bed, law, force, half_width, shear, bulk, half, middle, row.slip_shift, lost, row.x, used, row.ahead,
         row.rubbed,
     )  # fmt: skip
 
 
-def stuck_strip(row: MarchedRow, used: Array, half_width: float) -> tuple[float, float]:
+def stuck_strip(row: TouchingElements, used: Array, half_width: float) -> tuple[float, float]:
     """Return the middle and the half-width of the widest strip that sticks [m].
 
     Where it ends the traction departs from what friction bears by the square root of the distance: the square of what

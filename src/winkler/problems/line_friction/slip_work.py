@@ -1,4 +1,4 @@
-r"""The loss of a step, and the shift that slip allows.
+r"""Earlier contacts that add up to a sheared one, as a row: the loss of a step, and the shift that slip allows.
 
 Without a bulk stress both are sums over the memory.  With one the normal force is steady, so that what slips in a step
 bears its final traction all the time,
@@ -10,21 +10,80 @@ the second by reciprocity with a flat punch: it is the shift of the bodies beyon
 
 from __future__ import annotations
 
+import math
+from typing import NamedTuple
+
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.line_friction.strips import EarlierStrip, slipped, traction
+from winkler.problems.line_friction.bulk import lean_of
+from winkler.problems.line_friction.element_row import refuse_sliding
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.slip_curve import slip_curve
+from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_of, traction
+from winkler.problems.row import Reached, Row
 
-__all__ = ["shift_of_memory", "work_and_shift"]
+__all__ = ["SummedRow", "shift_of_memory", "work_and_shift"]
 
 ANGLES, STEPS = np.polynomial.legendre.leggauss(20)
 PLACES, WEIGHTS = np.sin(0.5 * np.pi * ANGLES), 0.5 * np.pi * STEPS * np.cos(0.5 * np.pi * ANGLES)
 """Between the edges of two strips, from -1 to 1: roots at both ends are mapped away."""
 ROUNDING = 1e-14
 """By which the factor of a strip that stays may differ after a step."""
+
+
+class SummedGoal(NamedTuple):
+    """P and Q [N/m] at a point of the path."""
+
+    force: float
+    shear: float
+
+
+class SummedCells(NamedTuple):
+    """What is remembered, the strips of it beside a bulk stress, and the shift beyond what Q causes [m]."""
+
+    memory: SlipMemory
+    strips: tuple[EarlierStrip, ...]
+    shift: float
+
+
+class SummedRow(Row[SummedGoal, SummedCells]):
+    """A line contact as a sum of earlier ones, where `winkler.problems.line_friction.bulk.has_closed_form` says so.
+
+    Losses are per length [J/m]; half-planes move without end under a force per length, so that the work is no number.
+    """
+
+    owner = "LineTangential"
+
+    def __init__(self, bed: LineBed, friction: float, path: LinePath) -> None:
+        self.bed, self.friction, self.modulus = bed, friction, bed.medium.modulus
+        self.goals = [SummedGoal(*row) for row in zip(path.across.tolist(), path.along.tolist(), strict=True)]
+        most = max(goal.force for goal in self.goals) / self.modulus
+        self.sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
+        self.lean = lean_of(bed, path)
+
+    def begin(self, goal: SummedGoal) -> Reached[SummedCells]:
+        """Return the contact pressed straight down, and sheared after."""
+        memory, _ = SlipMemory.fresh().moved(goal.force / self.modulus, 0.0, self.friction)
+        return self.step(SummedCells(memory, (), 0.0), goal)
+
+    def step(self, state: SummedCells, goal: SummedGoal) -> Reached[SummedCells]:
+        """Return the contact after both forces have changed in proportion."""
+        bed, modulus, sums = self.bed, self.modulus, self.sums
+        refuse_sliding(self.friction, *goal, 1.0)
+        change = goal.shear / modulus - state.memory.on_axis
+        memory, losses = state.memory.moved(goal.force / modulus, change, self.friction)
+        if self.lean != 0.0 and goal.force > 0.0:
+            strips = strips_of(bed, memory, self.lean)
+            lost, further = work_and_shift(bed, state.strips, strips)
+            return Reached(SummedCells(memory, strips, state.shift + further), math.nan, lost)
+        if sums is None:
+            return Reached(SummedCells(memory, (), 0.0), math.nan, 0.0)
+        shift = bed.along_share * shift_of_memory(sums, memory, modulus) if goal.force > 0.0 else 0.0
+        return Reached(SummedCells(memory, (), shift), math.nan, max(bed.along_share * sums.lost(losses), 0.0))
 
 
 def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float:

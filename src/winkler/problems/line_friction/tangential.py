@@ -8,8 +8,8 @@ narrower one (Cattaneo; for all profiles Ciavarella and Jaeger),
 and every history of straight steps in P and Q is a sum of such terms.  The memory is that of bodies of revolution
 (`winkler.problems.friction.slip_memory`), with the load per length of a narrower contact in the place of the gap, and Q
 in the place of the shift.  A bulk stress in one body, in phase with Q, tilts the profile of each term; the strips of a
-cylinder are shifted by it (Nowell and Hills).  Beside any other bulk stress the path is marched along on boundary
-elements (`winkler.problems.line_friction.march`), as it is on layers: they answer traction and pressure in different
+cylinder are shifted by it (Nowell and Hills).  Beside any other bulk stress boundary elements are followed along the
+path (`winkler.problems.line_friction.element_row`), and on layers, which answer traction and pressure in different
 manners, so that no sum holds.
 """
 
@@ -28,27 +28,24 @@ from winkler.laws.friction import Sliding
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import SHEARED
-from winkler.problems.friction.slip_memory import SlipMemory
-from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.last_cycle import Cycled, LastCycle, cycle_of
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
-from winkler.problems.line_friction.bulk import has_closed_form, lean_of, refuse_bulk
-from winkler.problems.line_friction.march import LineMarch
+from winkler.problems.line_friction.bulk import has_closed_form, refuse_bulk
+from winkler.problems.line_friction.element_row import ElementRow
 from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
 from winkler.problems.line_friction.path import LinePath
-from winkler.problems.line_friction.slip_curve import slip_curve
-from winkler.problems.line_friction.slip_work import shift_of_memory, work_and_shift
+from winkler.problems.line_friction.slip_work import SummedRow
 from winkler.problems.line_friction.states import LineTangentialState
-from winkler.problems.line_friction.strips import EarlierStrip, strips_of
 from winkler.problems.line_friction.validity import sheared_line_notes
+from winkler.problems.method import Method, refuse_method
 from winkler.problems.one_load import OfPath
+from winkler.problems.row import follow
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
 __all__ = ["LineTangential", "LineTangentialSolution"]
 
-SLIDING_TOLERANCE = 1e-12
-"""A shear force beyond what friction bears by no more than this part of it is that of sliding."""
+METHODS = Method.AUTO, Method.EXACT, Method.ELEMENTS
 
 
 @value
@@ -63,11 +60,14 @@ class LineTangential:
         Friction.
     path : LinePath
         Normal and shear force per length, and a bulk stress.
+    method : Method, optional
+        How slip is followed: AUTO, EXACT (sums of earlier contacts) or ELEMENTS; by default the sums where they hold.
 
     Raises
     ------
     InvalidInput
-        If the first body, or what carries its layers, is rigid and there is a bulk stress.
+        If the method is another one.  If the first body, or what carries its layers, is rigid and there is a bulk
+        stress.
     OutsideValidity
         If a layer slides on what lies below it, or the bodies relax.
 
@@ -97,6 +97,7 @@ class LineTangential:
     bed: LineFoundation | LayeredLineFoundation
     law: Sliding
     path: LinePath
+    method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = (
         "johnson_1985",
@@ -108,6 +109,7 @@ class LineTangential:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
+        refuse_method("LineTangential", self.method, METHODS)
         _ = self.bed.along_share
         refuse_bulk(self.bed, self.path)
 
@@ -122,11 +124,12 @@ class LineTangential:
         Raises
         ------
         OutsideValidity
-            If friction does not bear the shear force, or the bulk stress makes hardly anything stick.
+            If friction does not bear the shear force, or the bulk stress makes hardly anything stick: at that point,
+            the states before it have been yielded.  If the method exact is asked for where no sum holds.
         """
         bed, mu = self.bed, self.law.coefficient
         modulus = bed.medium.modulus
-        forces, shears = self.path.across, self.path.along
+        forces = self.path.across
         widths = under_force(bed, forces / modulus)
         refuse_unless_strips(bed, widths)
         widest, most = float(np.max(widths)), float(np.max(forces)) / modulus
@@ -135,46 +138,26 @@ class LineTangential:
                 f"LineTangential: up to the half-width of {widest:.6g} m the profile lets the load fall again, so that "
                 "the contact grows in jumps, of which slip keeps no memory; give a smoother profile or a smaller load."
             )
-        for index, (force, shear) in enumerate(zip(forces.tolist(), shears.tolist(), strict=True)):
-            if abs(shear) > mu * force * (1.0 + SLIDING_TOLERANCE):
-                raise OutsideValidity(
-                    f"LineTangential: at index {index} of the path a shear force of {shear:.6g} N/m is prescribed "
-                    f"where friction bears {mu * force:.6g} N/m at most, and the bodies would slide away; give a "
-                    "smaller one."
+        sums = most == 0.0 or (self.method is not Method.ELEMENTS and has_closed_form(bed, self.path))
+        if self.method is Method.EXACT and not sums:
+            raise OutsideValidity(
+                f"LineTangential: the method {Method.EXACT} adds up earlier contacts, which holds on similar bodies, "
+                "and beside a bulk stress under a steady force on a cylinder of which no edge slips back while the "
+                f"stress is in phase with the shear force: give the method {Method.ELEMENTS}."
+            )
+        columns = [row.tolist() for row in (forces, widths, self.path.along, self.path.bulk)]
+        points = zip(*columns, strict=True)
+        if sums:
+            row = SummedRow(bed, mu, self.path)
+            for (force, width, shear, bulk), (state, _, lost) in zip(points, follow(row, row.goals), strict=True):
+                yield LineTangentialState(
+                    bed, self.law, force, width, shear, bulk, state.shift, lost, row.lean, state.memory
                 )
-        if most == 0.0 or has_closed_form(bed, self.path):
-            yield from self._superposed(widths)
-        else:
-            points = zip(forces.tolist(), widths.tolist(), shears.tolist(), self.path.bulk.tolist(), strict=True)
-            for row, point in zip(LineMarch(bed, mu, self.path).rows(), points, strict=True):
-                yield marched_state(bed, self.law, row, *point)
-
-    def _superposed(self, widths: Array) -> Iterator[LineTangentialState]:
-        """Yield the contact at every point of the path, as a sum of earlier contacts."""
-        bed, law, mu = self.bed, self.law, self.law.coefficient
-        modulus = bed.medium.modulus
-        forces, shears = self.path.across, self.path.along
-        most = float(np.max(forces)) / modulus
-        sums = SlipSums(slip_curve(bed, most)) if most > 0.0 else None
-        lean, ratio, share = lean_of(bed, self.path), self.path.bulk_per_shear, bed.along_share
-        memory, lost, shift = SlipMemory.fresh(), 0.0, 0.0
-        strips: tuple[EarlierStrip, ...] = ()
-        for index, (force, shear, width) in enumerate(
-            zip(forces.tolist(), shears.tolist(), widths.tolist(), strict=True)
-        ):
-            load, target = force / modulus, shear / modulus
-            bulk = ratio * shear if ratio else 0.0
-            if index == 0:
-                memory, _ = memory.moved(load, 0.0, mu)
-            memory, losses = memory.moved(load, target - memory.on_axis, mu)
-            if lean != 0.0 and width > 0.0:
-                before, strips = strips, strips_of(bed, memory, lean)
-                work, further = work_and_shift(bed, before, strips)
-                lost, shift = lost + work, shift + further
-            elif sums is not None:
-                lost += max(share * sums.lost(losses), 0.0)
-                shift = share * shift_of_memory(sums, memory, modulus) if width > 0.0 else 0.0
-            yield LineTangentialState(bed, law, force, width, shear, bulk, shift, lost, lean, memory)
+            return
+        cells = ElementRow(bed, mu, self.path)
+        for (force, width, shear, bulk), (reached, _, lost) in zip(points, follow(cells, cells.goals), strict=True):
+            touching = cells.touching(reached)
+            yield marched_state(bed, self.law, touching, force, width, shear, bulk, cells.lost_per_length(lost))
 
     def gathered(self, states: Iterable[LineTangentialState | LineMarchedState]) -> LineTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

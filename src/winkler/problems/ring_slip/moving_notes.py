@@ -43,8 +43,10 @@ STUCK = Note(
 )
 
 
-def moving_ring_notes(bed: Bed, coefficient: float, radius: float, error: str) -> tuple[Note, ...]:
-    """Return what is assumed of rings that are not alike; nothing where springs are.
+def moving_ring_notes(
+    bed: Bed, coefficient: float, radius: float, error: str, by_rings: bool = False
+) -> tuple[Note, ...]:
+    """Return what is assumed of rings; nothing where springs are alike, unless rings are asked for.
 
     Parameters
     ----------
@@ -55,8 +57,10 @@ def moving_ring_notes(bed: Bed, coefficient: float, radius: float, error: str) -
         Of the widest contact [m].
     error : str
         The end of the sentence on rings that slide inside of others.
+    by_rings : bool, optional
+        Whether rings are asked for.
     """
-    if radius == 0.0 or alike(stiffness_ratios(bed, radius)):
+    if radius == 0.0 or (not by_rings and alike(stiffness_ratios(bed, radius))):
         return ()
     if math.isinf(coefficient):
         return (STUCK, RINGS_NOTE)

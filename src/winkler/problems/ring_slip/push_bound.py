@@ -24,8 +24,10 @@ from winkler.numerics.transforms import fredholm
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 from winkler.numerics.transforms.slip_tables import slip_table
 from winkler.numerics.types import Array
+from winkler.problems.method import Method
+from winkler.problems.normal.stiffness_ratio import common_ratio
 
-__all__ = ["PushBound", "layers_of_rings", "push_bound", "pushed_body"]
+__all__ = ["PushBound", "exact_ratio", "layers_of_rings", "push_bound", "pushed_body"]
 
 
 def layers_of_rings(bed: Bed) -> PushedWaves | None:
@@ -43,7 +45,7 @@ def layers_of_rings(bed: Bed) -> PushedWaves | None:
     return medium
 
 
-def pushed_body(bed: Bed, owner: str = "Tangential") -> PushedWaves:
+def pushed_body(bed: Bed, owner: str = "Tangential", remedy: str = ", or give springs,") -> PushedWaves:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface.
 
     Raises
@@ -56,9 +58,21 @@ def pushed_body(bed: Bed, owner: str = "Tangential") -> PushedWaves:
         raise OutsideValidity(
             f"{owner}: the medium of the bed is a {type(bed.medium).__name__}; rings need kernels of their own, "
             "those of a CoatedHalfSpace, of a StackedHalfSpace whose layers are bonded or of a DepthGradedHalfSpace "
-            "under a body of revolution: leave the method out, or give springs, for other media and shapes."
+            f"under a body of revolution: leave the method out{remedy} for other media and shapes."
         )
     return medium
+
+
+def exact_ratio(owner: str, bed: Bed, radius: float) -> float:
+    """Return c_T / c_N of the springs up to a radius [m], which the method `Method.EXACT` needs to be one.
+
+    Raises
+    ------
+    OutsideValidity
+        If it is not, with the nearest method that follows them.
+    """
+    nearest = Method.RINGS if layers_of_rings(bed) is not None else Method.SPRINGS
+    return common_ratio(owner, bed, radius, f"the method {Method.EXACT} needs one ratio: give the method {nearest}")
 
 
 class PushBound(TwistBound):

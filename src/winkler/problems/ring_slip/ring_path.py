@@ -199,7 +199,9 @@ def ring_points(
     widest = float(np.max(radius))
     bound = bound_of(bed, coefficient, widest if widest > 0.0 else _own_length(bed), forced)
     excess = np.where(radius >= bed.rim, depth - bed.gap(radius), 0.0)
-    rows = (path.across, radius, np.maximum(excess, 0.0))
+    # the panels of the widest contact do not resolve one that is narrower than they are
+    felt = np.where(radius >= bound.narrowest, radius, 0.0)
+    rows = (path.across, felt, np.maximum(excess, 0.0))
     presses = [PressedState(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
     moved = isinstance(path.lateral, Angle | Shift)
     targets = [unit * each if moved else each for each in path.along.tolist()]
@@ -209,10 +211,10 @@ def ring_points(
             time=float(path.time[i]),
             depth=float(depth[i]),
             force=float(force[i]),
-            radius=presses[i].radius,
+            radius=float(radius[i]),
             motion=float(path.along[i]) if moved else point.motion / unit,
             load=point.load,
-            limit=bound.most(presses[i]),
+            limit=_limit(bound, presses[i], float(radius[i]), bound_of),
             stick_radius=point.stick_radius,
             work=2.0 * point.work / unit,
             stored=point.stored / unit,
@@ -221,6 +223,16 @@ def ring_points(
             bound=bound,
             memory=point.memory,
         )
+
+
+def _limit(
+    bound: TwistBound, press: PressedState, radius: float, bound_of: Callable[[Bed, float, float, bool], TwistBound]
+) -> float:
+    """Return what friction bears at most, of a contact that is not felt on panels that are made for it."""
+    if 0.0 < radius < bound.narrowest:
+        bound = bound_of(bound.bed, bound.coefficient, radius, bound.forced)
+        press = press._replace(radius=radius)
+    return bound.most(press)
 
 
 def _own_length(bed: Bed) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.foundation.bed import Bed
+from winkler.problems.method import Method
 from winkler.problems.normal.stiffness_ratio import alike, common_ratio, stiffness_ratios
 from winkler.problems.ring_slip.push_bound import layers_of_rings
 from winkler.problems.ring_slip.ring_table import RingTable, ring_table
@@ -17,7 +18,9 @@ ONE_RATIO = (
 )
 
 
-def sliding_springs(owner: str, bed: Bed, coefficient: float, radius: float) -> tuple[float, RingTable | None]:
+def sliding_springs(
+    owner: str, bed: Bed, coefficient: float, radius: float, method: Method = Method.AUTO
+) -> tuple[float, RingTable | None]:
     """Return c_T / c_N if all springs up to a radius [m] have one, or one and the rings of a coating.
 
     Parameters
@@ -29,13 +32,18 @@ def sliding_springs(owner: str, bed: Bed, coefficient: float, radius: float) -> 
         mu [-]; if it is infinite rings are known on each medium of which k_x is.
     radius : float
         Of the widest contact [m].
+    method : Method, optional
+        EXACT for one ratio alone, RINGS for rings alone.
 
     Raises
     ------
     OutsideValidity
         If the springs are neither alike nor rings of a coating, or the tangential stiffness is not known.
     """
-    if alike(stiffness_ratios(bed, radius)):
+    if method is Method.EXACT:
+        other = f"give the method {Method.RINGS}" if layers_of_rings(bed) is not None else "give another medium"
+        return common_ratio(owner, bed, radius, f"the method {method} needs one ratio: {other}"), None
+    if method is not Method.RINGS and alike(stiffness_ratios(bed, radius)):
         return common_ratio(owner, bed, radius, ""), None
     if math.isinf(coefficient) or layers_of_rings(bed) is not None:
         return 1.0, ring_table(owner, bed, coefficient, radius)
