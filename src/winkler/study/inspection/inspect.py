@@ -8,7 +8,7 @@ import itertools
 import math
 import os
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -120,14 +120,21 @@ def inspect_files(paths: Sequence[Path], seconds: float) -> Iterator[tuple[int, 
     seconds : float
         Time after which no further file is taken [s].
     """
-    end, processors = time.monotonic() + seconds, Machine().processors
-    alone = len(paths) < FEWEST_SHARED or processors < 2
-    found = enumerate(map(_listed, paths)) if alone else completed(_listed, paths, processors)
-    with contextlib.closing(found) if hasattr(found, "close") else contextlib.nullcontext():
+    end = time.monotonic() + seconds
+    with contextlib.closing(_all_listed(paths)) as found:
         for place, inspection in found:
             yield place, inspection
             if time.monotonic() > end:
                 return
+
+
+def _all_listed(paths: Sequence[Path]) -> Generator[tuple[int, Inspection]]:
+    """Yield all files: few by this process, many by as many as there are processors."""
+    processors = Machine().processors
+    if len(paths) < FEWEST_SHARED or processors < 2:
+        yield from enumerate(map(_listed, paths))
+    else:
+        yield from completed(_listed, paths, processors)
 
 
 def _listed(path: Path) -> Inspection:
@@ -259,8 +266,8 @@ def _done(curve: ForceCurve, *, nano: bool) -> Iterator[str]:
         yield f"first touch: {error}"
     else:
         beyond = ", extrapolated: no point was taken before it" if touch.extrapolated else ""
-        error = f" ± {with_unit(touch.error, 'm', 2)}" if math.isfinite(touch.error) else ""
-        yield f"first touch at {with_unit(touch.position, 'm', 5)}{error}{beyond}"
+        scatter = f" ± {with_unit(touch.error, 'm', 2)}" if math.isfinite(touch.error) else ""
+        yield f"first touch at {with_unit(touch.position, 'm', 5)}{scatter}{beyond}"
     drift = found_drift(curve)
     if drift.measured:
         yield f"drift {with_unit(drift.rate, 'm/s', 3)} ± {with_unit(drift.error, 'm/s', 2)}, measured in a hold"
