@@ -29,6 +29,7 @@ from winkler.io.tables.relaxation_table import TIME
 from winkler.io.tables.table import read_table
 from winkler.materials.depth_grading import TabulatedGrading
 from winkler.numerics.types import Array
+from winkler.study.inspection import logs
 from winkler.values import value, words
 
 __all__ = ["ASSUMED_POISSON", "GENERAL", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
@@ -148,6 +149,10 @@ SPECIFIC = (
         "bed",
     ),
     TableKind("path", _headers(((path_table.TIME,),), NORMALS, LATERALS), path_table.read_path, "path"),
+    TableKind("bounces by their times", ((logs.BOUNCE,),), logs.read_bounces, ""),
+    TableKind(
+        "log of a pin on a disc", ((logs.DISTANCE, logs.FRICTION), (logs.DISTANCE, logs.LOSS)), logs.read_pin, ""
+    ),
     TableKind("area function of a tip", ((CONTACT_DEPTH, AREA),), _area, "area"),
 )
 """Tables whose names are those of no force curve."""

@@ -33,6 +33,7 @@ from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
 from winkler.study.inspection.file_kinds import GENERAL, SPECIFIC, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
+from winkler.study.inspection.logs import log_lines
 from winkler.study.inspection.starting import starting_study
 from winkler.study.inspection.surfaces import SurfaceOptions, read_surface_file
 
@@ -128,7 +129,7 @@ def inspect_files(paths: Sequence[Path], seconds: float) -> Iterator[tuple[int, 
                 return
 
 
-def _all_listed(paths: Sequence[Path]) -> Generator[tuple[int, Inspection]]:
+def _all_listed(paths: Sequence[Path]) -> Generator[tuple[int, Inspection], None, None]:
     """Yield all files: few by this process, many by as many as there are processors."""
     processors = Machine().processors
     if len(paths) < FEWEST_SHARED or processors < 2:
@@ -185,8 +186,9 @@ def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple
     if columns is None:
         return None
     words = [column.word for column in columns]
+    names = f"{', '.join(words[:-1])} and {words[-1]}" if len(words) > 1 else words[0]
     try:
-        return _by_kind(file, kind, f"its header names {', '.join(words[:-1])} and {words[-1]}")
+        return _by_kind(file, kind, f"its header names {names}")
     except InvalidInput as error:
         reasons.append((kind.name, str(error)))
         return None
@@ -200,7 +202,7 @@ def _tried(file: Path, kind: TableKind, why: str) -> Inspection | None:
 
 def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
     content = kind.read(file)
-    done = (TWO_HOLDS,) if isinstance(content, HeldTable) else ()
+    done = (TWO_HOLDS,) if isinstance(content, HeldTable) else log_lines(content)
     found = Inspection(str(file), kind.name, why, 1, columns_of(content), (), done, content=content)
     twisted = {column.word for angle in (Angle, Torque) for column in LATERAL_COLUMNS[angle]}
     study = kind.study
