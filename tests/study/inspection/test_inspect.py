@@ -100,6 +100,19 @@ def test_a_file_that_cannot_be_read_says_what_its_reader_needs(tmp_path):
         inspect_file(tmp_path / "absent.csv")
 
 
+def test_files_in_toml_are_calibrated_indenters_or_studies(tmp_path):
+    tip = tmp_path / "tip.toml"
+    tip.write_text(
+        'kind = "calibrated_indenter"\narea = [24.5, 1e-7]\nframe_compliance = 1e-7\nyoung = 1.141e12\npoisson = 0.07\n'
+    )
+    found = inspect_file(tip)
+    assert found.taken_for == "calibrated indenter"
+    assert found.done == ("area coefficients 24.5, 1e-07 (SI)", "frame compliance 100 nm/N")
+    tip.write_text('[problem]\nkind = "indentation"\n')
+    assert not inspect_file(tip).is_read
+    assert "if it is a study, `winkler run`" in inspect_file(tip).reason
+
+
 def test_a_list_reads_what_it_can(tmp_path):
     good = _curve(tmp_path, _hertz)
     bad = tmp_path / "bad.csv"

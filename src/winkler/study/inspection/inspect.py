@@ -41,7 +41,7 @@ __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
-INDENTED_TABLES = {".toml"}
+TIPS = {".toml"}
 ARRAYS = {".npy", ".npz"}
 PROFILES = {".prr", ".prw", ".ban", ".whl"}
 SURFACE_KINDS = ("height map", "line scan")
@@ -81,7 +81,7 @@ def inspect_file(
     given = options if options is not None else SurfaceOptions()
     if options is None:
         suffix = file.suffix.lower()
-        if suffix in INDENTED_TABLES:
+        if suffix in TIPS:
             return _tip(file)
         if suffix in PROFILES:
             return _by_kind(file, next(one for one in GENERAL if one.study == "cross_profile"), "its ending")
@@ -212,7 +212,11 @@ def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
 
 
 def _tip(file: Path) -> Inspection:
-    tip = read_indenter(file)
+    try:
+        tip = read_indenter(file)
+    except InvalidInput as error:
+        run = "if it is a study, `winkler run` or `winkler fit` takes it"
+        return Inspection(str(file), "", f"{str(error).rstrip('.')}; {run}.")
     numbers = ", ".join(f"{one:.4g}" for one in tip.area.coefficients)
     done = (f"area coefficients {numbers} (SI)", f"frame compliance {with_unit(tip.frame_compliance, 'm/N', 4)}")
     return _finished(Inspection(str(file), "calibrated indenter", "its key kind", 1, (), (), done, content=tip), "tip")
