@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_files import made_files, table
+from made_files import DATA, made_files, table
 
 from winkler.cli import main
 from winkler.errors import InvalidInput
@@ -91,11 +91,23 @@ def test_what_is_doubtful_of_a_curve(spoil, sentence, tmp_path):
     assert sentence in doubts or (sentence.startswith("compressive") and "change the sign" in doubts)
 
 
+def test_a_nanoindentation_needs_no_baseline():
+    found = inspect_file(DATA / "nanoindentation" / "silica_1.csv", brief=True)
+    assert found.taken_for == "nanoindentation"
+    assert found.doubts == ()
+
+
 def test_a_file_that_cannot_be_read_says_what_its_reader_needs(tmp_path):
     path = table(tmp_path / "piezo.csv", "piezo [nm], deflection [nm]", np.arange(20.0), np.arange(20.0))
     found = inspect_file(path)
     assert not found.is_read
     assert "give spring_constant in N/m" in found.reason
+    rows = np.column_stack((np.arange(30.0), np.cos(np.arange(30.0))))
+    np.savetxt(tmp_path / "bare.txt", rows)
+    assert "give its unit" in inspect_file(tmp_path / "bare.txt").reason
+    scan = table(tmp_path / "scan.csv", "X_(microns),y1", *rows.T)
+    assert "force curve" not in inspect_file(scan).reason
+    assert "unit" in inspect_file(scan).reason
     with pytest.raises(InvalidInput, match="there is no such file"):
         inspect_file(tmp_path / "absent.csv")
 

@@ -117,7 +117,7 @@ LATERALS = tuple(path_table.LATERAL_COLUMNS.values())
 SPECIFIC = (
     TableKind(
         "storage and loss at several temperatures",
-        _headers(((sweeps_table.TEMPERATURE,),), FREQUENCIES, MODULI),
+        _headers(((sweeps_table.TEMPERATURE_OR_T,),), FREQUENCIES, MODULI),
         sweeps_table.read_dynamic_sweeps,
         "dynamic_sweeps",
     ),

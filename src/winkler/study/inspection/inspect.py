@@ -26,6 +26,7 @@ from winkler.io.placed_curves import UnreadCurve
 from winkler.io.tables.curve_table import DEPTH, FORCE
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
+from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.text_file import existing
 from winkler.loading import Angle, Torque
 from winkler.profiles.rough.line_scan import LineScan
@@ -41,6 +42,7 @@ __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
+SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
 ARRAYS = {".npy", ".npz"}
 PROFILES = {".prr", ".prw", ".ban", ".whl"}
@@ -157,7 +159,7 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
-    return f"{file}: as a {what}: {why}"
+    return f"{file}: read as {what}: {why}"
 
 
 def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[str, str]]:
@@ -178,6 +180,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
+    if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
+        return reasons
     return [*reasons, ("force curve", curve.reason)]
 
 
@@ -240,7 +244,8 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
     hard = _is_nanoindentation(first)
     kind = "nanoindentation" if hard else "force curve"
     done = () if brief else tuple(_done(first, nano=hard))
-    doubts = [flag.statement for flag in examined(first)] if np.any(first.direction != 0.0) else []
+    flags = examined(first) if np.any(first.direction != 0.0) else ()
+    doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
     if unread:
         doubts.append(f"{unread} of {count} curves cannot be read; the first: {reason}")
     found = Inspection(
