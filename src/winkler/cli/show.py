@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["show"]
 
-OF_A_FILE = "Of a height map or a line scan"
+OF_A_FILE = "Of measured files"
+OF_A_SURFACE = "Of a height map or a line scan"
 
 
 def _names() -> Iterable[str]:
@@ -29,46 +30,60 @@ def show(
     words: Annotated[
         list[str] | None,
         typer.Argument(
-            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'; a file with a "
-            "height map or a line scan; or what you look for, in your own words.",
+            help="A kind, a group, a material, 'study', 'fit', 'nanoindentation' or 'materials'; measured files "
+            "or folders of them; or what you look for, in your own words.",
             autocompletion=completion(_names),
             show_default=False,
         ),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
-    unit: Annotated[str, typer.Option(help="Unit of its heights, such as nm.", rich_help_panel=OF_A_FILE)] = "",
-    lengths: Annotated[str, typer.Option(help="Its lengths, such as '10 um, 5 um'.", rich_help_panel=OF_A_FILE)] = "",
+    unit: Annotated[str, typer.Option(help="Unit of its heights, such as nm.", rich_help_panel=OF_A_SURFACE)] = "",
+    lengths: Annotated[
+        str, typer.Option(help="Its lengths, such as '10 um, 5 um'.", rich_help_panel=OF_A_SURFACE)
+    ] = "",
     channel: Annotated[
-        str, typer.Option(help="Which of its channels or measurements.", rich_help_panel=OF_A_FILE)
+        str, typer.Option(help="Which of its channels or measurements.", rich_help_panel=OF_A_SURFACE)
     ] = "",
     periodic: Annotated[
-        bool, typer.Option("--periodic", help="The map is repeated for ever.", rich_help_panel=OF_A_FILE)
+        bool, typer.Option("--periodic", help="The map is repeated for ever.", rich_help_panel=OF_A_SURFACE)
     ] = False,
     tip_radius: Annotated[
-        str, typer.Option(help="Radius of the tip that has scanned it, such as '10 nm'.", rich_help_panel=OF_A_FILE)
+        str, typer.Option(help="Radius of the tip that has scanned it, such as '10 nm'.", rich_help_panel=OF_A_SURFACE)
     ] = "",
     without_spikes: Annotated[
         bool,
-        typer.Option("--without-spikes", help="Take grains and scars out, and bridge them.", rich_help_panel=OF_A_FILE),
+        typer.Option(
+            "--without-spikes", help="Take grains and scars out, and bridge them.", rich_help_panel=OF_A_SURFACE
+        ),
     ] = False,
     detrend: Annotated[
-        str, typer.Option(help="What is taken off: none, mean, plane or paraboloid.", rich_help_panel=OF_A_FILE)
+        str, typer.Option(help="What is taken off: none, mean, plane or paraboloid.", rich_help_panel=OF_A_SURFACE)
     ] = "none",
     levelled: Annotated[
         str,
         typer.Option(
             help="What is taken off each scan line: none, median, differences, line or parabola.",
-            rich_help_panel=OF_A_FILE,
+            rich_help_panel=OF_A_SURFACE,
         ),
     ] = "none",
     lines_along: Annotated[
-        str, typer.Option(help="Direction of the scan lines: x or y.", rich_help_panel=OF_A_FILE)
+        str, typer.Option(help="Direction of the scan lines: x or y.", rich_help_panel=OF_A_SURFACE)
     ] = "x",
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Its picture: .png, .svg or .pdf.", rich_help_panel=OF_A_FILE)
+        Path | None,
+        typer.Option(
+            "--output", "-o", help="Picture of a map, scan or curve: .png, .svg or .pdf.", rich_help_panel=OF_A_FILE
+        ),
+    ] = None,
+    write: Annotated[
+        Path | None,
+        typer.Option("--write", "-w", help="A study to start from, .toml, with this file.", rich_help_panel=OF_A_FILE),
     ] = None,
     overwrite: Annotated[
-        bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.", rich_help_panel=OF_A_FILE)
+        bool,
+        typer.Option(
+            "--overwrite", "--yes", "-y", help="Replace an existing picture or study.", rich_help_panel=OF_A_FILE
+        ),
     ] = False,
 ) -> None:
     r"""Show what a kind takes: keys, units, ranges, and an example; or find the kind for a word or a question.
@@ -78,12 +93,15 @@ def show(
     'materials' the table of common materials, and the name of a material its numbers and their sources.
 
     Other words, in English, German or French, are searched for: what comes nearest is listed, the best first, and what
-    winkler does not cover is said.  Of a height map or a line scan it shows the statistics, what to know of it (spikes,
-    the limit of its tip), and, with --output, curves.
+    winkler does not cover is said.
+
+    Of a measured file it shows what it is taken for and why, the range of each column, what was done (segments, events,
+    touch, drift), what is doubtful, and of a map or a scan its statistics; --write writes a study to start from. Many
+    files, or a folder, make a list with a row for each.
 
     Example: winkler show does my gasket leak
     """
-    from winkler.cli import materials, show_fit, show_map, show_nanoindentation
+    from winkler.cli import materials, show_file, show_fit, show_nanoindentation
     from winkler.errors import InvalidInput
     from winkler.study.language.catalogue import CATALOGUE, FORMER, REFUSED, kinds
 
@@ -91,16 +109,18 @@ def show(
     if name in FORMER and not as_json:
         write_line(f'{name} is a kind of version 0.2: studies with it still run; write kind = "{FORMER[name]}".')
     name = FORMER.get(name, name)
-    options = show_map.MapOptions(
-        unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along
-    )
-    if show_map.is_file(name):
-        show_map.show_map(Path(name), options, output, as_json=as_json, overwrite=overwrite)
+    stated = (unit, lengths, channel, periodic, tip_radius, without_spikes, detrend, levelled, lines_along)
+    prepared = stated != ("", "", "", False, "", False, "none", "none", "x")
+    if paths := show_file.files_named(words or []):
+        from winkler.study.inspection.surfaces import SurfaceOptions
+
+        options = SurfaceOptions(*stated) if prepared else None
+        show_file.show_files(paths, options, show_file.ShownFile(output, write, overwrite, as_json))
         return
-    if options != show_map.MapOptions() or output is not None:
+    if prepared or output is not None or write is not None:
         raise InvalidInput(
             f"'{name}' is not the path of a file, which has a dot or a slash; options other than --json are "
-            "for files with a height map or a line scan: give its path, or leave them out."
+            "for measured files: give the path of one, or leave them out."
         )
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
     if as_json and name == "fit":

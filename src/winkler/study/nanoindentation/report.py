@@ -19,13 +19,18 @@ from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.tables import expected_section
-from winkler.validity import Note
+from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
+from winkler.validity import Note, Standing
 
 __all__ = ["calibration_rows", "figures_of", "first_yield_rows", "mean_rows", "page"]
 
 MOST_CURVES_DRAWN, MOST_ROWS, LEAST_TOGETHER = 6, 40, 3
 CURVES_BESIDE = 4
 """Curves in one table of quantities; more are wider than the page."""
+UNLOADING_POINTS = 8
+"""Points of a fitted unloading in a thumbnail."""
+LONGEST_FLAG = 160
+"""Characters of the doubts below a thumbnail."""
 ISO_TEXT = "<p>At the greatest force of each curve; in brackets standard uncertainties.</p>"
 MEANINGS = {
     "HM": "Martens hardness",
@@ -100,6 +105,7 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         *_first_yield(outcome),
         expected_section(outcome.verdicts),
         _failures(outcome),
+        thumbnails_section(tuple(_thumbnails(outcome))),
         section("Figures", parts.figure_elements(shown)) if shown else "",
         parts.trust(_notes(outcome)),
         parts.origin(
@@ -253,6 +259,30 @@ def _failures(outcome: NanoindentationOutcome) -> str:
         return ""
     items = "".join(f"<li>{safe(one.name)}: {safe(one.reason)}</li>" for one in outcome.unevaluated[:MOST_ROWS])
     return section("Curves without an answer", f"<ul>{items}</ul>")
+
+
+def _thumbnails(outcome: NanoindentationOutcome) -> Iterator[ThumbnailOf]:
+    """Yield force over position of each curve with its fitted unloadings, and what is doubtful of it."""
+    doubts = dict(outcome.doubts)
+    share = np.linspace(0.0, 1.0, UNLOADING_POINTS)
+    for one in outcome.evaluated:
+        found = one.solution
+        curve = found.problem.curve
+        compliance = found.problem.indenter.frame_compliance + curve.compliance
+        time = curve.time - curve.time[0] if curve.timed else np.zeros(curve.count)
+        laws = zip(found.force, found.exponent, found.final_depth, found.depth, strict=True)
+        force = np.array([top * share**exponent for top, exponent, _, _ in laws])
+        depth = found.final_depth[:, None] + share * (found.depth - found.final_depth)[:, None]
+        place = depth + compliance * force + found.zero_point.position
+        lines = (
+            (curve.position - found.drift.rate * time, curve.force),
+            (place.ravel(), force.ravel() + found.zero_point.baseline),
+        )
+        outside = [note.assumption.value for note in found.validity if note.standing is Standing.OUTSIDE]
+        words = [*dict.fromkeys(outside), *doubts.get(one.name, ())]
+        yield ThumbnailOf(lines, one.name, "; ".join(words)[:LONGEST_FLAG])
+    for left in outcome.unevaluated:
+        yield ThumbnailOf((), left.name, "no answer", answered=False)
 
 
 def _notes(outcome: NanoindentationOutcome) -> tuple[Note, ...]:

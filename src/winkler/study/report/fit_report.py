@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.fitting.outcome import Fit
+from winkler.fitting.outcome import CreepFit, Fit
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
@@ -15,7 +15,7 @@ from winkler.plot.series import Series, name_in_words
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.readable import with_unit
-from winkler.study.batch.fit_outcome import FitOutcome
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import path_from_study
 from winkler.study.batch.fit_run import measured_curve
 from winkler.study.chapters.contents import formulas_of
@@ -31,6 +31,7 @@ from winkler.study.report.fits.pages import curve_facts, noise_figure
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.study.report.tables import given_rows
+from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 
 __all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps"]
 
@@ -108,6 +109,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> 
         further_section(outcome),
         doubts(outcome),
         failures(outcome),
+        thumbnails_section([_thumbnail(one) for one in outcome.results]),
         section("Figures", parts.figure_elements(shown)) if shown else "",
         curve_facts(outcome, outcome.fitted[0]) if len(outcome.results) == 1 else "",
         _question(outcome),
@@ -118,6 +120,17 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> 
         _made(outcome),
     ]
     return parts.framed(title, outcome.provenance.version, body)
+
+
+def _thumbnail(result: Fitted | Refused) -> ThumbnailOf:
+    """Return what is drawn of a curve: force over position, of bodies that relax force or position over time."""
+    if isinstance(result, Refused):
+        return ThumbnailOf((), result.name, "no answer", answered=False)
+    fit = result.fit
+    along = fit.curve.position if isinstance(fit, Fit) else fit.curve.time
+    measured = fit.curve.position if isinstance(fit, CreepFit) else fit.curve.force
+    flags = ", ".join(flag.name for flag in fit.flags)
+    return ThumbnailOf(((along, measured), (along, fit.predicted)), result.name, flags)
 
 
 def _question(outcome: FitOutcome) -> str:

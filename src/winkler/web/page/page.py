@@ -20,15 +20,23 @@ from winkler.web.form.taken import taken
 from winkler.web.page.astext import AsText
 from winkler.web.page.front import Front
 from winkler.web.page.kept_studies import KeptStudies
+from winkler.web.page.looked_at import LookedAt
 from winkler.web.page.question import Question
 from winkler.web.page.result import Result
 from winkler.web.page.stopping import Stopping
-from winkler.web.pictures.replies import AnswerText, DrawnSheet, File, InteractivePicture, MomentComplete
+from winkler.web.pictures.replies import (
+    AnswerText,
+    DrawnSheet,
+    File,
+    InspectedFile,
+    InteractivePicture,
+    MomentComplete,
+)
 from winkler.web.session.files import Files
 from winkler.web.session.requests import RequestQueue
 from winkler.web.session.solver import Solver, Worker, no_process
 from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder, keep_samples
-from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong
+from winkler.web.session.worker import Done, Export, Inspect, Look, Progress, Solve, Wrong
 
 __all__ = ["Page", "style"]
 
@@ -94,8 +102,9 @@ class Page:
             self.kept = KeptStudies(self.restore, self.begin, self.uploads)
             examples = ui.button("Examples", icon="grid_view", on_click=lambda: self.front.toggle())
             examples.props("flat dense no-caps").props["data-kept"] = "examples"
-            self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export)
-        with ui.element("div").classes("desk"):
+            self.files = Files(self.uploads, self.opened, self.uploaded, self.upload_refused, self.export, self.inspect)
+        self.looked_at = LookedAt(self.take_text)
+        with ui.element("div").classes("desk") as desk:
             with ui.element("section").classes("study-side").props('aria-label="The study"'):
                 ui.html("The study", sanitize=False, tag="h2").classes("spoken")
                 self.question = Question(self.entered)
@@ -104,6 +113,7 @@ class Page:
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
                 self.front: Front = Front(self.entered.load)
                 self.result = self.stopping.result = Result(self.show_moment, self.stopping.by_hand, right)
+        self.files.take_drops(desk)
         self.rebuild()
         ui.timer(0.25, self.stopping.tick)
 
@@ -193,6 +203,11 @@ class Page:
             self.requests.export(lambda number: Export(number, what))
             self.result.state("busy")
 
+    def inspect(self, name: str) -> None:
+        """Request what an uploaded file is taken for."""
+        self.requests.export(lambda number: Inspect(number, name, self.uploads.folder))
+        self.result.state("busy")
+
     # --------------------------------------------------------------------------------- requests and replies
 
     def changed(self) -> None:
@@ -271,6 +286,8 @@ class Page:
                     self.result.show_answer(reply)
                 case DrawnSheet():
                     self.result.sheet(reply)
+                case InspectedFile():
+                    self.looked_at.show(reply)
                 case File():
                     ui.download.content(reply.content, reply.name)
                 case InteractivePicture():

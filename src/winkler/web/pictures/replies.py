@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["AnswerText", "DrawnSheet", "File", "InteractivePicture", "MomentComplete", "NamedNumber"]
+__all__ = ["AnswerText", "DrawnSheet", "File", "InspectedFile", "InteractivePicture", "MomentComplete", "NamedNumber"]
 
 
 class NamedNumber(NamedTuple):
@@ -104,3 +104,24 @@ class File(NamedTuple):
 
     name: str
     content: bytes
+
+
+class InspectedFile(NamedTuple):
+    """What an uploaded file is taken for.
+
+    Parameters
+    ----------
+    name
+        Of the file.
+    html
+        The page that says it.
+    study
+        A study to start from; empty where there is none.
+    shown
+        Whether the form of the app can show that study.
+    """
+
+    name: str
+    html: str
+    study: str
+    shown: bool

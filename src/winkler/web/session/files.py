@@ -23,7 +23,7 @@ EXPORTS = (
     ("report", "Report", "article"),
 )
 """Exports with label and icon."""
-STUDY = "study.toml"
+STUDY, STUDY_ENDING = "study.toml", ".toml"
 PLAIN = "no-thumbnails"
 """Pictures among uploads are not shown: the security policy of the page forbids it, with errors of the browser."""
 
@@ -43,6 +43,8 @@ class Files:
         Called with the reason for refusing data.
     export
         Called with the kind of export.
+    inspect
+        Called with the stored name of a file of which is asked what it is.
     """
 
     def __init__(
@@ -52,8 +54,10 @@ class Files:
         uploaded: Callable[[str], None],
         wrong: Callable[[str], None],
         export: Callable[[str], None],
+        inspect: Callable[[str], None],
     ) -> None:
         self.upload_folder, self.opened, self.uploaded, self.wrong = upload_folder, opened, uploaded, wrong
+        self.inspect = inspect
         studies = ui.upload(on_upload=self._open, on_rejected=_refused, auto_upload=True, max_file_size=LARGEST)
         studies.classes("unseen").props(f'{PLAIN} accept=".toml,.zip"').props["data-upload"] = "study"
         self.uploads = ui.upload(on_upload=self._keep, on_rejected=_refused, auto_upload=True, max_file_size=LARGEST)
@@ -63,11 +67,16 @@ class Files:
         )
         self.curves.classes("unseen").props(PLAIN).props["data-upload"] = "curves"
         self.curves.on("finish", self._curves_kept)
+        self.looked_at = ui.upload(on_upload=self._look, on_rejected=_refused, auto_upload=True, max_file_size=LARGEST)
+        self.looked_at.classes("unseen").props(PLAIN).props["data-upload"] = "look"
         self.refused_curves: list[str] = []
         self.keeping = 0
         with ui.element("nav").classes("files"):
             button = ui.button("Open a study", icon="folder_open").props("flat dense no-caps")
             button.on("click", js_handler=_picker(studies))
+            look = ui.button("What is this file?", icon="find_in_page").props("flat dense no-caps")
+            look.props["data-look"] = "button"
+            look.on("click", js_handler=_picker(self.looked_at))
             for what, label, icon in EXPORTS:
                 take = ui.button(label, icon=icon, on_click=lambda what=what: export(what))
                 take.props("flat dense no-caps").props["data-export"] = what
@@ -96,6 +105,23 @@ class Files:
             self.opened(content.decode("utf-8-sig"))
         except UnicodeDecodeError as error:
             ui.notify(f"{name}: byte {error.start} is not UTF-8; save it as UTF-8 text.", type="negative")
+        except WinklerError as error:
+            ui.notify(str(error), type="negative")
+
+    def take_drops(self, place: ui.element) -> None:
+        """Let files be dropped on an element: they are looked at, and studies opened."""
+        taken = f"getElement({self.looked_at.id}).$refs.qRef.addFiles([...event.dataTransfer.files].slice(0, 1))"
+        place.on("dragover", js_handler="event => event.preventDefault()")
+        place.on("drop", js_handler=f"event => {{ event.preventDefault(); {taken}; }}")
+
+    async def _look(self, event: events.UploadEventArguments) -> None:
+        """Keep a file, and ask what it is; a study is opened."""
+        if event.file.name.lower().endswith(STUDY_ENDING):
+            await self._open(event)
+            return
+        self.looked_at.reset()
+        try:
+            self.inspect(self.upload_folder.keep(event.file.name, await event.file.read()))
         except WinklerError as error:
             ui.notify(str(error), type="negative")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from winkler.web.pictures.replies import File, MomentComplete
+from winkler.web.pictures.replies import File, InspectedFile, MomentComplete
 from winkler.web.session.worker import Done, Progress, Wrong
 
 __all__ = ["RequestQueue"]
@@ -55,7 +55,7 @@ class RequestQueue:
             self._next()
 
     def export(self, request: MakeRequest) -> None:
-        """Request a file."""
+        """Request a file, or what an uploaded one is taken for."""
         self._exports.append(request)
         self._next()
 
@@ -66,7 +66,9 @@ class RequestQueue:
         if isinstance(reply, MomentComplete | Wrong | Done):
             self._is_solving = False
         # sheets follow after the pictures, and a sweep ends for another study
-        if isinstance(reply, MomentComplete | Wrong | Done | File) or (isinstance(reply, Progress) and self._study):
+        if isinstance(reply, MomentComplete | Wrong | Done | File | InspectedFile) or (
+            isinstance(reply, Progress) and self._study
+        ):
             self._is_busy = False
         self._next()
 

@@ -12,7 +12,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from winkler.web.pictures.replies import DrawnSheet, File, MomentComplete
+from winkler.web.pictures.replies import DrawnSheet, File, InspectedFile, MomentComplete
 from winkler.web.session.batch import Progress, fitted_batch
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ __all__ = [
     "Done",
     "Export",
     "Halt",
+    "Inspect",
     "Look",
     "Progress",
     "Solve",
@@ -57,6 +58,14 @@ class Export(NamedTuple):
     number: int
     what: str
     """``csv``, ``netcdf``, ``png`` or ``report``."""
+
+
+class Inspect(NamedTuple):
+    """Request for what an uploaded file is taken for."""
+
+    number: int
+    name: str
+    folder: Path
 
 
 class Wrong(NamedTuple):
@@ -174,6 +183,8 @@ class _WorkerState:
                     yield from self._pictures(request.moment, still=True)
                 case Export():
                     yield self._file(request.what)
+                case Inspect():
+                    yield self._inspected(request)
                 case Halt():
                     self.halted = True
         except StudyReplaced:
@@ -277,6 +288,24 @@ class _WorkerState:
         for count, picture in enumerate(pictures, 1):  # noqa: B007 - their number stays
             yield picture
         yield MomentComplete(count, remark)
+
+    def _inspected(self, request: Inspect) -> InspectedFile:
+        """Return what a file is taken for; of one that cannot be read the reason."""
+        from winkler.errors import WinklerError
+        from winkler.study.inspection.inspect import inspect_file
+        from winkler.study.inspection.inspection import Inspection
+        from winkler.study.inspection.page import inspection_html
+        from winkler.study.inspection.starting import placed_study
+        from winkler.study.language.reading import parsed
+
+        try:
+            found = inspect_file(request.folder / request.name)
+        except WinklerError as error:
+            found = Inspection(request.name, "", str(error))
+        page = inspection_html(found).replace(f"{request.folder}/", "")
+        text = placed_study(found, request.name).replace("STUDY", STUDY)
+        shown = bool(text) and "indentation" not in parsed(text, STUDY)
+        return InspectedFile(request.name, page, text, shown)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput

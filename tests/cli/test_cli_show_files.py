@@ -68,7 +68,7 @@ def test_a_scan(here, capsys):
     ("arguments", "sentence"),
     [
         (["sphere", "--levelled", "median"], "'sphere' is not the path of a file, which has a dot or a slash"),
-        (["nothing.npy"], "nothing.npy: there is no such file in '.'; give the path of a height map."),
+        (["nothing.npy"], "nothing.npy: there is no such file in '.'; give the path of a measured file."),
         (["waves.npy"], "waves.npy: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'."),
         (["waves.npy", "-o", "waves.toml"], "show: 'waves.toml' does not end like a picture; give .svg, .png, .pdf."),
         (["waves.npy", "--lengths", "1 um, 2 um, 3 um"], "--lengths are '1 um, 2 um, 3 um'; give one or two"),
@@ -82,3 +82,48 @@ def test_what_cannot_be_shown(arguments, sentence, here, capsys):
     error = capsys.readouterr().err
     assert sentence in error
     assert error.count("\n") == 1
+
+
+def test_a_curve_with_what_was_done(here, capsys):
+    place = np.linspace(-500.0, 500.0, 300)
+    force = 1e-3 * np.maximum(place, 0.0) ** 1.5 + 0.02 * np.cos(40.0 * place)
+    np.savetxt(
+        "curve.csv", np.column_stack((place, force)), delimiter=",", header="depth [nm], force [nN]", comments=""
+    )
+    assert main(["show", "curve.csv"]) == 0
+    text = capsys.readouterr().out
+    assert "curve.csv: force curve" in text
+    assert "depth from 'depth [nm]', force from 'force [nN]'" in text
+    assert "-500 nm to 500 nm".replace("-", "\u2212") in text
+    assert "baseline before contact" in text
+    assert "--write STUDY.toml" in text
+    assert main(["show", "curve.csv", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["taken_for"] == "force curve"
+    assert [(one["name"], one["unit"], one["count"]) for one in found["columns"]] == [
+        ("position", "m", 300), ("force", "N", 300),
+    ]  # fmt: skip
+    assert main(["show", "curve.csv", "scan.csv", "tilted.txt", "--json"]) == 0
+    several = json.loads(capsys.readouterr().out)
+    assert [one["taken_for"] for one in several["files"]] == ["force curve", "line scan", ""]
+    assert several["not_read"] == 0
+
+
+def test_a_folder_is_a_list_and_makes_one_study(here, capsys):
+    (here / "gel").mkdir()
+    place = np.linspace(-500.0, 500.0, 100)
+    for number in range(3):
+        rows = np.column_stack((place, (1.0 + number) * 1e-3 * np.maximum(place, 0.0) ** 1.5))
+        np.savetxt(f"gel/{number}.csv", rows, delimiter=",", header="depth [nm], force [nN]", comments="")
+    assert main(["show", "gel", "--write", "gel.toml"]) == 0
+    assert "3 files: 3 force curve." in capsys.readouterr().out
+    assert 'curve = "gel"' in (here / "gel.toml").read_text()
+    assert main(["show", "gel", "--unit", "nm"]) == 2
+    assert "several files make a list" in capsys.readouterr().err
+    (here / "empty").mkdir()
+    assert main(["show", "empty"]) == 2
+    assert "the folder holds no files" in capsys.readouterr().err
+    assert main(["show", ".", "--write", "all.toml"]) == 2
+    assert "a study of a folder evaluates curves of one kind, and . holds" in capsys.readouterr().err
+    assert main(["show", "scan.csv", "--write", "study.txt"]) == 2
+    assert "a study ends in .toml" in capsys.readouterr().err

@@ -1,0 +1,296 @@
+"""Find what files are taken for: each is read as what its header names, or by the instrument that wrote it."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import itertools
+import math
+import os
+import time
+from collections.abc import Generator, Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from winkler.errors import InvalidInput, WinklerError
+from winkler.fitting.curves.checks import examined
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.segments import SegmentKind
+from winkler.fitting.nanoindentation.thermal_drift import found_drift
+from winkler.fitting.nanoindentation.zero_point import found_zero_point
+from winkler.io.curves import try_curves
+from winkler.io.foreign import reason_of
+from winkler.io.indenter_file import read_indenter
+from winkler.io.placed_curves import UnreadCurve
+from winkler.io.tables.curve_table import DEPTH, FORCE
+from winkler.io.tables.header import header_lines, names_columns
+from winkler.io.tables.path_table import LATERAL_COLUMNS
+from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
+from winkler.io.text_file import existing
+from winkler.loading import Angle, Torque
+from winkler.profiles.rough.line_scan import LineScan
+from winkler.readable import with_unit
+from winkler.study.batch.pool import Machine, completed
+from winkler.study.inspection.file_kinds import GENERAL, SPECIFIC, HeldTable, TableKind
+from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
+from winkler.study.inspection.logs import log_lines
+from winkler.study.inspection.starting import starting_study
+from winkler.study.inspection.surfaces import SurfaceOptions, read_surface_file
+
+__all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
+
+ANY_COLUMNS = (DEPTH, FORCE)
+"""What a header may name, for messages."""
+SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
+TIPS = {".toml"}
+ARRAYS = {".npy", ".npz"}
+PROFILES = {".prr", ".prw", ".ban", ".whl"}
+SURFACE_KINDS = ("height map", "line scan")
+LEAST_HARDNESS = 10e6
+"""Greatest force over 24.5 squares of the travel [Pa], from which on a test with an unloading is taken for a
+nanoindentation: the hardness by a Berkovich tip."""
+BERKOVICH = 24.5
+TWO_HOLDS = 'two holds, of other width or depth, make a study with kind = "held_contacts" (winkler show held_contacts)'
+MOST_CURVES_COUNTED, LONGEST_COUNT = 10_000, 2.0
+"""Curves of a file that are counted, and time for it [s]."""
+FEWEST_SHARED = 100
+"""Files of a list from which on several processes read them; starting them takes a second or two."""
+LISTED_BYTES = 50_000_000
+"""Greatest file that is read for a list of files."""
+
+
+def inspect_file(
+    path: str | os.PathLike[str], options: SurfaceOptions | None = None, *, brief: bool = False
+) -> Inspection:
+    """Return what a file is taken for.
+
+    Parameters
+    ----------
+    path : str or path
+    options : SurfaceOptions, optional
+        How a map or a scan is read; if given, the file is taken for one of them.
+    brief : bool, optional
+        Whether events, touch and drift are left out, which take most of the time, and only the first curve of a file
+        is read.
+
+    Raises
+    ------
+    InvalidInput
+        If the file does not exist.  One that cannot be read is returned, with the reason.
+    """
+    file = existing(path, "a measured file")
+    given = options if options is not None else SurfaceOptions()
+    if options is None:
+        suffix = file.suffix.lower()
+        if suffix in TIPS:
+            return _tip(file)
+        if suffix in PROFILES:
+            return _by_kind(file, next(one for one in GENERAL if one.study == "cross_profile"), "its ending")
+        found = _as_table_or_curve(file, brief=brief) if suffix not in ARRAYS else []
+        if isinstance(found, Inspection):
+            return found
+        reasons = found
+        if suffix == ".npz" and (
+            load := _tried(file, next(k for k in SPECIFIC if k.study == "surface_load"), "arrays")
+        ):
+            return load
+    else:
+        reasons = []
+    try:
+        read = read_surface_file(file, given)
+    except InvalidInput as error:
+        return Inspection(str(file), "", _reason(file, str(error), reasons))
+    kind = SURFACE_KINDS[isinstance(read.surface, LineScan)]
+    why = "by its columns of places and heights" if kind == "line scan" else "its numbers are a map of heights"
+    columns = columns_of(read.surface)
+    if not isinstance(read.surface, LineScan):
+        rows, wide = read.surface.heights.shape
+        sides = " x ".join(with_unit(float(side), "m", 4) for side in read.surface.lengths)
+        why += f": {rows} x {wide} pixels, {sides}"
+    return _finished(
+        Inspection(str(file), kind, why, 1, columns, read.numbers, (), read.doubts, content=read.statistics),
+        "height_map" if kind == "height map" else "line_scan",
+    )
+
+
+def inspect_files(paths: Sequence[Path], seconds: float) -> Iterator[tuple[int, Inspection]]:
+    """Yield place and inspection of many files, in short, as long as there is time; many are read by all processors.
+
+    Parameters
+    ----------
+    paths : sequence of path
+    seconds : float
+        Time after which no further file is taken [s].
+    """
+    end = time.monotonic() + seconds
+    with contextlib.closing(_all_listed(paths)) as found:
+        for place, inspection in found:
+            yield place, inspection
+            if time.monotonic() > end:
+                return
+
+
+def _all_listed(paths: Sequence[Path]) -> Generator[tuple[int, Inspection], None, None]:
+    """Yield all files: few by this process, many by as many as there are processors."""
+    processors = Machine().processors
+    if len(paths) < FEWEST_SHARED or processors < 2:
+        yield from enumerate(map(_listed, paths))
+    else:
+        yield from completed(_listed, paths, processors)
+
+
+def _listed(path: Path) -> Inspection:
+    """Return the inspection of a file for a list, without its content, which would be sent between processes."""
+    try:
+        size = path.stat().st_size
+        if size > LISTED_BYTES:
+            return Inspection(str(path), "", f"{size / 1e6:.0f} MB, not opened for a list; show it by itself.")
+        return dataclasses.replace(inspect_file(path, brief=True), content=None)
+    except WinklerError as error:
+        return Inspection(str(path), "", str(error).removeprefix(f"{path}: "))
+    except OSError as error:
+        return Inspection(str(path), "", f"it cannot be read ({reason_of(error)}).")
+
+
+def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
+    """Return why a file cannot be read: by its header if that names a kind, else as the reader that lacks least."""
+    named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
+    if not named or (len(named) == 1 and "does not state" in last):
+        return last
+    what, why = named[0]
+    return f"{file}: read as {what}: {why}"
+
+
+def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[str, str]]:
+    """Return a table or a curve; else why it is none, by what was tried."""
+    reasons: list[tuple[str, str]] = []
+    try:
+        head = header_lines(file, ANY_COLUMNS)
+    except InvalidInput:
+        head = []
+    for kind in SPECIFIC:
+        found = _by_header(file, head, kind, reasons)
+        if found is not None:
+            return found
+    curve = _curve(file, brief=brief)
+    if curve.is_read:
+        return curve
+    for kind in GENERAL:
+        found = _by_header(file, head, kind, reasons)
+        if found is not None:
+            return found
+    if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
+        return reasons
+    return [*reasons, ("force curve", curve.reason)]
+
+
+def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple[str, str]]) -> Inspection | None:
+    columns = next((header for header in kind.headers if head and names_columns(file, header, head=head)), None)
+    if columns is None:
+        return None
+    words = [column.word for column in columns]
+    names = f"{', '.join(words[:-1])} and {words[-1]}" if len(words) > 1 else words[0]
+    try:
+        return _by_kind(file, kind, f"its header names {names}")
+    except InvalidInput as error:
+        reasons.append((kind.name, str(error)))
+        return None
+
+
+def _tried(file: Path, kind: TableKind, why: str) -> Inspection | None:
+    with contextlib.suppress(InvalidInput):
+        return _by_kind(file, kind, f"its {why}")
+    return None
+
+
+def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
+    content = kind.read(file)
+    done = (TWO_HOLDS,) if isinstance(content, HeldTable) else log_lines(content)
+    found = Inspection(str(file), kind.name, why, 1, columns_of(content), (), done, content=content)
+    twisted = {column.word for angle in (Angle, Torque) for column in LATERAL_COLUMNS[angle]}
+    study = kind.study
+    if study == "path" and any(word in why for word in twisted):
+        study = "twisted_path"
+    return _finished(found, study)
+
+
+def _tip(file: Path) -> Inspection:
+    try:
+        tip = read_indenter(file)
+    except InvalidInput as error:
+        run = "if it is a study, `winkler run` or `winkler fit` takes it"
+        return Inspection(str(file), "", f"{str(error).rstrip('.')}; {run}.")
+    numbers = ", ".join(f"{one:.4g}" for one in tip.area.coefficients)
+    done = (f"area coefficients {numbers} (SI)", f"frame compliance {with_unit(tip.frame_compliance, 'm/N', 4)}")
+    return _finished(Inspection(str(file), "calibrated indenter", "its key kind", 1, (), (), done, content=tip), "tip")
+
+
+def _curve(file: Path, *, brief: bool) -> Inspection:
+    """Return the first force curve of a file, and how many there are; without one the reason."""
+    begun, count, unread = time.monotonic(), 0, 0
+    first, reason = None, ""
+    for placed in itertools.islice(try_curves(file, rigid=False), 1 if brief else MOST_CURVES_COUNTED):
+        if isinstance(placed, UnreadCurve):
+            unread += 1
+            reason = reason or placed.reason
+        elif first is None:
+            first = placed.curve
+        count += 1
+        if time.monotonic() - begun > LONGEST_COUNT and first is not None:
+            break
+    if first is None:
+        return Inspection(str(file), "", reason or f"{file}: the file holds no curve; give another one.")
+    hard = _is_nanoindentation(first)
+    kind = "nanoindentation" if hard else "force curve"
+    done = () if brief else tuple(_done(first, nano=hard))
+    flags = examined(first) if np.any(first.direction != 0.0) else ()
+    doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
+    if unread:
+        doubts.append(f"{unread} of {count} curves cannot be read; the first: {reason}")
+    found = Inspection(
+        str(file), kind, first.reading, count, _curve_columns(first), (), done, tuple(doubts), content=first
+    )
+    return _finished(found, "nanoindentation" if hard else "force_curve")
+
+
+def _curve_columns(curve: ForceCurve) -> tuple[InspectedColumn, ...]:
+    return tuple(sorted(columns_of(curve), key=lambda one: ("time", "position", "force").index(one.name)))
+
+
+def _is_nanoindentation(curve: ForceCurve) -> bool:
+    travel = float(np.ptp(curve.position))
+    if math.isfinite(curve.machine_stiffness) or not travel > 0.0:
+        return False
+    unloads = any(one.kind is SegmentKind.LAST_UNLOADING for one in curve.segments)
+    return unloads and float(curve.force.max()) > LEAST_HARDNESS * BERKOVICH * travel**2
+
+
+def _done(curve: ForceCurve, *, nano: bool) -> Iterator[str]:
+    """Yield what was done and what happened: segments and events, first touch, drift."""
+    yield from curve.events.lines(curve.time if curve.timed else ())
+    if not nano:
+        return
+    try:
+        touch = found_zero_point(curve)
+    except InvalidInput as error:
+        yield f"first touch: {error}"
+    else:
+        beyond = ", extrapolated: no point was taken before it" if touch.extrapolated else ""
+        scatter = f" ± {with_unit(touch.error, 'm', 2)}" if math.isfinite(touch.error) else ""
+        yield f"first touch at {with_unit(touch.position, 'm', 5)}{scatter}{beyond}"
+    drift = found_drift(curve)
+    if drift.measured:
+        yield f"drift {with_unit(drift.rate, 'm/s', 3)} ± {with_unit(drift.error, 'm/s', 2)}, measured in a hold"
+    else:
+        yield f"drift not measured{f': {drift.doubt}' if drift.doubt else ': no hold in contact at a small force'}"
+
+
+def _finished(found: Inspection, study: str) -> Inspection:
+    """Return an inspection with the doubts of its columns, and its study."""
+    of_columns: list[str] = []
+    if found.taken_for not in SURFACE_KINDS:
+        recorded = isinstance(found.content, ForceCurve)
+        of_columns = [doubt for column in found.columns for doubt in column.doubts(recorded=recorded)]
+    found = dataclasses.replace(found, doubts=(*found.doubts, *of_columns))
+    return dataclasses.replace(found, study=starting_study(found, study))
