@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from winkler.cli.results import batch_json, print_batch
 from winkler.cli.streams import until_closed, write_json
 
 if TYPE_CHECKING:
@@ -106,10 +107,7 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     if outcome.evaluated:
         unloadings = sum(one.solution.force.size for one in outcome.evaluated)
         out.print(f"{len(outcome.evaluated)} curves with {unloadings} unloadings were evaluated.", soft_wrap=True)
-    for name, doubts in outcome.doubts[:MOST_FAILURES]:
-        out.print(f"doubtful: {name}: {' '.join(doubts)}", soft_wrap=True)
-    if len(outcome.doubts) > MOST_FAILURES:
-        out.print(f"and {len(outcome.doubts) - MOST_FAILURES} more with doubts, see quantities.csv.")
+    print_batch(outcome, out, "quantities.csv")
     for one in outcome.unevaluated[:MOST_FAILURES]:
         out.print(f"no answer: {one.name}: {one.reason}", soft_wrap=True)
     if len(outcome.unevaluated) > MOST_FAILURES:
@@ -131,6 +129,7 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
             "frame_compliance_error": one.frame_compliance_error,
             "correlation": one.correlation if math.isfinite(one.correlation) else None,
             "area": list(one.indenter.area.coefficients),
+            "left_out": list(one.left_out),
         }
         for one in outcome.calibration
     ]
@@ -139,6 +138,6 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
     first_yield = None if found is None else {"curves": found.force.size, "mean_stress": found.mean_stress,
                                               "interval": list(found.interval()), "shape": found.shape}  # fmt: skip
     return {"means": means, "first_yield": first_yield, "continuous": [one.name for one in outcome.continuous],
-            "doubts": [{"curve": name, "doubts": list(doubts)} for name, doubts in outcome.doubts],
+            **batch_json(outcome),
             "expect": [verdict_json(verdict) | {"curve": name} for verdict, name in outcome.verdicts],
             "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}  # fmt: skip

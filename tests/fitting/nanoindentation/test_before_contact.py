@@ -10,8 +10,9 @@ import pytest
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
-from winkler.fitting.nanoindentation.standing_out import copies, standing_out
+from winkler.fitting.nanoindentation.repetition import compared_quantities
 from winkler.fitting.nanoindentation.thermal_drift import found_drift
+from winkler.fitting.several.standing_out import copies, standing_out
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.validity import Standing
 
@@ -188,14 +189,14 @@ def test_what_stands_out_is_named_and_copies_are_found():
         )
         for factor, shift in zip(random.normal(1.0, 0.02, 9), random.normal(0.0, 1e-7, 9), strict=True)
     ]
-    assert standing_out(moved) == ("",) * 9
+    assert standing_out(compared_quantities(moved)) == ("",) * 9
     moved[4] = dataclasses.replace(moved[4], young=2.0 * plain.young)
     late = dataclasses.replace(plain.zero_point, position=plain.zero_point.position + 3e-6)
     moved[7] = dataclasses.replace(moved[7], zero_point=late)
-    said = standing_out(moved)
+    said = standing_out(compared_quantities(moved))
     assert [bool(text) for text in said] == [place in (4, 7) for place in range(9)]
     assert "Young's modulus 144 GPa, median 7" in said[4]
     assert "first touch" in said[7]
-    assert copies(moved) == (0,) * 9
+    assert copies(one.problem.curve for one in moved) == (0,) * 9
     other = dataclasses.replace(plain, problem=dataclasses.replace(plain.problem, curve=_test(seed=5)))
-    assert copies([plain, other, plain, other]) == (0, 1, 0, 1)
+    assert copies(one.problem.curve for one in (plain, other, plain, other)) == (0, 1, 0, 1)

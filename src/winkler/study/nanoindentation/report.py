@@ -18,7 +18,7 @@ from winkler.study.nanoindentation.running import Evaluated, NanoindentationOutc
 from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
-from winkler.study.report.tables import expected_section
+from winkler.study.report.tables import batch_section, expected_section
 from winkler.validity import Note
 
 __all__ = ["calibration_rows", "figures_of", "first_yield_rows", "mean_rows", "page"]
@@ -96,6 +96,7 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         f"<header><h1>{title}</h1>{line}</header>",
         *_calibration(outcome),
         *_measurement(outcome),
+        batch_section("All curves", outcome.batch, outcome.doubts, "quantities.csv"),
         *_continuous(outcome),
         *_first_yield(outcome),
         expected_section(outcome.verdicts),
@@ -160,7 +161,7 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
                   table(["quantity", "#mean", "#standard uncertainty", "#95 % interval"], rows))  # fmt: skip
     means = outcome.means
     shares = [
-        _row((source, *(f"{100.0 * float(mean.shares[place]) / mean.mean:.2g} %" for mean in means.values())))
+        _row((source, *(_share(float(mean.shares[place]) / mean.mean) for mean in means.values())))
         for place, source in enumerate(means["young"].sources)
     ]
     lead = "<p>Standard uncertainties of the means, in parts of them; their squares add (GUM).</p>"
@@ -169,6 +170,10 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
     )  # fmt: skip
     yield section("Shares of the uncertainty", lead, calibrated, table(["source", "#of E", "#of H"], shares))
     yield section("Quantities of ISO 14577", ISO_TEXT, *_iso_tables(outcome.evaluated[:MOST_ROWS]), _rest(outcome))
+
+
+def _share(share: float) -> str:
+    return f"{100.0 * share:.2g} %" if share > 0.0 else "-"
 
 
 def _iso_tables(shown: Sequence[Evaluated]) -> Iterator[str]:
@@ -245,7 +250,8 @@ def _first_yield(outcome: NanoindentationOutcome) -> Iterator[str]:
 
 
 def _with_error(content: float, error: float, unit: str) -> str:
-    return f"{with_unit(float(content), unit, 4)} ({with_unit(float(error), unit, 2)})"
+    stated = "unknown" if math.isnan(error) else with_unit(float(error), unit, 2)
+    return f"{with_unit(float(content), unit, 4)} ({stated})"
 
 
 def _failures(outcome: NanoindentationOutcome) -> str:

@@ -19,11 +19,11 @@ from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibra
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
-from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
+from winkler.fitting.nanoindentation.repetition import RepeatedMean, compared_quantities, repeated_mean
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
-from winkler.fitting.nanoindentation.standing_out import copies, standing_out
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
+from winkler.fitting.several.standing_out import BatchQuantity, copies, doubts_of_batch
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.placed_curves import PlacedCurve
 from winkler.study.batch.outcome import ComparedNumber, Provenance
@@ -87,22 +87,30 @@ class NanoindentationOutcome:
         return verdicts_of(self.study.expect, found)
 
     @functools.cached_property
+    def _first(self) -> tuple[int, ...]:
+        return copies(one.solution.problem.curve for one in self.evaluated)
+
+    @property
+    def independent(self) -> tuple[Evaluated, ...]:
+        """The evaluated curves, of copies the first."""
+        return tuple(self.evaluated[place] for place in dict.fromkeys(self._first))
+
+    @functools.cached_property
+    def batch(self) -> tuple[BatchQuantity, ...]:
+        """Modulus, hardness, depth at the peak, touch and noise of the independent curves."""
+        return compared_quantities([one.solution for one in self.independent])
+
+    @functools.cached_property
     def doubts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """Names of the curves with doubts, and these: of each alone, and what sets it apart from the others."""
-        solutions = [one.solution for one in self.evaluated]
-        apart, first = standing_out(solutions), copies(solutions)
-        found = []
-        for place, one in enumerate(self.evaluated):
-            same = f"Copy: the data of {self.evaluated[first[place]].name}, left out of the means."
-            doubts = (*one.solution.doubts, *(text for text in (apart[place], same * (first[place] < place)) if text))
-            found.append((one.name, doubts))
+        apart = doubts_of_batch([one.name for one in self.evaluated], self._first, self.batch)
+        found = [(one.name, (*one.solution.doubts, *more)) for one, more in zip(self.evaluated, apart, strict=True)]
         return tuple((name, doubts) for name, doubts in found if doubts)
 
     @property
     def means(self) -> dict[str, RepeatedMean]:
         """Means of Young's modulus and hardness over the curves; of copies one counts."""
-        every = [one.solution for one in self.evaluated]
-        solutions = [every[place] for place in dict.fromkeys(copies(every))]
+        solutions = [one.solution for one in self.independent]
         return {name: repeated_mean(solutions, name) for name in ("young", "hardness")} if solutions else {}
 
 
