@@ -79,7 +79,13 @@ def evaluate(
 def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
-    from winkler.study.nanoindentation.report import calibration_rows, first_yield_rows, mean_rows
+    from winkler.study.nanoindentation.report import (
+        CONTINUOUS_HEADS,
+        calibration_rows,
+        continuous_rows,
+        first_yield_rows,
+        mean_rows,
+    )
     from winkler.validity import Standing
 
     out = terminal.console()
@@ -88,11 +94,12 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         table = terminal.table("number", "value", "standard uncertainty")
         for row in calibration_rows(outcome):
             table.add_row(*row)
-    else:
+    elif outcome.evaluated:
         table = terminal.table("quantity", "mean", "standard uncertainty", "95 % interval")
         for line in mean_rows(outcome):
             table.add_row(*line)
-    out.print(table)
+    if outcome.calibration or outcome.evaluated:
+        out.print(table)
     for note in (note for item in outcome.calibration for note in item.validity):
         if note.standing is Standing.APPROXIMATE:
             out.print(note.statement, soft_wrap=True)
@@ -102,6 +109,10 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         verdicts, names = zip(*outcome.verdicts, strict=True)
         out.print(verdict_table(verdicts, names))
     if outcome.continuous:
+        table = terminal.table(*CONTINUOUS_HEADS)
+        for one in continuous_rows(outcome):
+            table.add_row(*one)
+        out.print(table)
         depths = sum(one.solution.points.size for one in outcome.continuous)
         out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)
     if outcome.evaluated:
@@ -137,7 +148,16 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
     found = outcome.first_yield
     first_yield = None if found is None else {"curves": found.force.size, "mean_stress": found.mean_stress,
                                               "interval": list(found.interval()), "shape": found.shape}  # fmt: skip
-    return {"means": means, "first_yield": first_yield, "continuous": [one.name for one in outcome.continuous],
+    continuous = [
+        {"curve": one.name, "depths": list(one.window), **one.mean._asdict(),
+         "stated_young": _known(one.stated[0]), "stated_hardness": _known(one.stated[1])}
+        for one in outcome.continuous
+    ]  # fmt: skip
+    return {"means": means, "first_yield": first_yield, "continuous": continuous,
             **batch_json(outcome),
             "expect": [verdict_json(verdict) | {"curve": name} for verdict, name in outcome.verdicts],
             "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}  # fmt: skip
+
+
+def _known(number: float) -> float | None:
+    return number if math.isfinite(number) else None

@@ -109,7 +109,7 @@ def calibrate_indenter(
             return dataclasses.replace(found, left_out=tuple(left_out))
         left_out.append(
             f"{kept[farthest][0].name}: the compliance of its contacts stands out of the others, {far:.2g} times as "
-            "far as one in a hundred batches does."
+            "far as the limit."
         )
         del kept[farthest]
         most -= 1

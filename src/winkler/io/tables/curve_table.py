@@ -34,6 +34,7 @@ from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
+from winkler.io.tables.result_columns import table_results
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.table_makers import maker_in
@@ -140,6 +141,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     parts = parts_of_tests(position, force, found.get("time", none), table.lines)
     _refuse_unparted(path, table, parts, place)
     where = place_in(stated, path)
+    results = table_results(path, place, head, given) if measured and len(parts) == 1 else None
     curves = []
     for number, part in enumerate(parts, start=1):
         name = Path(path).name if len(parts) == 1 else f"{Path(path).name}, test {number}"
@@ -163,9 +165,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
             )
             reading = f"{maker_in(stated)}: " + "; ".join(fact for fact in facts if fact)
             directed = directions(at, load_at, segment)
-            curves.append(
-                PlacedCurve(ForceCurve(at, load_at, machine, time, directed, name, reading=reading), *where, continuous)
-            )
+            curve = ForceCurve(at, load_at, machine, time, directed, name, reading=reading)
+            curves.append(PlacedCurve(curve, *where, continuous, results))
     return curves
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, WinklerError
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
@@ -36,6 +37,9 @@ from winkler.study.nanoindentation.reading import NanoindentationStudy
 from winkler.values import value
 
 __all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
+
+
+UNLOADINGS = (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)
 
 
 @value
@@ -104,8 +108,11 @@ class NanoindentationOutcome:
     def doubts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """Names of the curves with doubts, and these: of each alone, and what sets it apart from the others."""
         apart = doubts_of_batch([one.name for one in self.evaluated], self._first, self.batch)
-        found = [(one.name, (*one.solution.doubts, *more)) for one, more in zip(self.evaluated, apart, strict=True)]
-        return tuple((name, doubts) for name, doubts in found if doubts)
+        found: dict[str, tuple[str, ...]] = {}
+        own = [(one.name, (*one.solution.doubts, *more)) for one, more in zip(self.evaluated, apart, strict=True)]
+        for name, doubts in (*own, *((one.name, one.doubts) for one in self.continuous)):
+            found[name] = (*found.get(name, ()), *doubts)
+        return tuple((name, doubts) for name, doubts in found.items() if doubts)
 
     @property
     def means(self) -> dict[str, RepeatedMean]:
@@ -140,9 +147,11 @@ def _both(
     found = _evaluated(study, placed.curve, name)
     if placed.continuous is None:
         return (found,)
-    unloadings = found.solution if isinstance(found, Evaluated) else None
-    over_depth = evaluated_continuously(study, placed.continuous, name, unloadings)
-    return found, Unevaluated(name, over_depth, InvalidInput.exit_code) if isinstance(over_depth, str) else over_depth
+    over_depth = evaluated_continuously(study, placed, name, found.solution if isinstance(found, Evaluated) else None)
+    if isinstance(over_depth, str):
+        return found, Unevaluated(name, over_depth, InvalidInput.exit_code)
+    unloads = any(part.kind in UNLOADINGS for part in placed.curve.segments)
+    return (found, over_depth) if unloads or isinstance(found, Evaluated) else (over_depth,)
 
 
 def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Evaluated | Unevaluated:
