@@ -117,7 +117,7 @@ def test_continuous_stiffness_of_a_file(tmp_path, capsys):
             for row in rows
             if row["curve"] == one["curve"] and 75e-9 <= float(row["depth [m]"]) <= 125e-9
         ]
-        assert one["count"] == len(inside) > 20
+        assert one["points"] == len(inside) > 20
         assert one["young"] == pytest.approx(np.mean(inside), rel=1e-12)
         assert one["young_scatter"] == pytest.approx(np.std(inside, ddof=1), rel=1e-9)
         assert one["young"] == pytest.approx(200e9, abs=4.0 * one["young_scatter"] / math.sqrt(len(inside)))

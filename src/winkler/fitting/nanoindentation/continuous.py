@@ -185,7 +185,7 @@ class WindowMean(NamedTuple):
 
     Parameters
     ----------
-    count : int
+    points : int
         Number of points.
     young, young_scatter, young_error : float
         Mean, standard deviation of the points, and standard uncertainty by what all depths share [Pa].
@@ -193,7 +193,7 @@ class WindowMean(NamedTuple):
         The same of the hardness [Pa].
     """
 
-    count: int
+    points: int
     young: float
     young_scatter: float
     young_error: float

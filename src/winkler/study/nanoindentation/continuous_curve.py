@@ -64,7 +64,7 @@ class EvaluatedContinuously:
             ("H", mean.hardness, mean.hardness_error, mean.hardness_scatter),
         )
         for (word, number, error, scatter), theirs in zip(ours, self.stated, strict=True):
-            whole = math.hypot(error, scatter / math.sqrt(mean.count))
+            whole = math.hypot(error, scatter / math.sqrt(mean.points))
             if abs(number - theirs) > MOST_ERRORS * whole:
                 texts = [with_unit(one, "Pa", 3) for one in (theirs, number, whole)]
                 found.append(f"{word} {texts[0]}, here {texts[1]}, uncertain by {texts[2]}")
