@@ -110,8 +110,8 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         out.print(verdict_table(verdicts, names))
     if outcome.continuous:
         table = terminal.table(*CONTINUOUS_HEADS)
-        for one in continuous_rows(outcome):
-            table.add_row(*one)
+        for cells in continuous_rows(outcome):
+            table.add_row(*cells)
         out.print(table)
         depths = sum(one.solution.points.size for one in outcome.continuous)
         out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)
