@@ -122,7 +122,7 @@ def _moduli(path):
 
 def _scan(path):
     found = read_scan(path)
-    return np.arange(found.heights.size) * found.spacing, found.heights
+    return found.position, found.heights
 
 
 READERS = {
