@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
-from winkler.io.stated_results import StatedResults
+from winkler.io.continuous_loading import StatedResults
 from winkler.values import value
 
 __all__ = ["PlacedCurve", "UnreadCurve"]

@@ -9,7 +9,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.io.continuous_loading import loading_stiffness, stiffness_fact
+from winkler.io.continuous_loading import (
+    HARDNESS_NAMES,
+    YOUNG_NAMES,
+    StatedResults,
+    loading_stiffness,
+    stated_results,
+    stiffness_fact,
+)
 from winkler.io.curve_columns import (
     DEPTH_NAMES,
     FORCE_NAMES,
@@ -21,7 +28,6 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve
-from winkler.io.stated_results import HARDNESS_NAMES, YOUNG_NAMES, StatedResults, stated_results
 from winkler.io.swapped_columns import swap_note
 from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
