@@ -58,11 +58,11 @@ VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", 
 TIME = Column("time", TIME_NAMES, "s")
 STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
-RESULTS = (Column("modulus", YOUNG_NAMES, "Pa", "GPa"), Column("hardness", HARDNESS_NAMES, "Pa", "GPa"))
 NOTHING = GivenFacts()
 SPRING_CONSTANT_LINE = re.compile(
     r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
 )
+RESULTS = (Column("modulus", YOUNG_NAMES, "Pa", "GPa"), Column("hardness", HARDNESS_NAMES, "Pa", "GPa"))
 
 
 def is_curve_table(path: str | os.PathLike[str]) -> bool:
