@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet, Settings
-from winkler.cli.results import resumed, write_outcome_json
+from winkler.cli.results import batch_json, print_batch, resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
 if TYPE_CHECKING:
@@ -196,6 +196,7 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
         for flag in result.fit.flags:
             where = f"{result.name}, " if len(outcome.results) > 1 else ""
             out.print(f"  {where}{flag}", soft_wrap=True)
+    print_batch(outcome, out, "fit.csv")
     terminal.notes(outcome, out)
     if outcome.refused:
         first = outcome.refused[0]
@@ -266,5 +267,6 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
         ],
         "failed": [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.refused],
         "left": outcome.left,
+        **batch_json(outcome),
     }
     write_outcome_json(outcome, folder, "columns", more)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from winkler.cli.results import batch_json, print_batch
 from winkler.cli.streams import until_closed, write_json
 
 if TYPE_CHECKING:
@@ -78,7 +79,13 @@ def evaluate(
 def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
-    from winkler.study.nanoindentation.report import calibration_rows, first_yield_rows, mean_rows
+    from winkler.study.nanoindentation.report import (
+        CONTINUOUS_HEADS,
+        calibration_rows,
+        continuous_rows,
+        first_yield_rows,
+        mean_rows,
+    )
     from winkler.validity import Standing
 
     out = terminal.console()
@@ -87,11 +94,12 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         table = terminal.table("number", "value", "standard uncertainty")
         for row in calibration_rows(outcome):
             table.add_row(*row)
-    else:
+    elif outcome.evaluated:
         table = terminal.table("quantity", "mean", "standard uncertainty", "95 % interval")
         for line in mean_rows(outcome):
             table.add_row(*line)
-    out.print(table)
+    if outcome.calibration or outcome.evaluated:
+        out.print(table)
     for note in (note for item in outcome.calibration for note in item.validity):
         if note.standing is Standing.APPROXIMATE:
             out.print(note.statement, soft_wrap=True)
@@ -101,15 +109,16 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         verdicts, names = zip(*outcome.verdicts, strict=True)
         out.print(verdict_table(verdicts, names))
     if outcome.continuous:
+        table = terminal.table(*CONTINUOUS_HEADS)
+        for cells in continuous_rows(outcome):
+            table.add_row(*cells)
+        out.print(table)
         depths = sum(one.solution.points.size for one in outcome.continuous)
         out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)
     if outcome.evaluated:
         unloadings = sum(one.solution.force.size for one in outcome.evaluated)
         out.print(f"{len(outcome.evaluated)} curves with {unloadings} unloadings were evaluated.", soft_wrap=True)
-    for name, doubts in outcome.doubts[:MOST_FAILURES]:
-        out.print(f"doubtful: {name}: {' '.join(doubts)}", soft_wrap=True)
-    if len(outcome.doubts) > MOST_FAILURES:
-        out.print(f"and {len(outcome.doubts) - MOST_FAILURES} more with doubts, see quantities.csv.")
+    print_batch(outcome, out, "quantities.csv")
     for one in outcome.unevaluated[:MOST_FAILURES]:
         out.print(f"no answer: {one.name}: {one.reason}", soft_wrap=True)
     if len(outcome.unevaluated) > MOST_FAILURES:
@@ -131,6 +140,7 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
             "frame_compliance_error": one.frame_compliance_error,
             "correlation": one.correlation if math.isfinite(one.correlation) else None,
             "area": list(one.indenter.area.coefficients),
+            "left_out": list(one.left_out),
         }
         for one in outcome.calibration
     ]
@@ -138,7 +148,16 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
     found = outcome.first_yield
     first_yield = None if found is None else {"curves": found.force.size, "mean_stress": found.mean_stress,
                                               "interval": list(found.interval()), "shape": found.shape}  # fmt: skip
-    return {"means": means, "first_yield": first_yield, "continuous": [one.name for one in outcome.continuous],
-            "doubts": [{"curve": name, "doubts": list(doubts)} for name, doubts in outcome.doubts],
+    continuous = [
+        {"curve": one.name, "depths": list(one.window), **one.mean._asdict(),
+         "stated_young": _known(one.stated[0]), "stated_hardness": _known(one.stated[1])}
+        for one in outcome.continuous
+    ]  # fmt: skip
+    return {"means": means, "first_yield": first_yield, "continuous": continuous,
+            **batch_json(outcome),
             "expect": [verdict_json(verdict) | {"curve": name} for verdict, name in outcome.verdicts],
             "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}  # fmt: skip
+
+
+def _known(number: float) -> float | None:
+    return number if math.isfinite(number) else None

@@ -17,8 +17,12 @@ if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.outcome import Outcome
+    from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-__all__ = ["resumed", "write_outcome_json"]
+__all__ = ["batch_json", "print_batch", "resumed", "write_outcome_json"]
+
+MOST_DOUBTFUL = 5
+"""Curves with doubts that are printed; the table of curves holds all."""
 
 
 @contextlib.contextmanager
@@ -132,3 +136,39 @@ def write_outcome_json(outcome: Outcome | FitOutcome, folder: Path | None, colum
             ],
         }
     )
+
+
+def print_batch(outcome: FitOutcome | NanoindentationOutcome, out: Any, file: str) -> None:
+    """Print median and scatter of the curves of a batch, and which of them are doubtful.
+
+    Parameters
+    ----------
+    outcome
+        With several curves.
+    out
+        Console.
+    file
+        Name of the table that holds all curves.
+    """
+    from winkler.cli import terminal
+    from winkler.fitting.several.standing_out import LEAST_STATED
+
+    if len(outcome.independent) >= LEAST_STATED:
+        table = terminal.table(f"of {len(outcome.independent)} curves", "median", "MAD")
+        for one in outcome.batch:
+            table.add_row(one.name, one.text(one.median, 4), one.text(one.deviation, 2))
+        out.print(table)
+    for name, doubts in outcome.doubts[:MOST_DOUBTFUL]:
+        out.print(f"doubtful: {name}: {' '.join(doubts)}", soft_wrap=True)
+    if len(outcome.doubts) > MOST_DOUBTFUL:
+        out.print(f"and {len(outcome.doubts) - MOST_DOUBTFUL} more with doubts, see {file}.")
+
+
+def batch_json(outcome: FitOutcome | NanoindentationOutcome) -> dict[str, Any]:
+    """Return median and scatter of the curves of a batch, and which of them are doubtful, for JSON."""
+    return {
+        "batch": [
+            {"name": one.name, "unit": one.unit, "median": one.median, "mad": one.deviation} for one in outcome.batch
+        ],
+        "doubts": [{"curve": name, "doubts": list(doubts)} for name, doubts in outcome.doubts],
+    }

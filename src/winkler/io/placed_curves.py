@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
+from winkler.io.continuous_loading import StatedResults
 from winkler.values import value
 
 __all__ = ["PlacedCurve", "UnreadCurve"]
@@ -20,12 +21,15 @@ class PlacedCurve:
         Place on the sample [m]; nan where the file does not state it.
     continuous : ContinuousStiffness, optional
         The stiffness that was measured during the loading; None where the file has no such column.
+    stated : StatedResults, optional
+        Modulus and hardness that the instrument computed itself; None where the file has no such column.
     """
 
     curve: ForceCurve
     x: float
     y: float
     continuous: ContinuousStiffness | None = None
+    stated: StatedResults | None = None
 
 
 @value

@@ -6,12 +6,14 @@ import dataclasses
 
 import numpy as np
 import pytest
+from nano_worlds import SILICA, Machine, indentation
 
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
-from winkler.fitting.nanoindentation.standing_out import copies, standing_out
+from winkler.fitting.nanoindentation.repetition import compared_quantities
 from winkler.fitting.nanoindentation.thermal_drift import found_drift
+from winkler.fitting.several.standing_out import copies, standing_out
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.validity import Standing
 
@@ -188,14 +190,54 @@ def test_what_stands_out_is_named_and_copies_are_found():
         )
         for factor, shift in zip(random.normal(1.0, 0.02, 9), random.normal(0.0, 1e-7, 9), strict=True)
     ]
-    assert standing_out(moved) == ("",) * 9
+    assert standing_out(compared_quantities(moved)) == ("",) * 9
     moved[4] = dataclasses.replace(moved[4], young=2.0 * plain.young)
     late = dataclasses.replace(plain.zero_point, position=plain.zero_point.position + 3e-6)
     moved[7] = dataclasses.replace(moved[7], zero_point=late)
-    said = standing_out(moved)
+    said = standing_out(compared_quantities(moved))
     assert [bool(text) for text in said] == [place in (4, 7) for place in range(9)]
     assert "Young's modulus 144 GPa, median 7" in said[4]
     assert "first touch" in said[7]
-    assert copies(moved) == (0,) * 9
+    assert copies(one.problem.curve for one in moved) == (0,) * 9
     other = dataclasses.replace(plain, problem=dataclasses.replace(plain.problem, curve=_test(seed=5)))
-    assert copies([plain, other, plain, other]) == (0, 1, 0, 1)
+    assert copies(one.problem.curve for one in (plain, other, plain, other)) == (0, 1, 0, 1)
+
+
+def _rough_start(seed):
+    """A world with frame, drift, creep and slow noise, after air of 50 nm to 3 um; a fourth is lifted off first.
+
+    A fourth presses dust of 0.1 to 0.3 mN before the sample.
+    """
+    random = np.random.default_rng(1000 + seed)
+    machine = Machine(rate=8.0)
+    curve, truth = indentation(machine, SILICA, seed, levels=2, leg=12.0, hold=8.0, low_hold=30.0)
+    gap = float(np.exp(random.uniform(np.log(50e-9), np.log(3e-6))))
+    steps = np.arange(-gap, 0.0, max(2e-9, gap / 200))
+    lift = np.zeros(0)
+    force = np.zeros(steps.size)
+    if seed % 4 == 3:
+        force = random.uniform(1e-4, 3e-4) * (np.arange(steps.size) / steps.size) ** 0.7
+    elif seed % 2:
+        lift = -30e-9 * np.sin(np.linspace(0.0, np.pi, 24)) - gap
+    ahead = np.r_[lift, steps] + float(curve.position[0])
+    before = np.r_[np.full(lift.size, -5e-6), force]
+    offset = float(force[-1]) if seed % 4 == 3 else 0.0
+    noise = random.standard_normal((2, ahead.size))
+    position = np.r_[ahead + machine.depth_noise * noise[0], curve.position]
+    force = np.r_[before + machine.force_noise * noise[1], np.maximum(curve.force, -1e-6) + offset]
+    return ForceCurve(position, force, time=np.arange(position.size) / machine.rate), truth, seed % 4 == 3
+
+
+@pytest.mark.long
+def test_intervals_hold_whatever_comes_before_the_contact():
+    """Of 24 worlds at most three intervals of E and of H miss the truth; a test on dust is doubted, or held."""
+    machine = Machine(rate=8.0)
+    indenter = CalibratedIndenter(CalibratedArea(machine.coefficients), machine.compliance)
+    missed = {"young": 0, "hardness": 0}
+    for seed in range(24):
+        curve, truth, dusty = _rough_start(seed)
+        found = Nanoindentation(curve, indenter, SILICA.poisson).solve()
+        for name, true in (("young", SILICA.young), ("hardness", float(truth.hardness[-1]))):
+            low, high = (float(end[found.deepest]) for end in found.interval(name))
+            missed[name] += not (low < true < high) and not (dusty and found.doubts)
+    assert max(missed.values()) <= 3, missed

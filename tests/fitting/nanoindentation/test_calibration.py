@@ -75,6 +75,35 @@ def test_intervals_of_the_calibration_hold():
     assert np.all(np.abs(np.median(each, axis=0)) < 1.0)  # of four: the median scatters by half a standard uncertainty
 
 
+@pytest.mark.slow
+def test_a_curve_that_stands_out_is_left_out_of_the_calibration():
+    """One of six curves is of another glass, 60 GPa; the calibration is that of the other five."""
+    machine = Machine(rate=8.0)
+    short = {"levels": 2, "hold": 2.0, "leg": 8.0, "low_hold": 0.0}
+    given = curves(machine, 3, 4, 1, **short)
+    known = {"terms": 2, "frame_compliance": machine.compliance}
+    clean = calibrate_indenter(given, **known)
+    assert clean.left_out == ()
+    soft = dataclasses.replace(SILICA, young=60e9, hardness=7e9)
+    wrong = indentation(machine, soft, 999, peak=50e-3, **short)[0]
+    found = calibrate_indenter([*given[:2], (wrong, GLASS), *given[2:]], **known)
+    assert len(found.left_out) == 1
+    assert found.left_out[0].startswith("seed 999: the compliance of its contacts stands out")
+    assert found.indenter.area.coefficients == pytest.approx(clean.indenter.area.coefficients, rel=1e-9)
+    assert any(note.statement == f"Left out: {found.left_out[0]}" for note in found.validity)
+
+
+@pytest.mark.slow
+def test_copies_count_once_in_a_calibration():
+    """The same curve three times made the errors of frame and area too small."""
+    given = curves(Machine(rate=8.0), 4, 1, 1, levels=2, hold=2.0, leg=8.0, low_hold=0.0)
+    known = {"terms": 2, "frame_compliance": Machine().compliance}
+    alone = calibrate_indenter(given, **known)
+    found = calibrate_indenter([*given, given[0], given[0]], **known)
+    assert np.array_equal(found.indenter.covariance, alone.indenter.covariance)
+    assert found.left_out == ("seed 400: the data of seed 400, counted once.",) * 2
+
+
 def test_calibrations_that_are_refused():
     with pytest.raises(InvalidInput, match="terms is 9"):
         calibrate_indenter([], terms=9)

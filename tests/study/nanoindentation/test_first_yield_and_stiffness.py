@@ -85,21 +85,76 @@ def test_first_yield_of_a_batch(tmp_path, capsys):
     assert len(rows_of(out / "first_yield.csv")) == 3
 
 
-def test_continuous_stiffness_of_a_file(tmp_path):
-    """H = 5 GPa and E = 200 GPa at every depth of a sharp tip; the file has no unloading, which is named."""
-    (tmp_path / "curves").mkdir()
-    contact = np.linspace(30e-9, 500e-9, 200)
+def continuous(path, seed=0, noise=0.0, stated=1.0):
+    """H = 5 GPa and E = 200 GPa at every depth of a sharp tip; the instrument states E times a factor."""
+    contact = np.linspace(30e-9, 500e-9, 400)
     area = 24.5 * contact**2
-    force, stiffness = 5e9 * area, 2.0 * MODULUS * np.sqrt(area / math.pi)
+    random = np.random.default_rng(seed)
+    force = 5e9 * area
+    stiffness = 2.0 * MODULUS * np.sqrt(area / math.pi)
     depth = contact + 0.75 * force / stiffness
-    heads = ("depth [nm]", "force [mN]", "time [s]", "stiffness [N/m]")
-    table(tmp_path / "curves" / "c.csv", heads, depth * 1e9, force * 1e3, np.arange(200.0), stiffness)
+    stiffness = stiffness * (1.0 + noise * random.standard_normal(400))
+    heads = ("depth [nm]", "force [mN]", "time [s]", "stiffness [N/m]", "Modulus [GPa]", "Hardness [GPa]")
+    own = np.full(400, 200.0 * stated), np.full(400, 5.0)
+    table(path, heads, depth * 1e9, force * 1e3, np.arange(400.0), stiffness, *own)
+
+
+def test_continuous_stiffness_of_a_file(tmp_path, capsys):
+    """A file without an unloading is evaluated, at every depth and as the mean over a window."""
+    (tmp_path / "curves").mkdir()
+    for seed in range(3):
+        continuous(tmp_path / "curves" / f"c{seed}.csv", seed, 0.01)
     out = tmp_path / "out"
-    assert main(["fit", study(tmp_path), "--output", str(out), "--quiet"]) == 2
+    path = study(tmp_path, 'depths = ["75 nm", "125 nm"]\nstiffness_error = 0.005\n')
+    assert main(["fit", path, "--output", str(out), "--json"]) == 0
     rows = rows_of(out / "continuous.csv")
-    assert len(rows) >= 199
-    assert [float(row["young [Pa]"]) for row in rows] == pytest.approx([200e9] * len(rows), rel=1e-4)
-    assert [float(row["hardness [Pa]"]) for row in rows] == pytest.approx([5e9] * len(rows), rel=1e-4)
+    assert len(rows) >= 1190
+    found = json.loads(capsys.readouterr().out)
+    assert found["failed"] == []
+    for one in found["continuous"]:
+        inside = [
+            float(row["young [Pa]"])
+            for row in rows
+            if row["curve"] == one["curve"] and 75e-9 <= float(row["depth [m]"]) <= 125e-9
+        ]
+        assert one["points"] == len(inside) > 20
+        assert one["young"] == pytest.approx(np.mean(inside), rel=1e-12)
+        assert one["young_scatter"] == pytest.approx(np.std(inside, ddof=1), rel=1e-9)
+        assert one["young"] == pytest.approx(200e9, abs=4.0 * one["young_scatter"] / math.sqrt(len(inside)))
+        assert one["hardness"] == pytest.approx(5e9, rel=0.01)
+        assert one["stated_young"] == pytest.approx(200e9)
+    assert found["doubts"] == []
+    assert main(["fit", path, "--output", str(tmp_path / "again")]) == 0
+    said = capsys.readouterr().out
+    assert "75 nm ... 125 nm" in said
+    assert "mean of 3 curves" in said
+
+
+def test_an_instrument_that_says_something_else_is_a_doubt(tmp_path, capsys):
+    """Its own E of 220 GPa is no part of what is evaluated, and stands beside it."""
+    (tmp_path / "curves").mkdir()
+    continuous(tmp_path / "curves" / "c.csv", 1, 0.01, stated=1.1)
+    assert main(["fit", study(tmp_path), "--output", str(tmp_path / "out"), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["continuous"][0]["stated_young"] == pytest.approx(220e9)
+    assert found["continuous"][0]["young"] == pytest.approx(200e9, rel=0.003)
+    (doubt,) = found["doubts"][0]["doubts"]
+    assert "E 220 GPa, here 200 GPa" in doubt.replace("201 GPa", "200 GPa")
+    assert "H" not in doubt.partition("compare")[0].replace("here", "")
+
+
+def test_a_given_touch_moves_continuous_depths(tmp_path):
+    """Depths that begin 40 nm early are corrected by contact_point, also without an unloading."""
+    (tmp_path / "curves").mkdir()
+    continuous(tmp_path / "curves" / "c.csv")
+    text = (tmp_path / "curves" / "c.csv").read_text(encoding="utf-8").splitlines()
+    cells = [line.split(",") for line in text[1:]]
+    moved = [",".join([f"{float(first) + 40.0:.9g}", *rest]) for first, *rest in cells]
+    (tmp_path / "curves" / "c.csv").write_text("\n".join([text[0], *moved]), encoding="utf-8")
+    path = study(tmp_path, 'contact_point = "40 nm"\ncontact_point_error = "1 nm"\n')
+    assert main(["fit", path, "--output", str(tmp_path / "out"), "--quiet"]) == 0
+    young = [float(row["young [Pa]"]) for row in rows_of(tmp_path / "out" / "continuous.csv")]
+    assert young == pytest.approx([200e9] * len(young), rel=1e-4)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT of a process alone there")
@@ -142,6 +197,8 @@ def test_show_and_validate_know_the_sections(tmp_path, capsys):
         ("pop_ins = true\n", "belong together"),
         ('tip_radius = "1 um"\n', "belong together"),
         ("pop_ins = 1\n", "give true or false"),
+        ('depths = ["85 nm", "75 nm"]\n', "give the lesser depth first"),
+        ('depths = "80 nm"\n', "give two depths, such as"),
         ('pop_ins = true\ntip_radius = "-1 um"\n', "must be positive"),
     ],
 )

@@ -14,6 +14,10 @@ compliance and coefficients are middles of central intervals of 95 % over all fr
 by the probability of the readings, averaged over all coefficients that are not negative; their covariance has the
 widths of these intervals, and contains how coefficients differ.
 
+Of identical data one curve counts.  A curve whose mean residual stands out of those of the others
+(`winkler.fitting.several.standing_out`) is left out, the farthest first, and the fit is repeated; at most a fifth of
+the curves.
+
 References
 ----------
 W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3
@@ -21,6 +25,7 @@ W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.1
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Sequence
 
@@ -40,8 +45,10 @@ from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.measurement import Prepared
 from winkler.fitting.nanoindentation.reference_readings import prepared_references, reference_readings
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
+from winkler.fitting.several.standing_out import copies, outlying
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.materials.elastic import Elastic
+from winkler.numerics.types import Array
 
 __all__ = ["calibrate_indenter"]
 
@@ -51,6 +58,8 @@ AREA_ROUNDS = 2
 CONVERGED = 0.03
 """Change of the frame compliance between two rounds, in parts of its error, that ends the iteration."""
 MOST_TERMS = 4
+MOST_LEFT_OUT = 0.2
+"""Greatest part of the curves that is left out because they stand out."""
 
 
 def calibrate_indenter(
@@ -86,6 +95,34 @@ def calibrate_indenter(
     """
     if not 0 <= terms <= 8:
         raise InvalidInput(f"calibrate_indenter: terms is {terms!r}; give 1 to 8, or 0 for the mean over 1 to 4.")
+    first = copies(curve for curve, _ in curves)
+    left_out = [
+        f"{curves[place][0].name}: the data of {curves[origin][0].name}, counted once."
+        for place, origin in enumerate(first)
+        if origin < place
+    ]
+    kept = [curves[place] for place in dict.fromkeys(first)]
+    most = int(MOST_LEFT_OUT * len(kept))
+    while True:
+        found, farthest, far = _calibrated(kept, terms, solid, shape_factor, frame_compliance)
+        if not most or far <= 1.0:
+            return dataclasses.replace(found, left_out=tuple(left_out))
+        left_out.append(
+            f"{kept[farthest][0].name}: the compliance of its contacts stands out of the others, {far:.2g} times as "
+            "far as the limit."
+        )
+        del kept[farthest]
+        most -= 1
+
+
+def _calibrated(
+    curves: Sequence[tuple[ForceCurve, ReferenceSample]],
+    terms: int,
+    solid: Elastic,
+    shape_factor: float,
+    frame_compliance: float | None,
+) -> tuple[IndenterCalibration, int, float]:
+    """Return the calibration by all curves, the place of the one that is farthest from the others, and how far."""
     fixed = frame_compliance is not None
     compliance, before = frame_compliance or 0.0, math.inf
     area: tuple[float, ...] = ()
@@ -99,14 +136,26 @@ def calibrate_indenter(
         if number < AREA_ROUNDS:  # then the touches keep the law, so that compliance and power laws can settle
             area = tuple(fit.numbers[1:].tolist())
         if known and (fixed or abs(found - compliance) <= max(CONVERGED * error, 1e-6 * abs(found))):
-            return _calibration(fit, readings, references, solid, shape_factor, ready, skipped)
+            break
         before, compliance = compliance, max(found, 0.0)
-    if abs(before - compliance) <= 0.1 * error:
-        return _calibration(fit, readings, references, solid, shape_factor, ready, skipped)
-    raise NotConverged(
-        f"calibrate_indenter: the frame compliance still changes from {before:.4g} to {compliance:.4g} m/N; give "
-        "frame_compliance, or curves over a wider range of depths."
-    )
+    else:
+        if not abs(before - compliance) <= 0.1 * error:
+            raise NotConverged(
+                f"calibrate_indenter: the frame compliance still changes from {before:.4g} to {compliance:.4g} m/N; "
+                "give frame_compliance, or curves over a wider range of depths."
+            )
+    solution = _calibration(fit, readings, references, solid, shape_factor, ready, list(skipped.values()))
+    far = _distances(fit, readings, shape_factor)
+    evaluated = [place for place in range(len(curves)) if place not in skipped]
+    return solution, evaluated[int(np.argmax(far))], float(far.max())
+
+
+def _distances(fit: AreaFit, readings: ReferenceReadings, shape_factor: float) -> Array:
+    """Return how far the mean residual of each curve lies from those of the others, over the limit ``(curves,)``."""
+    covariance = covariance_of(fit.numbers, readings, shape_factor)
+    means = [float(np.mean(fit.residuals[which])) for which, _ in readings.blocks]
+    errors = [float(np.sqrt(np.mean(covariance[np.ix_(which, which)]))) for which, _ in readings.blocks]
+    return outlying(means, errors)
 
 
 def _best_fit(

@@ -38,6 +38,8 @@ class IndenterCalibration:
         The reference samples.
     skipped : tuple of str
         Curves that were not evaluated, with the reason.
+    left_out : tuple of str
+        Curves that could be evaluated and do not count, with the reason: copies, and those that stand out.
     """
 
     __words__ = words(
@@ -48,6 +50,7 @@ class IndenterCalibration:
         factor=(r"\chi^2", "", "squared scatter over that of noise, zero point and drift"),
         references=("", None, "reference samples"),
         skipped=("", None, "curves that were not evaluated"),
+        left_out=("", None, "curves that were evaluated and do not count"),
     )
 
     indenter: CalibratedIndenter
@@ -59,6 +62,7 @@ class IndenterCalibration:
     factor: float
     references: tuple[Any, ...]
     skipped: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
 
     @property
     def frame_compliance(self) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -15,10 +15,11 @@ from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.fitting.unloading.unloading_notes import PILE_UP
 from winkler.numerics.types import Array
+from winkler.readable import with_unit
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["ContinuousIndentation", "ContinuousIndentationSolution"]
+__all__ = ["ContinuousIndentation", "ContinuousIndentationSolution", "WindowMean"]
 
 INTERCEPT = 0.75
 UNSEEN = Note(
@@ -160,8 +161,8 @@ class ContinuousIndentationSolution:
         """Whether the contact depths are those of the calibration, and what the errors leave out."""
         return (calibration_note(self.problem.indenter, self.contact_depth), UNSEEN)
 
-    def mean(self, low: float, high: float) -> tuple[float, float, float, float]:
-        """Return the means of E and H [Pa] over a range of depths [m], each with its standard deviation.
+    def mean(self, low: float, high: float) -> WindowMean:
+        """Return the means of E and H [Pa] over a range of depths [m].
 
         Raises
         ------
@@ -169,10 +170,33 @@ class ContinuousIndentationSolution:
             If fewer than two points lie between the depths.
         """
         inside = (self.depth >= low) & (self.depth <= high)
-        if np.count_nonzero(inside) < 2:
-            raise InvalidInput(
-                f"mean: fewer than two points lie between {low:g} and {high:g} m; the data are from "
-                f"{float(self.depth.min()):.3g} to {float(self.depth.max()):.3g} m."
-            )
+        count = int(np.count_nonzero(inside))
+        if count < 2:
+            ends = (low, high, float(self.depth.min()), float(self.depth.max()))
+            asked, deepest = (" to ".join(with_unit(end, "m", 3) for end in part) for part in (ends[:2], ends[2:]))
+            raise InvalidInput(f"mean: {count} points lie at {asked}; the data are from {deepest}.")
         numbers = [(float(np.mean(x[inside])), float(np.std(x[inside], ddof=1))) for x in (self.young, self.hardness)]
-        return (*numbers[0], *numbers[1])
+        errors = [float(np.mean(x[inside])) for x in (self.young_errors, self.hardness_errors)]
+        return WindowMean(count, *numbers[0], errors[0], *numbers[1], errors[1])
+
+
+class WindowMean(NamedTuple):
+    """Means of E and H over a range of depths of one curve.
+
+    Parameters
+    ----------
+    points : int
+        Number of points.
+    young, young_scatter, young_error : float
+        Mean, standard deviation of the points, and standard uncertainty by what all depths share [Pa].
+    hardness, hardness_scatter, hardness_error : float
+        The same of the hardness [Pa].
+    """
+
+    points: int
+    young: float
+    young_scatter: float
+    young_error: float
+    hardness: float
+    hardness_scatter: float
+    hardness_error: float

@@ -18,6 +18,7 @@ DETERMINED_SHARE = 0.02
 """Greatest uncertainty of the frame of a good calibration, relative to the least compliance of a contact."""
 MOST_SCATTER = 2.0
 """Greatest scatter of the readings over that of noise, zero point and drift."""
+OUTLIERS = "B. Iglewicz, D. C. Hoaglin, How to Detect and Handle Outliers, ASQC Quality Press (1993)"
 ISO = "ISO 14577-1:2015, Metallic materials - Instrumented indentation test - Part 1"
 
 
@@ -111,7 +112,14 @@ def calibration_notes(calibration: Any) -> tuple[Note, ...]:
     ----------
     calibration : IndenterCalibration
     """
-    return _determined(calibration), _described(calibration)
+    return tuple(_calibrated(calibration))
+
+
+def _calibrated(calibration: Any) -> Iterator[Note]:
+    yield _determined(calibration)
+    yield _described(calibration)
+    for reason in calibration.left_out:
+        yield Note(Assumption.CURVE, Standing.APPROXIMATE, f"Left out: {reason}", OUTLIERS)
 
 
 def _determined(calibration: Any) -> Note:

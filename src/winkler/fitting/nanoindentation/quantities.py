@@ -45,7 +45,7 @@ SURFACE_RATIO = 26.43 / 24.50
 GRAVITY = 9.80665
 SLOPE_RANGE = (0.5, 0.9)
 """Parts of the greatest force between which the slope of the loading is taken."""
-STEP = 1e-3
+STEP, ROUNDING = 1e-3, 1e-9
 HELD_FORCE, HELD_DEPTH = 0.01, 0.001
 """Greatest relative changes during a hold of constant force, and of constant depth."""
 
@@ -61,7 +61,7 @@ class IndentationQuantities:
     units : tuple of str
         Pa, "" (HV*, in kgf/mm^2, is stated without unit), J.
     values, errors : ndarray, (11,)
-        Numbers and standard uncertainties.
+        Numbers and standard uncertainties; nan where none is known.
     """
 
     __words__ = words(
@@ -107,13 +107,16 @@ def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuan
         squares += np.square((_of_path(*change) - middle) / STEP)
     squares[1] += _slope_error(curve, problem.indenter) ** 2
     squares[2] += _creep_error(curve) ** 2
+    squares[4:] += _work_errors(curve, middle[4:]) ** 2
     place = solution.deepest
     hardness, hardness_error = float(solution.hardness[place]), float(solution.hardness_errors[place])
     vickers = 1e-6 / GRAVITY / SURFACE_RATIO
     values = [*middle[:2], hardness, float(solution.young[place]), hardness * vickers, *middle[2:]]
     rest = np.sqrt(squares)
     errors = [*rest[:2], hardness_error, float(solution.young_errors[place]), hardness_error * vickers, *rest[2:]]
-    return IndentationQuantities(tuple(UNITS), tuple(UNITS.values()), np.array(values), np.array(errors))
+    numbers, uncertain = np.array(values), np.array(errors)
+    uncertain[~(uncertain > ROUNDING * np.abs(numbers))] = np.nan  # nothing is known of it
+    return IndentationQuantities(tuple(UNITS), tuple(UNITS.values()), numbers, uncertain)
 
 
 def _placed(problem: Nanoindentation, zero: ZeroPoint, drift: ThermalDrift, indenter: CalibratedIndenter) -> ForceCurve:
@@ -134,6 +137,13 @@ def _changed(solution: NanoindentationSolution) -> list[tuple[ForceCurve, Calibr
     if drift.error:
         faster = dataclasses.replace(drift, rate=drift.rate + STEP * drift.error)
         changes.append((_placed(problem, zero, faster, indenter), indenter))
+    if problem.force_error:
+        curve = _placed(problem, zero, drift, indenter)
+        changes.append((dataclasses.replace(curve, force=curve.force * (1.0 + STEP * problem.force_error)), indenter))
+    if problem.depth_error:
+        curve = _placed(problem, zero, drift, indenter)
+        longer = curve.position * (1.0 + STEP * problem.depth_error)
+        changes.append((dataclasses.replace(curve, position=longer), indenter))
     if indenter.calibrated:
         for column in factors_of(indenter.covariance).T:
             numbers = indenter.numbers + STEP * column
@@ -189,6 +199,34 @@ def _creep_error(curve: ForceCurve) -> float:
         return 0.0
     depth = curve.depth(0.0)[hold]
     return white_noise(depth) * float(np.sqrt(2.0 / max(2, hold.size // 50))) / float(depth[0])
+
+
+def _work_errors(curve: ForceCurve, works: Array) -> Array:
+    """Return the standard errors of W, W_e, W_p and eta_IT by white noise of force and depth."""
+    last, _ = _last_unloading(curve)
+    depth, force = curve.depth(0.0), curve.force
+    peak = max(int(last[0]) - 1, 0) if last.size else int(np.argmax(force))
+    by_force, by_depth = white_noise(force), white_noise(depth)
+
+    def inner(part: slice) -> float:
+        """Return the error of the integral, without the noise of the depths of its ends."""
+        if depth[part].size < 3:
+            return 0.0
+        heights = np.gradient(force[part])[1:-1]
+        by_noise = by_force * np.linalg.norm(np.gradient(depth[part])), by_depth * np.linalg.norm(heights)
+        return float(np.hypot(*by_noise))
+
+    total, elastic, ends = inner(slice(0, peak + 1)), inner(slice(peak, None)), by_depth * np.abs(force[[0, peak, -1]])
+    share = works[3]
+    parts = (total * share, elastic, ends[1] * (1.0 - share), ends[2], ends[0] * share)  # the peak ends both works
+    return np.array(
+        [
+            np.linalg.norm((total, *ends[:2])),
+            np.linalg.norm((elastic, *ends[1:])),
+            np.linalg.norm((total, elastic, ends[0], ends[2])),
+            np.linalg.norm(parts) / works[0],
+        ]
+    )
 
 
 def _slope(curve: ForceCurve, indenter: CalibratedIndenter) -> tuple[float, float]:

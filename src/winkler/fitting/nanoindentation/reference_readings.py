@@ -21,17 +21,17 @@ FEWEST_READINGS = 4
 
 def prepared_references(
     curves: Sequence[tuple[ForceCurve, ReferenceSample]], compliance: float, area: Sequence[float] | Array
-) -> tuple[list[Prepared], list[ReferenceSample], list[str]]:
-    """Return the curves that can be evaluated, their references, and why others cannot."""
-    ready, references, skipped = [], [], []
-    for curve, reference in curves:
+) -> tuple[list[Prepared], list[ReferenceSample], dict[int, str]]:
+    """Return the curves that can be evaluated, their references, and the places of others with the reasons."""
+    ready, references, skipped = [], [], dict[int, str]()
+    for place, (curve, reference) in enumerate(curves):
         try:
             ready.append(prepared(curve, compliance, area=area))
             references.append(reference)
         except WinklerError as error:
-            skipped.append(f"{curve.name}: {error}")
+            skipped[place] = f"{curve.name}: {error}"
     if not ready:
-        reason = f": {skipped[0]}" if skipped else ""
+        reason = f": {next(iter(skipped.values()))}" if skipped else ""
         raise InvalidInput(f"calibrate_indenter: no curve can be evaluated{reason}.")
     return ready, references, skipped
 

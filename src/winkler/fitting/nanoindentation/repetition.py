@@ -24,10 +24,11 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.solution import COMMON_SOURCES, NanoindentationSolution
+from winkler.fitting.several.standing_out import BatchQuantity
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["RepeatedMean", "repeated_mean"]
+__all__ = ["RepeatedMean", "compared_quantities", "repeated_mean"]
 
 LARGEST_RELATIVE = 600.0
 """Half-width of an interval, relative to the mean, from which on its upper end is beyond all moduli."""
@@ -121,4 +122,29 @@ def repeated_mean(solutions: Sequence[NanoindentationSolution], name: str = "you
     lookup = {**dict(zip(sources, parts.tolist(), strict=True)), "repetition": beyond}
     return RepeatedMean(
         float(numbers.mean()), tuple(order), np.array([lookup[s] for s in order]), float(freedom), count, scatter
+    )
+
+
+def compared_quantities(solutions: Sequence[NanoindentationSolution]) -> tuple[BatchQuantity, ...]:
+    """Return what is compared of repeated indentations, at the greatest force of each.
+
+    Parameters
+    ----------
+    solutions : sequence of NanoindentationSolution
+    """
+    places = [one.deepest for one in solutions]
+
+    def at_peak(name: str) -> Array:
+        return np.array([getattr(one, name)[place] for one, place in zip(solutions, places, strict=True)])
+
+    scatter = [
+        one.young_shares[one.sources.index("noise"), place] / one.young[place]
+        for one, place in zip(solutions, places, strict=True)
+    ]
+    return (
+        BatchQuantity("Young's modulus", "Pa", at_peak("young")),
+        BatchQuantity("hardness", "Pa", at_peak("hardness")),
+        BatchQuantity("depth at the peak", "m", at_peak("depth")),
+        BatchQuantity("first touch", "m", np.array([one.zero_point.position for one in solutions]), is_place=True),
+        BatchQuantity("noise of the unloading", "", np.array(scatter)),
     )

@@ -30,26 +30,23 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.fitting.several.standing_out import outlying
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value, words
 
 __all__ = ["Population", "population", "quantile"]
 
 FEWEST = 2
-FEWEST_FOR_OUTLIERS = 5
+FEWEST_FOR_DECISIVE = 5
 DECISIVE_SHARE = 0.5
 """Share of the weights from which on one curve of five or more decides the mean alone."""
 LEAST_ERROR = 0.1
 """Least error that is believed, relative to the median one of three curves or more."""
 CHANCE_OF_SCATTER = 0.01
 """Chance of a scatter below which errors are too large for it."""
-FALSE_OUTLIERS = 0.01
-"""Part of populations without outliers in which one is named."""
 LEAST_SCATTER = 0.5
 """Least squared scatter over that of the model; the plain rule (zero) holds a little less often with five curves."""
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
-MAD_TO_DEVIATION = 1.4826
-"""Standard deviation over median absolute deviation, of normal numbers."""
 
 
 @value
@@ -111,7 +108,7 @@ class Population:
     @property
     def decisive(self) -> tuple[int, ...]:
         """Index of the curve that has more than half of the weight, if there are five or more."""
-        if self.count < FEWEST_FOR_OUTLIERS:
+        if self.count < FEWEST_FOR_DECISIVE:
             return ()
         return tuple(np.flatnonzero(self.weights > DECISIVE_SHARE).tolist())
 
@@ -218,7 +215,7 @@ def population(
         within=unit * float(np.sqrt(variances.mean())),
         calibration=float(calibration),
         logarithmic=logarithmic,
-        outliers=_outliers(y, variances),
+        outliers=tuple(np.flatnonzero(outlying(y, np.sqrt(variances)) > 1.0).tolist()),
         weights=weights / float(weights.sum()),
         doubted=doubted,
         overstated=overstated,
@@ -280,14 +277,3 @@ def _between(y: Array, variances: Array) -> float:
     if excess(0.0) <= 0.0 or excess(most) >= 0.0:
         return 0.0
     return float(brentq(excess, 0.0, most, xtol=1e-15, rtol=1e-10))
-
-
-def _outliers(y: Array, variances: Array) -> tuple[int, ...]:
-    """Return the curves far from the median, by the median absolute deviation, which outliers do not change."""
-    if y.size < FEWEST_FOR_OUTLIERS:
-        return ()
-    apart = np.abs(y - np.median(y))
-    spread = (MAD_TO_DEVIATION * float(np.median(apart))) ** 2
-    between = max(spread - float(np.median(variances)), 0.0)
-    limit = quantile(y.size - 1, 1.0 - FALSE_OUTLIERS / y.size)
-    return tuple(np.flatnonzero(apart > limit * np.sqrt(between + variances)).tolist())

@@ -9,7 +9,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.io.continuous_loading import loading_stiffness, stiffness_fact
+from winkler.io.continuous_loading import (
+    HARDNESS_NAMES,
+    YOUNG_NAMES,
+    StatedResults,
+    loading_stiffness,
+    stated_results,
+    stiffness_fact,
+)
 from winkler.io.curve_columns import (
     DEPTH_NAMES,
     FORCE_NAMES,
@@ -109,7 +116,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
         reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
         with in_file(path):
             curve = ForceCurve(at, load, machine, clock, direction, name, reading=reading)
-        curves.append(PlacedCurve(curve, test.x, test.y, continuous))
+        curves.append(PlacedCurve(curve, test.x, test.y, continuous, _stated(test, at, usable, part)))
     return curves
 
 
@@ -120,6 +127,18 @@ def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str
             if column.name.lower().strip() == name and (not column.unit or measures(column.unit, unit)):
                 return column
     return None
+
+
+def _stated(test: InstrumentTest, depth: Array, usable: Array, part: slice) -> StatedResults | None:
+    """Return the modulus and hardness that stand in the columns of a test, in units that the file states."""
+    found = [_column(test.columns, names, "Pa") for names in (YOUNG_NAMES, HARDNESS_NAMES)]
+    numbers = [
+        np.where(_is_number(one.values), one.values, math.nan)[usable][part] * scale(one.unit, "Pa")
+        if one is not None and one.unit
+        else np.full(depth.size, math.nan)
+        for one in found
+    ]
+    return stated_results(depth, *numbers)
 
 
 def _factor(role: str, column: InstrumentColumn, units: Mapping[str, str], where: str) -> float:

@@ -18,7 +18,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.io.continuous_loading import loading_stiffness, stiffness_fact
+from winkler.io.continuous_loading import (
+    HARDNESS_NAMES,
+    YOUNG_NAMES,
+    StatedResults,
+    loading_stiffness,
+    stated_results,
+    stiffness_fact,
+)
 from winkler.io.curve_columns import (
     DEPTH_NAMES,
     FORCE_NAMES,
@@ -61,6 +68,7 @@ GAP_OR_DEPTH = re.compile(r"h(?![^\W_])", re.IGNORECASE)
 SPRING_CONSTANT_LINE = re.compile(
     r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
 )
+RESULTS = (Column("modulus", YOUNG_NAMES, "Pa", "GPa"), Column("hardness", HARDNESS_NAMES, "Pa", "GPa"))
 
 
 def is_curve_table(path: str | os.PathLike[str]) -> bool:
@@ -147,6 +155,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     parts = parts_of_tests(position, force, found.get("time", none), table.lines)
     _refuse_unparted(path, table, parts, place)
     where = place_in(stated, path)
+    results = _results(path, place, head, given) if measured and len(parts) == 1 else None
     curves = []
     for number, part in enumerate(parts, start=1):
         name = Path(path).name if len(parts) == 1 else f"{Path(path).name}, test {number}"
@@ -170,9 +179,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
             )
             reading = f"{maker_in(stated)}: " + "; ".join(fact for fact in facts if fact)
             directed = directions(at, load_at, segment)
-            curves.append(
-                PlacedCurve(ForceCurve(at, load_at, machine, time, directed, name, reading=reading), *where, continuous)
-            )
+            curve = ForceCurve(at, load_at, machine, time, directed, name, reading=reading)
+            curves.append(PlacedCurve(curve, *where, continuous, results))
     return curves
 
 
@@ -290,3 +298,20 @@ def _stated_cantilever(path: str | os.PathLike[str], head: Sequence[str]) -> flo
             f"{path}: the spring constant '{stated_line[1]}' is no positive number; correct it in the file."
         )
     return stated
+
+
+def _results(
+    path: str | os.PathLike[str], place: Column, head: Sequence[str], given: GivenFacts
+) -> StatedResults | None:
+    """Return the results in a text table whose depth is read from the column `place`; None where it has none."""
+    columns = [one for one in RESULTS if names_columns(path, (place, one), head=head)]
+    if not columns:
+        return None
+    try:
+        units = {key: unit for key, unit in given.units.items() if key == "position"}
+        table = read_table(path, [place, *columns], units=units, decimal_comma=True, repeated=True)
+    except InvalidInput:  # blank cells, or no unit: they are no part of the curve
+        return None
+    found = {one.word: table.values[:, 1 + index] for index, one in enumerate(columns)}
+    nothing = np.full(table.values.shape[0], math.nan)
+    return stated_results(table.values[:, 0], found.get("modulus", nothing), found.get("hardness", nothing))

@@ -75,7 +75,7 @@ def read_table(
     columns: Sequence[Column],
     *,
     units: Mapping[str, str] | None = None,
-    decimal_comma: bool = False,
+    decimal_comma: bool = True,
     repeated: bool = False,
     numbers: Mapping[str, int] | None = None,
     stated: str = "",

@@ -30,6 +30,7 @@ from winkler.values import value
 from winkler.vocabulary import Word
 
 __all__ = [
+    "CONTACT_POINT",
     "NOTHING",
     "Further",
     "common_calibration",

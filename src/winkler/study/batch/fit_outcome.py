@@ -5,6 +5,8 @@
     outcome.study            the `FitStudy`
     outcome.results          one `Fitted` or `Refused` per curve, in their order
     outcome.fitted, .refused the same, apart
+    outcome.independent      those fitted, of copies the first
+    outcome.batch, .doubts   median and scatter of the curves; which stand out, or are copies
     outcome.left             number of files or curves that were not reached before a stop
     outcome.table()          `Column` after `Column`, one row per curve
     outcome.provenance       version, hash of the study with its curves, time, versions of what computed
@@ -21,8 +23,9 @@ import numpy as np
 
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.several.joint import JointFit
+from winkler.fitting.several.standing_out import BatchQuantity, copies, doubts_of_batch
 from winkler.numerics.types import Array
-from winkler.study.batch.fit_further import NOTHING, Further, further_columns
+from winkler.study.batch.fit_further import CONTACT_POINT, NOTHING, Further, further_columns
 from winkler.study.batch.outcome import Provenance, ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.validity import Note, Standing, topic_of, worst_of_each
@@ -122,6 +125,42 @@ class FitOutcome:
         return tuple(result for result in self.results if isinstance(result, Refused))
 
     @functools.cached_property
+    def _first(self) -> tuple[int, ...]:
+        return copies(result.fit.curve for result in self.fitted)
+
+    @functools.cached_property
+    def independent(self) -> tuple[Fitted, ...]:
+        """The curves that were fitted, of copies the first."""
+        fitted = self.fitted
+        return tuple(fitted[place] for place in dict.fromkeys(self._first))
+
+    @functools.cached_property
+    def batch(self) -> tuple[BatchQuantity, ...]:
+        """Numbers of the problem, depth at the peak, touch and misfit of the independent curves."""
+        fits = [result.fit for result in self.independent]
+
+        def quantity(free: Free) -> BatchQuantity:
+            numbers, errors = np.array([[fit.value(free.path), fit.error(free.path)] for fit in fits]).reshape(-1, 2).T
+            is_place = free.key == CONTACT_POINT
+            unit = self.study.word(free.key).unit or ""
+            return BatchQuantity("first touch" if is_place else free.label, unit, numbers, errors, is_place)
+
+        touch = [free for free in self.study.free if free.key == CONTACT_POINT]
+        return (
+            *(quantity(free) for free in self.study.own_numbers),
+            BatchQuantity("depth at the peak", "m", np.array([float(np.max(fit.depth)) for fit in fits])),
+            *(quantity(free) for free in touch),
+            BatchQuantity("chi-square in contact", "", np.array([fit.chi_square_in_contact for fit in fits])),
+        )
+
+    @functools.cached_property
+    def doubts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Names of the curves that stand out of the others or are copies, and what was found."""
+        names = [result.name for result in self.fitted]
+        found = zip(names, doubts_of_batch(names, self._first, self.batch), strict=True)
+        return tuple((name, doubts) for name, doubts in found if doubts)
+
+    @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
         """The notes of all fits; of statements that differ in their numbers only, the worst, with its curves."""
         notes = worst_of_each(note for result in self.fitted for note in result.notes)
@@ -189,6 +228,9 @@ class FitOutcome:
         flags = np.array(self.flags("; ", ""))
         columns.append(ResultColumn("flags", Word("", None, "what speaks against the numbers"), flags))
         outside = np.array([_outside(result) for result in self.results])
+        said = {name: " ".join(each) for name, each in self.doubts}
+        doubts = np.array([said.get(result.name, "") for result in self.results])
+        columns.append(ResultColumn("doubts", Word("", None, "what sets the curve apart from the others"), doubts))
         columns.append(ResultColumn("outside", Word("", None, "subjects on which validity does not hold"), outside))
         columns.append(ResultColumn("failure", Word("", None, "why a curve has no answer"), reasons))
         return tuple(columns)

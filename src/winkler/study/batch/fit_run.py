@@ -156,8 +156,9 @@ def gather_fits(
         many = f"none of the {len(each)} curves can be fitted; the first: " if len(each) > 1 else ""
         raise ERRORS[first.code](f"{many}{first.name}: {first.reason}")
     made = provenance(_hash(study), time.perf_counter() - started, source)
-    joint = joint_of_study(study, [result.fit for result in each if isinstance(result, Fitted)])
-    return FitOutcome(study, each, made, left, *joint)
+    outcome = FitOutcome(study, each, made, left)
+    joint = joint_of_study(study, [result.fit for result in outcome.independent])
+    return dataclasses.replace(outcome, joint=joint[0], joint_failure=joint[1])
 
 
 def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:

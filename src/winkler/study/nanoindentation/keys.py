@@ -26,6 +26,7 @@ KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
         "force_error": ("", "relative standard uncertainty of the force scale"),
         "depth_error": ("", "relative standard uncertainty of the depth scale"),
         "stiffness_error": ("", "relative standard uncertainty of a continuously measured stiffness"),
+        "depths": (None, "['75 nm', '85 nm']: continuous stiffness is averaged between these depths"),
         "upper": ("", "part of the force at the peak where the fitted part of an unloading begins; 0.98"),
         "lower": ("", "part of the force at the peak where it ends; 0.4"),
         "pop_ins": (None, "true: the first pop-in of each curve is sought, and first yield evaluated"),

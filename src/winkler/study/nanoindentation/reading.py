@@ -43,6 +43,8 @@ SECTIONS = ("indentation", "calibration")
 TOP = ("title", *SECTIONS, "indenter", "output", "expect", "source", "grade")
 OF_OUTPUT = ("folder", "figures", "report")
 MEASURED, NO_DRIFT = "measured", "none"
+LOWEST, HIGHEST = "depths.0", "depths.1"
+"""Keys of the ends of the window of depths."""
 
 
 @value
@@ -96,6 +98,12 @@ class NanoindentationStudy:
     def calibrates(self) -> bool:
         """Whether this is a calibration."""
         return bool(self.references)
+
+    @property
+    def window(self) -> tuple[float, float] | tuple[()]:
+        """The depths [m] between which continuous stiffness is averaged; empty where none are stated."""
+        given = self.given
+        return (given[LOWEST], given[HIGHEST]) if LOWEST in given else ()
 
     @property
     def given(self) -> dict[str, float]:
@@ -164,6 +172,7 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
             )
         units, columns = _tables(section, "indentation")
         _state_drift(section)
+        _state_depths(section)
         seeks = section.pop("pop_ins", False)
         if not isinstance(seeks, bool):
             raise InvalidInput(f"indentation.pop_ins is {seeks!r}; give true or false.")
@@ -211,6 +220,22 @@ def _state_drift(section: dict[str, Any]) -> None:
     section["drift"] = (
         0.0 if stated == NO_DRIFT else float(quantities.read_at("indentation.drift", stated, "m/s", quantities.number))
     )
+
+
+def _state_depths(section: dict[str, Any]) -> None:
+    """Put the ends [m] of the window of depths in place of its list."""
+    stated = section.pop("depths", None)
+    if stated is None:
+        return
+    if not isinstance(stated, list) or len(stated) != 2:
+        raise InvalidInput(f"indentation.depths is {stated!r}; give two depths, such as ['75 nm', '85 nm'].")
+    low, high = (
+        float(quantities.read_at(f"indentation.depths[{place}]", one, "m", quantities.number))
+        for place, one in enumerate(stated)
+    )
+    if not 0.0 <= low < high:
+        raise InvalidInput(f"indentation.depths is {stated!r}; give the lesser depth first, and none below zero.")
+    section[LOWEST], section[HIGHEST] = low, high
 
 
 def _known(raw: Any, allowed: Any, where: str) -> None:

@@ -18,11 +18,19 @@ from winkler.study.nanoindentation.running import Evaluated, NanoindentationOutc
 from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
-from winkler.study.report.tables import expected_section
+from winkler.study.report.tables import batch_section, expected_section
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 from winkler.validity import Note, Standing
 
-__all__ = ["calibration_rows", "figures_of", "first_yield_rows", "mean_rows", "page"]
+__all__ = [
+    "CONTINUOUS_HEADS",
+    "calibration_rows",
+    "continuous_rows",
+    "figures_of",
+    "first_yield_rows",
+    "mean_rows",
+    "page",
+]
 
 MOST_CURVES_DRAWN, MOST_ROWS, LEAST_TOGETHER = 6, 40, 3
 CURVES_BESIDE = 4
@@ -101,6 +109,7 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         f"<header><h1>{title}</h1>{line}</header>",
         *_calibration(outcome),
         *_measurement(outcome),
+        batch_section("All curves", outcome.batch, outcome.doubts, "quantities.csv"),
         *_continuous(outcome),
         *_first_yield(outcome),
         expected_section(outcome.verdicts),
@@ -166,7 +175,7 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
                   table(["quantity", "#mean", "#standard uncertainty", "#95 % interval"], rows))  # fmt: skip
     means = outcome.means
     shares = [
-        _row((source, *(f"{100.0 * float(mean.shares[place]) / mean.mean:.2g} %" for mean in means.values())))
+        _row((source, *(_share(float(mean.shares[place]) / mean.mean) for mean in means.values())))
         for place, source in enumerate(means["young"].sources)
     ]
     lead = "<p>Standard uncertainties of the means, in parts of them; their squares add (GUM).</p>"
@@ -175,6 +184,10 @@ def _measurement(outcome: NanoindentationOutcome) -> Iterator[str]:
     )  # fmt: skip
     yield section("Shares of the uncertainty", lead, calibrated, table(["source", "#of E", "#of H"], shares))
     yield section("Quantities of ISO 14577", ISO_TEXT, *_iso_tables(outcome.evaluated[:MOST_ROWS]), _rest(outcome))
+
+
+def _share(share: float) -> str:
+    return f"{100.0 * share:.2g} %" if share > 0.0 else "-"
 
 
 def _iso_tables(shown: Sequence[Evaluated]) -> Iterator[str]:
@@ -202,25 +215,49 @@ def _rest(outcome: NanoindentationOutcome) -> str:
     return f"<p class='small'>… and {more} more curves; quantities.csv holds all.</p>" if more > 0 else ""
 
 
+def continuous_rows(outcome: NanoindentationOutcome) -> list[tuple[str, ...]]:
+    """Return curve, depths, E and H with their uncertainty and scatter, the instrument's own, and whose touch it is.
+
+    The last row of several curves is their mean, with the standard deviation between them.
+    """
+    rows = []
+    for one in outcome.continuous[:MOST_ROWS]:
+        mean, low, high = one.mean, *(with_unit(end, "m", 3) for end in one.window)
+        ours = (
+            (mean.young, mean.young_error, mean.young_scatter),
+            (mean.hardness, mean.hardness_error, mean.hardness_scatter),
+        )
+        cells = [
+            f"{_with_error(number, error or math.nan, 'Pa').removesuffix(')')}; {with_unit(scatter, 'Pa', 2)})"
+            for number, error, scatter in ours
+        ]
+        theirs = ["-" if math.isnan(number) else with_unit(number, "Pa", 4) for number in one.stated]
+        rows.append(
+            (one.name, f"{low} ... {high}", *cells, *theirs, "found or given" if one.own_touch else "of the file")
+        )
+    if len(outcome.continuous) > 1:
+        means = [
+            f"{with_unit(float(np.mean(numbers)), 'Pa', 4)} ± {with_unit(float(np.std(numbers, ddof=1)), 'Pa', 2)}"
+            for numbers in np.array([(one.mean.young, one.mean.hardness) for one in outcome.continuous]).T
+        ]
+        rows.append((f"mean of {len(outcome.continuous)} curves ± scatter between them", "", *means, "", "", ""))
+    return rows
+
+
+CONTINUOUS_HEADS = ("curve", "depth", "E", "H", "E of the instrument", "H of the instrument", "touch")
+
+
 def _continuous(outcome: NanoindentationOutcome) -> Iterator[str]:
     if not outcome.continuous:
         return
-    rows = []
-    for one in outcome.continuous[:MOST_ROWS]:
-        found = one.solution
-        deep = found.depth >= 0.5 * float(found.depth.max())
-        cells = [
-            f"{with_unit(0.5 * float(found.depth.max()), 'm', 3)} ... {with_unit(float(found.depth.max()), 'm', 3)}"
-        ]
-        for name in ("young", "hardness"):
-            numbers, errors = getattr(found, name)[deep], getattr(found, f"{name}_errors")[deep]
-            cells.append(f"{with_unit(float(numbers.mean()), 'Pa', 4)} ({with_unit(float(errors.mean()), 'Pa', 2)})")
-        rows.append(_row((one.name, *cells, "of the unloadings" if one.own_touch else "of the file")))
+    where = "the stated depths" if outcome.study.window else "the deeper half of each curve"
     lead = (
-        "<p>Means over the deeper half of each curve; in brackets standard uncertainties by calibration, touch and "
-        "stiffness scale.  All depths are in continuous.csv.</p>"
+        f"<p>Means over {where}; in brackets standard uncertainties by calibration, touch and stiffness scale, and the "
+        "standard deviation of the points.  All depths are in continuous.csv.</p>"
     )
-    yield section("Continuously measured stiffness", lead, table(["curve", "#depth", "#E", "#H", "#touch"], rows))
+    heads = [CONTINUOUS_HEADS[0], *(f"#{head}" for head in CONTINUOUS_HEADS[1:])]
+    rows = [_row(row) for row in continuous_rows(outcome)]
+    yield section("Continuously measured stiffness", lead, table(heads, rows))
 
 
 def first_yield_rows(outcome: NanoindentationOutcome) -> list[tuple[str, str]]:
@@ -251,7 +288,8 @@ def _first_yield(outcome: NanoindentationOutcome) -> Iterator[str]:
 
 
 def _with_error(content: float, error: float, unit: str) -> str:
-    return f"{with_unit(float(content), unit, 4)} ({with_unit(float(error), unit, 2)})"
+    stated = "unknown" if math.isnan(error) else with_unit(float(error), unit, 2)
+    return f"{with_unit(float(content), unit, 4)} ({stated})"
 
 
 def _failures(outcome: NanoindentationOutcome) -> str:

@@ -14,16 +14,17 @@ import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, WinklerError
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.measurement import Nanoindentation
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
-from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
+from winkler.fitting.nanoindentation.repetition import RepeatedMean, compared_quantities, repeated_mean
 from winkler.fitting.nanoindentation.solution import NanoindentationSolution
-from winkler.fitting.nanoindentation.standing_out import copies, standing_out
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
+from winkler.fitting.several.standing_out import BatchQuantity, copies, doubts_of_batch
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.placed_curves import PlacedCurve
 from winkler.study.batch.outcome import ComparedNumber, Provenance
@@ -36,6 +37,9 @@ from winkler.study.nanoindentation.reading import NanoindentationStudy
 from winkler.values import value
 
 __all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
+
+
+UNLOADINGS = (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)
 
 
 @value
@@ -87,22 +91,33 @@ class NanoindentationOutcome:
         return verdicts_of(self.study.expect, found)
 
     @functools.cached_property
+    def _first(self) -> tuple[int, ...]:
+        return copies(one.solution.problem.curve for one in self.evaluated)
+
+    @property
+    def independent(self) -> tuple[Evaluated, ...]:
+        """The evaluated curves, of copies the first."""
+        return tuple(self.evaluated[place] for place in dict.fromkeys(self._first))
+
+    @functools.cached_property
+    def batch(self) -> tuple[BatchQuantity, ...]:
+        """Modulus, hardness, depth at the peak, touch and noise of the independent curves."""
+        return compared_quantities([one.solution for one in self.independent])
+
+    @functools.cached_property
     def doubts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """Names of the curves with doubts, and these: of each alone, and what sets it apart from the others."""
-        solutions = [one.solution for one in self.evaluated]
-        apart, first = standing_out(solutions), copies(solutions)
-        found = []
-        for place, one in enumerate(self.evaluated):
-            same = f"Copy: the data of {self.evaluated[first[place]].name}, left out of the means."
-            doubts = (*one.solution.doubts, *(text for text in (apart[place], same * (first[place] < place)) if text))
-            found.append((one.name, doubts))
-        return tuple((name, doubts) for name, doubts in found if doubts)
+        apart = doubts_of_batch([one.name for one in self.evaluated], self._first, self.batch)
+        found: dict[str, tuple[str, ...]] = {}
+        own = [(one.name, (*one.solution.doubts, *more)) for one, more in zip(self.evaluated, apart, strict=True)]
+        for name, doubts in (*own, *((one.name, one.doubts) for one in self.continuous)):
+            found[name] = (*found.get(name, ()), *doubts)
+        return tuple((name, doubts) for name, doubts in found.items() if doubts)
 
     @property
     def means(self) -> dict[str, RepeatedMean]:
         """Means of Young's modulus and hardness over the curves; of copies one counts."""
-        every = [one.solution for one in self.evaluated]
-        solutions = [every[place] for place in dict.fromkeys(copies(every))]
+        solutions = [one.solution for one in self.independent]
         return {name: repeated_mean(solutions, name) for name in ("young", "hardness")} if solutions else {}
 
 
@@ -132,9 +147,11 @@ def _both(
     found = _evaluated(study, placed.curve, name)
     if placed.continuous is None:
         return (found,)
-    unloadings = found.solution if isinstance(found, Evaluated) else None
-    over_depth = evaluated_continuously(study, placed.continuous, name, unloadings)
-    return found, Unevaluated(name, over_depth, InvalidInput.exit_code) if isinstance(over_depth, str) else over_depth
+    over_depth = evaluated_continuously(study, placed, name, found.solution if isinstance(found, Evaluated) else None)
+    if isinstance(over_depth, str):
+        return found, Unevaluated(name, over_depth, InvalidInput.exit_code)
+    unloads = any(part.kind in UNLOADINGS for part in placed.curve.segments)
+    return (found, over_depth) if unloads or isinstance(found, Evaluated) else (over_depth,)
 
 
 def _evaluated(study: NanoindentationStudy, curve: ForceCurve, name: str) -> Evaluated | Unevaluated:

@@ -78,6 +78,7 @@ def _unloadings(outcome: NanoindentationOutcome) -> list[ResultColumn]:
     for name in ("young", "hardness"):
         for place, source in enumerate(outcome.evaluated[0].solution.sources):
             content = np.concatenate([getattr(one.solution, f"{name}_shares")[place] for one in outcome.evaluated])
+            content = np.where(content > 0.0, content, np.nan)  # zero: nothing is known of this source
             meaning = f"standard uncertainty of {name} by {source}"
             columns.append(_column(f"{name}_by_{source.replace(' ', '_')}", "Pa", meaning, content))
     return columns
@@ -104,7 +105,7 @@ def _quantities(outcome: NanoindentationOutcome) -> list[ResultColumn]:
             "contact_point_error", "m", "its standard error", [*(o.solution.zero_point.error for o in good), *lost]
         ),
         _column("drift", "m/s", "thermal drift", [*(o.solution.drift.rate for o in good), *lost]),
-        _column("drift_error", "m/s", "its standard error", [*(o.solution.drift.error for o in good), *lost]),
+        _column("drift_error", "m/s", "its standard error", [*(o.solution.drift.error or np.nan for o in good), *lost]),
         _column(
             "doubts",
             None,

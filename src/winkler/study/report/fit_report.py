@@ -30,7 +30,7 @@ from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NET
 from winkler.study.report.fits.pages import curve_facts, noise_figure
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
-from winkler.study.report.tables import given_rows
+from winkler.study.report.tables import batch_section, given_rows
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 
 __all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps"]
@@ -107,6 +107,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> 
         f"<header><h1>{title}</h1>{counts(outcome)}</header>",
         answers(outcome),
         further_section(outcome),
+        batch_section("All curves", outcome.batch, outcome.doubts, CSV) if len(outcome.results) > 1 else "",
         doubts(outcome),
         failures(outcome),
         thumbnails_section([_thumbnail(one) for one in outcome.results]),

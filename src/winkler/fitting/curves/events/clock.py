@@ -149,8 +149,10 @@ def _located(time: Array, signal: Array, origin: float) -> _Kink | None:
     if not np.all(sizes > 0.0):  # no bend: its place moves nothing
         return None
     spread = np.linalg.pinv((design / sizes).T @ (design / sizes)) / np.outer(sizes, sizes)
-    error = math.sqrt(variance * max(float(spread[5, 5]), 0.0) + SYSTEMATIC_POINTS**2)
-    kink_error = math.sqrt(max(variance * float(spread[3, 3]), 0.0))
+    error = math.sqrt(variance * float(spread[5, 5]) + SYSTEMATIC_POINTS**2)
+    if float(spread[3, 3]) < 0.0 or float(spread[5, 5]) < 0.0:  # a variance that is not positive is unknown
+        return None
+    kink_error = math.sqrt(variance * float(spread[3, 3]))
     ratio = abs(float(numbers[3])) / kink_error if kink_error > 0.0 else math.inf
     return _Kink(origin + at * sampling, error * sampling, ratio)
 

@@ -93,7 +93,7 @@ def _shared(outcome: FitOutcome) -> str:
         bodies.append((place, unit))
     heads.append("#chance to differ more")
     rows = []
-    for index, result in enumerate(outcome.fitted[:MOST_ROWS]):
+    for index, result in enumerate(outcome.independent[:MOST_ROWS]):
         cells = [number(str(index + 1)), f"<td>{safe(result.name)}</td>"]
         for place, unit in bodies:
             cells += [
@@ -109,7 +109,7 @@ def further_figures(outcome: FitOutcome) -> Iterator[ReportFigure]:
     """Yield shared numbers, then depths and models of the first curves."""
     study = outcome.study
     keys = {free.path: free for free in study.free}
-    names = tuple(result.name for result in outcome.fitted)
+    names = tuple(result.name for result in outcome.independent)
     for joint in outcome.joint:
         for place, path in enumerate(joint.names):
             free = keys[path]
@@ -204,7 +204,7 @@ def _model_columns(outcome: FitOutcome) -> list[ResultColumn]:
 
 def _shared_columns(outcome: FitOutcome) -> list[ResultColumn]:
     joint, keys = outcome.joint[0], {free.path: free for free in outcome.study.free}
-    columns = [ResultColumn("curve", TEXT, np.array([result.name for result in outcome.fitted]))]
+    columns = [ResultColumn("curve", TEXT, np.array([result.name for result in outcome.independent]))]
     for place, path in enumerate(joint.names):
         free = keys[path]
         word = outcome.study.word(free.key)

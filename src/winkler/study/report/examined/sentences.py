@@ -64,7 +64,7 @@ def _of_one(outcome: FitOutcome, result: Fitted) -> Iterator[str]:
 
 def population_of(outcome: FitOutcome, free: Free, results: Sequence[Fitted] = ()) -> Population | tuple[()]:
     """Return the mean of a number over curves; empty for fewer than three."""
-    results = results or outcome.fitted
+    results = results or outcome.independent
     fits = [result.fit for result in results]
     values, errors = np.array([[fit.value(free.path), fit.error(free.path)] for fit in fits]).T
     logarithmic = all(fit.logarithmic[fit.index(free.path)] for fit in fits) and bool(np.all(values > 0.0))
@@ -92,16 +92,13 @@ def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
     )
     if made.overstated:
         yield f"The curves scatter less in {free.label} than their errors allow: the interval is that of the scatter."
-    if made.outliers:
-        names = _names(outcome, made.outliers)
-        yield f"Far from the others in {free.label}, and part of the mean: {names}."
     if made.doubted:
         yield (
             f"The error of {free.label} is less than a tenth of the others', or unknown, and theirs was taken, as it "
             f"would decide the mean: {_names(outcome, made.doubted)}."
         )
     for place in made.decisive:
-        name, share = outcome.fitted[place].name, made.weights[place]
+        name, share = outcome.independent[place].name, made.weights[place]
         yield f"{name} alone has {share:.0%} of the weight in the mean of {free.label}."
     if made.logarithmic:
         yield from _groups(outcome, free)
@@ -110,13 +107,13 @@ def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
 def _names(outcome: FitOutcome, places: Sequence[int]) -> str:
     """Return the names of some curves, the first few of many."""
     more = f" and {len(places) - MOST_NAMES} more" if len(places) > MOST_NAMES else ""
-    return ", ".join(outcome.fitted[place].name for place in places[:MOST_NAMES]) + more
+    return ", ".join(outcome.independent[place].name for place in places[:MOST_NAMES]) + more
 
 
 def groups_of(outcome: FitOutcome) -> dict[str, list[Fitted]]:
     """Return the curves of each folder; empty if they lie in one."""
     groups: dict[str, list[Fitted]] = {}
-    for result in outcome.fitted:
+    for result in outcome.independent:
         groups.setdefault(result.name.rpartition("/")[0], []).append(result)
     return groups if len(groups) > 1 else {}
 
@@ -170,7 +167,7 @@ def _shared(outcome: FitOutcome) -> Iterator[str]:
     for joint in outcome.joint:
         for name in joint.names:
             unit = outcome.study.word(keys[name].key).unit
-            fits, furthers = joint.fits, [result.further for result in outcome.fitted]
+            fits, furthers = joint.fits, [result.further for result in outcome.independent]
             calibration = common_calibration(fits, furthers, name)
             low, high = (with_unit(end, unit, 5) for end in _with_calibration(joint, name, calibration))
             calibrated = f", with {calibration:.1%} by the calibration that they share" if calibration else ""
