@@ -138,13 +138,16 @@ def test_the_first_lines_of_readme_run(user, root):
 )
 def test_what_needs_an_extra_names_it(user, extra, command):
     user.shell(
-        "winkler new indentation --output sweep.toml --overwrite && winkler new tangential --output law.toml --overwrite"
+        "winkler new indentation --output sweep.toml --overwrite && "
+        "winkler new tangential --output law.toml --overwrite"
     )
     with (user.folder / "sweep.toml").open("a", encoding="utf-8") as file:
         file.write(SWEEP)
     for name in ("curve.jpk-force", "book.xlsx"):
         (user.folder / name).write_bytes(b"PK\x03\x04")
         (user.folder / f"{name}.toml").write_text(FIT.replace("NAME", name), encoding="utf-8")
+    openpyxl = pytest.importorskip("openpyxl")
+    openpyxl.Workbook().save(user.folder / "book.xlsx")
     (user.folder / "map.spm").write_bytes(b"map")
     done = user.shell(command, hidden=MODULES[extra])
     assert done.returncode != 0

@@ -1,4 +1,4 @@
-"""What is said about the package in several places is the same: pyproject.toml, citation, archive, recipe, changelog."""
+"""What is said in several places is the same: pyproject.toml, citation, archive, recipe, changelog."""
 
 from __future__ import annotations
 
