@@ -28,9 +28,15 @@ class Hidden:
 sys.meta_path.insert(0, Hidden())
 """
 MODULES = {
-    "afm": "afmformats", "app": "nicegui", "cluster": "distributed", "nanoindentation": "openpyxl", "topography": "SurfaceTopography",
-    "export": "ziglang", "widget": "anywidget", "cards": "array_api_compat",
-}  # fmt: skip
+    "afm": "afmformats",
+    "app": "nicegui",
+    "cards": "array_api_compat",
+    "cluster": "distributed",
+    "export": "ziglang",
+    "nanoindentation": "openpyxl",
+    "topography": "SurfaceTopography",
+    "widget": "anywidget",
+}
 SWEEP = '\n[sweep]\n"problem.load.force" = ["1 N", "2 N"]\n'
 FIT = """title = "A curve"
 [problem]

@@ -66,7 +66,7 @@ def run(
 
     Example: winkler run examples/studies/normal/hertz.toml --output results/ball
     """
-    from winkler.errors import Interrupted, InvalidInput, Mistake
+    from winkler.errors import Interrupted, Mistake
     from winkler.study.language.reading import read_study
 
     started = time.perf_counter()
