@@ -18,8 +18,8 @@ from project_files import project_files
 
 FOLDERS = {"src", "tests", "examples", "docs", "benchmarks", "constraints", "conda"}
 PAGES = {
-    ".readthedocs.yaml", ".zenodo.json", "README.md", "CHANGELOG.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md", "SECURITY.md",
-    "CITATION.cff", "LICENSE",
+    ".readthedocs.yaml", ".zenodo.json", "README.md", "CHANGELOG.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md",
+    "SECURITY.md", "CITATION.cff", "LICENSE",
 }  # fmt: skip
 MADE = {"PKG-INFO", "pyproject.toml", ".gitignore"}
 LARGEST = 500_000  # bytes of one file
