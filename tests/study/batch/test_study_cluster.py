@@ -261,7 +261,7 @@ def test_nobody_answers(monkeypatch):
         run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))
 
 
-PAGE = Path(__file__).resolve().parents[3] / "docs" / "clusters.md"
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "tutorials" / "clusters.md"
 
 
 @pytest.mark.slow

@@ -29,7 +29,7 @@ def digest(path: Path) -> str:
 
 def table(title: str) -> list[tuple[str, str]]:
     """Return the first two cells of the rows below a heading of the section "From 0.2"."""
-    page = (ROOT / "docs" / "upgrading.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "changelog" / "upgrading.md").read_text(encoding="utf-8")
     section = page.partition("## From 0.2")[2].partition("\n## ")[0]
     rows = section.partition(f"### {title}")[2].partition("\n### ")[0]
     found = [line.strip("|").split("|") for line in rows.splitlines() if line.startswith("| ")]
