@@ -26,7 +26,7 @@ HERE = Path(__file__).resolve().parent
 TREE = HERE.parent
 RUN = ("afm", "app", "cluster", "topography", "test")
 """The extras whose lower bounds are tested; those left out hold tools that no user of winkler needs."""
-LOCKED = (*RUN, "docs", "dev", "release")
+LOCKED = (*RUN, "docs", "dev", "checks", "release")
 
 
 def direct(extras: tuple[str, ...]) -> list[Requirement]:

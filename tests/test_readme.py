@@ -152,6 +152,33 @@ def test_links_inside_the_project_lead_somewhere():
     assert bad == []
 
 
+MANUAL = "https://winkler.readthedocs.io/en/latest/"
+
+
+def headings(page: Path) -> set[str]:
+    """Return the anchors of a page."""
+    heads = re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", head.lower()).strip().replace(" ", "-") for head in heads}
+
+
+def test_the_front_page_stands_on_the_index_of_packages():
+    """It has no relative link, and what it links to in the manual is there."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    targets = re.findall(r"\]\(([^)\s]+)\)", text)
+    assert len(targets) > 40
+    assert [one for one in targets if not one.startswith("https://")] == []
+    inside = [one.removeprefix(MANUAL) for one in targets if one.startswith(MANUAL)]
+    assert "_images/front.png" in inside
+    assert "](figures/front.png)" in (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    bad = []
+    for target in inside:
+        name, _, anchor = target.partition("#")
+        page = ROOT / "docs" / name.replace(".html", ".md")
+        if name.endswith(".html") and (not page.exists() or (anchor and anchor not in headings(page))):
+            bad.append(target)
+    assert bad == []
+
+
 def test_the_front_page_is_short_and_its_numbers_are_those_of_the_benchmarks():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert text.count("\n") <= 150

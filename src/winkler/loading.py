@@ -11,7 +11,15 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.checks.number_checks import Finite, FiniteQuantity, NonNegativeQuantity, between
+from winkler.checks.number_checks import (
+    FINITE_QUANTITY,
+    NON_NEGATIVE_QUANTITY,
+    Finite,
+    FiniteQuantity,
+    NonNegativeQuantity,
+    between,
+)
+from winkler.numerics.types import PerLoad, Q
 from winkler.values import value, words
 
 __all__ = [
@@ -37,7 +45,7 @@ __all__ = [
 
 
 @value
-class Force:
+class Force(PerLoad[Q]):
     """A prescribed normal force.
 
     Parameters
@@ -46,11 +54,11 @@ class Force:
         [N], compression positive.
     """
 
-    force: FiniteQuantity
+    force: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
-class Depth:
+class Depth(PerLoad[Q]):
     """A prescribed indentation depth: how far the bodies have approached since first touch.
 
     Parameters
@@ -59,11 +67,11 @@ class Depth:
         [m], approach positive; below zero the bodies are apart.
     """
 
-    depth: FiniteQuantity
+    depth: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
-class Radius:
+class Radius(PerLoad[Q]):
     """A prescribed contact radius.
 
     Parameters
@@ -74,11 +82,11 @@ class Radius:
 
     __words__ = words(radius=("a", "m", "prescribed radius of the contact"))
 
-    radius: NonNegativeQuantity
+    radius: Annotated[Q, NON_NEGATIVE_QUANTITY]
 
 
 @value
-class LineForce:
+class LineForce(PerLoad[Q]):
     """A prescribed normal force per length of a line contact.
 
     Parameters
@@ -87,7 +95,7 @@ class LineForce:
         P [N/m], compression positive.
     """
 
-    force_per_length: FiniteQuantity
+    force_per_length: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
@@ -104,7 +112,7 @@ class LineShearForce:
 
 
 @value
-class HalfWidth:
+class HalfWidth(PerLoad[Q]):
     """A prescribed half-width of a line contact.
 
     Parameters
@@ -113,7 +121,7 @@ class HalfWidth:
         a [m], not negative.
     """
 
-    half_width: NonNegativeQuantity
+    half_width: Annotated[Q, NON_NEGATIVE_QUANTITY]
 
 
 @value

@@ -92,12 +92,12 @@ def test_the_grammar_is_the_one_that_is_read():
 
 def test_show_json(capsys):
     assert main(["show", "cone", "--json"]) == 0
-    (content,) = json.loads(capsys.readouterr().out)
+    (content,) = json.loads(capsys.readouterr().out)["kinds"]
     assert content["kind"] == "cone"
     assert content["keys"][0]["unit"] == "rad"
     assert build(content["example"], "profile") == wk.Cone(build(content["example"], "profile").half_angle)
     assert main(["show", "--json"]) == 0
-    assert [item["kind"] for item in json.loads(capsys.readouterr().out)] == list(kinds())
+    assert [item["kind"] for item in json.loads(capsys.readouterr().out)["kinds"]] == list(kinds())
 
 
 @pytest.mark.parametrize(
@@ -533,7 +533,7 @@ def test_validate_own_cases(here, capsys):
 def test_validate_as_json_and_markdown(here, capsys):
     (here / "right.toml").write_text(CASE, encoding="utf-8")
     assert main(["validate", "right.toml", "--json"]) == 0
-    (entry,) = json.loads(capsys.readouterr().out)
+    (entry,) = json.loads(capsys.readouterr().out)["cases"]
     assert entry["passed"] is True
     (number,) = entry["numbers"]
     assert (number["quantity"], number["expected"], number["unit"]) == ("depth", 0.25, "m")
@@ -625,3 +625,20 @@ def test_completion_of_the_shell(words, suggested):
         check=False,
     )
     assert suggested in answer.stdout.split()
+
+
+@pytest.mark.parametrize(
+    "command",
+    [["show", "cone"], ["show", "fit"], ["show", "nanoindentation"], ["show", "gasket", "leak"], ["run", "a.toml"]],
+)
+def test_json_begins_with_the_number_of_its_form(command, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "indentation", "--output", "a.toml"]) == 0
+    capsys.readouterr()
+    assert main([*command, "--json"]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert next(iter(content.items())) == ("schema", 1)
+    page = (Path(__file__).resolve().parents[2] / "docs" / "command-line.md").read_text(encoding="utf-8")
+    if command[0] == "run":
+        [row] = re.findall(r"^\| `run` \| (`title`.*) \|$", page, re.MULTILINE)
+        assert re.findall(r"`(\w+)`", re.sub(r"\([^)]*\)", "", row)) == list(content)[1:]

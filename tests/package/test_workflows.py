@@ -17,7 +17,7 @@ def text(root, request):
     folder = root / ".github" / "workflows"
     if not folder.is_dir():
         pytest.skip("the workflows are not in this copy")
-    assert sorted(path.name for path in folder.iterdir()) == ["ci.yml", "release.yml"]
+    assert sorted(path.name for path in folder.iterdir()) == ["ci.yml", "release.yml", "weekly.yml"]
     return (folder / f"{request.param}.yml").read_text(encoding="utf-8")
 
 
@@ -61,3 +61,31 @@ def test_only_publishing_may_write_and_it_waits_for_the_tests(workflow):
         assert set(jobs["publish"]["needs"]) == set(jobs) - {"publish"}
         assert jobs["tests"]["needs"] == "build"
         assert not any("run" in step for step in jobs["publish"]["steps"]), "what publishes runs no code of ours"
+
+
+def test_the_manual_is_built_for_each_change_and_the_files_are_looked_at(root):
+    folder = root / ".github" / "workflows"
+    if not folder.is_dir():
+        pytest.skip("the workflows are not in this copy")
+    jobs = {
+        name: yaml.safe_load((folder / f"{name}.yml").read_text(encoding="utf-8"))["jobs"] for name in ("ci", "release")
+    }
+    assert any("sphinx -W" in step.get("run", "") for step in jobs["ci"]["manual"]["steps"])
+    done = " ".join(step.get("run", "") for step in jobs["release"]["build"]["steps"])
+    for tool in ("twine check --strict", "check-wheel-contents", "validate-pyproject"):
+        assert tool in done
+
+
+def test_the_weekly_run_may_fail_alone(root):
+    path = root / ".github" / "workflows" / "weekly.yml"
+    if not path.exists():
+        pytest.skip("the workflows are not in this copy")
+    text = path.read_text(encoding="utf-8")
+    used = re.findall(r"uses: *(.*)$", text, re.MULTILINE)
+    assert [line for line in used if not re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", line)] == []
+    content = yaml.safe_load(text)
+    assert content["permissions"] == {"contents": "read"}
+    assert set(content[True]) == {"schedule", "workflow_dispatch"}
+    newest = {one["python"] for one in content["jobs"]["newest"]["strategy"]["matrix"]["include"]}
+    assert newest == {"3.14", "3.15"}
+    assert "3.14t" in text

@@ -22,7 +22,9 @@ from winkler.errors import InvalidInput
 __all__ = [
     "COUNT_BITS",
     "FINITE",
+    "FINITE_QUANTITY",
     "NON_NEGATIVE",
+    "NON_NEGATIVE_QUANTITY",
     "NOT_TINY",
     "POISSON",
     "POSITIVE",
@@ -282,9 +284,11 @@ Count: TypeAlias = Annotated[int, Whole(1)]
 Seed: TypeAlias = Annotated[int, Whole(0)]
 FiniteRow: TypeAlias = Annotated[NDArray[Any], Numbers()]
 PositiveRow: TypeAlias = Annotated[NDArray[Any], Numbers(POSITIVE)]
-FiniteQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(any_shape=True)]
+FINITE_QUANTITY = Numbers(any_shape=True)
+NON_NEGATIVE_QUANTITY = Numbers(NON_NEGATIVE, any_shape=True)
+FiniteQuantity: TypeAlias = Annotated[float | NDArray[Any], FINITE_QUANTITY]
 PositiveQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(POSITIVE, any_shape=True)]
-NonNegativeQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(NON_NEGATIVE, any_shape=True)]
+NonNegativeQuantity: TypeAlias = Annotated[float | NDArray[Any], NON_NEGATIVE_QUANTITY]
 
 
 def affordable(owner: str, what: str, count: int, most: float) -> None:

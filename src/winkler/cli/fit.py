@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.options import AsJson, Output, Overwrite, Quiet, Settings
+from winkler.cli.options import AsJson, ClusterAddress, Output, Overwrite, Quiet, Settings, stated_workers
 from winkler.cli.results import batch_json, print_batch, resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -45,6 +45,7 @@ def fit(
             "--workers", "-w", help="Processes that fit many curves; all processors, if it takes a while, unless given."
         ),
     ] = None,
+    cluster: ClusterAddress = "",
     time_limit: Annotated[
         float | None,
         typer.Option(help=r"The longest that the fit of one curve may take \[s]; that of the study if not given."),
@@ -79,19 +80,22 @@ def fit(
     from winkler.study.batch.fit_recording import recalled_fits
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
-    from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import named
     from winkler.study.language.fit_reading import read_fit_study
     from winkler.study.report.writing import outcome_files, write_files
 
     started = time.perf_counter()
     if nanoindentation.wanted(study):
+        if cluster:
+            raise InvalidInput(
+                f"{study.name}: nanoindentations are evaluated here, in a few seconds; leave --cluster out."
+            )
         options = {"overwrite": overwrite, "quiet": quiet, "as_json": as_json}
         return nanoindentation.evaluate(study, output, settings or (), **options)
     if is_measured_problem(study):
-        return run(
-            study, output, settings, overwrite=overwrite, workers=workers, anew=anew, quiet=quiet, as_json=as_json
-        )
+        options = {"overwrite": overwrite, "anew": anew, "quiet": quiet, "as_json": as_json}
+        return run(study, output, settings, workers=workers, cluster=cluster, **options)
+    fitters = stated_workers("fit", workers, cluster)
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
     if pages < 0:
@@ -110,8 +114,7 @@ def fit(
     with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as partial:
         before, batch_journal = recalled_fits(content, todo, journal), journal if len(todo) > 1 else None
         known_count, hidden = len(before), quiet or as_json
-        solvers = Machine() if workers is None else workers
-        stream = fit_curves(content, todo, before, workers=solvers, watch=running.watch, journal=batch_journal)
+        stream = fit_curves(content, todo, before, workers=fitters, watch=running.watch, journal=batch_journal)
         try:
             fitted.update(
                 terminal.tracked(stream, len(todo), hidden=hidden, doing=running.progress, before=known_count)

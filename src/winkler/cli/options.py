@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-__all__ = ["AsJson", "Output", "Overwrite", "Quiet", "Settings", "completion", "refuse_existing"]
+if TYPE_CHECKING:
+    from winkler.study.batch.pool import Workers
+
+__all__ = [
+    "AsJson",
+    "ClusterAddress",
+    "Output",
+    "Overwrite",
+    "Quiet",
+    "Settings",
+    "completion",
+    "refuse_existing",
+    "stated_workers",
+]
 
 Output = Annotated[
     Path | None,
@@ -27,6 +40,32 @@ Settings = Annotated[
         help="A content in place of the study's, such as problem.load.force='20 N'; may be given again.",
     ),
 ]
+ClusterAddress = Annotated[
+    str,
+    typer.Option(
+        "--cluster",
+        help="Address of a dask scheduler whose workers do it; given up after 60 s without a worker.",
+    ),
+]
+
+
+def stated_workers(command: str, workers: int | None, cluster: str) -> Workers:
+    """Return who solves, by the options `--workers` and `--cluster`; this machine if neither is given.
+
+    Raises
+    ------
+    InvalidInput
+        If both are given.
+    """
+    from winkler.errors import InvalidInput
+    from winkler.study.batch.cluster import Cluster
+    from winkler.study.batch.pool import Machine
+
+    if cluster and workers is not None:
+        raise InvalidInput(f"{command}: both --workers and --cluster are given; leave one of them out.")
+    if cluster:
+        return Cluster(cluster)
+    return Machine() if workers is None else workers
 
 
 def completion(names: Callable[[], Iterable[str]]) -> Callable[[str], list[str]]:

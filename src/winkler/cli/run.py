@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from winkler.cli.options import AsJson, Output, Overwrite, Quiet, Settings
+from winkler.cli.options import AsJson, ClusterAddress, Output, Overwrite, Quiet, Settings, stated_workers
 from winkler.cli.results import resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -36,13 +36,7 @@ def run(
             "--workers", "-w", help="Processes that solve a sweep; all processors, if it takes a while, unless given."
         ),
     ] = None,
-    cluster: Annotated[
-        str,
-        typer.Option(
-            "--cluster",
-            help="Address of a dask scheduler whose workers solve a sweep; given up after 60 s without a worker.",
-        ),
-    ] = "",
+    cluster: ClusterAddress = "",
     shard: Annotated[
         str,
         typer.Option(
@@ -72,16 +66,12 @@ def run(
 
     Example: winkler run examples/studies/normal/hertz.toml --output results/ball
     """
-    from winkler.errors import Interrupted, InvalidInput, Mistake
-    from winkler.study.batch.cluster import Cluster
-    from winkler.study.batch.pool import Machine
+    from winkler.errors import Interrupted, Mistake
     from winkler.study.language.reading import read_study
 
     started = time.perf_counter()
-    if cluster and workers is not None:
-        raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
+    solvers = stated_workers("run", workers, cluster)
     content = _with_figures(read_study(study, settings=settings or ()), figures)
-    solvers = Cluster(cluster) if cluster else Machine() if workers is None else workers
     job = _RunRequest(content, study.name, solvers, started, hidden=quiet or as_json)
     named_folder = output or Path(content.output.folder or Path("results") / study.stem)
     if shard:

@@ -280,4 +280,4 @@ def _json(name: str) -> None:
         for kind, line in kinds().items()
         if name in ("", kind)
     ]
-    write_json(content)
+    write_json({"kinds": content})

@@ -61,12 +61,16 @@ def write_line(text: str, *, end: str = "\n", error: bool = False) -> None:
         print(safe(text), end=end)
 
 
-def write_json(content: Any) -> None:
-    """Write JSON to stdout: in ASCII, and infinite numbers as words."""
+JSON_SCHEMA = 1
+"""Number of the form of all that `--json` writes; it grows when an entry goes or changes its meaning."""
+
+
+def write_json(content: dict[str, Any]) -> None:
+    """Write JSON to stdout: in ASCII, infinite numbers as words, and the number of its form first."""
     import json
 
     with until_closed():
-        print(json.dumps(plain_json(content), indent=2, allow_nan=False))
+        print(json.dumps(plain_json({"schema": JSON_SCHEMA, **content}), indent=2, allow_nan=False))
 
 
 def plain_json(content: Any) -> Any:

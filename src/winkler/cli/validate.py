@@ -47,7 +47,7 @@ def validate(
     hidden = quiet or as_json or as_markdown
     entries = list(terminal.tracked(ledger(files), len(files), hidden=hidden))
     if as_json:
-        write_json([_json(entry) for entry in entries])
+        write_json({"cases": [_json(entry) for entry in entries]})
     elif as_markdown:
         write_line(markdown(entries, "" if cases else remarks()), end="")
     else:

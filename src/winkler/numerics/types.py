@@ -3,20 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from winkler.checks.number_checks import ComplexNumbers
 
-__all__ = ["Array", "ArrayLike", "ComplexArray", "Curve", "Quantity", "shaped"]
+__all__ = ["Array", "ArrayLike", "ComplexArray", "Curve", "PerLoad", "Q", "Quantity", "like", "shaped"]
 
 Array = NDArray[Any]
 """Floating-point numbers (or truth values derived from them) of any shape."""
 ComplexArray = Annotated[NDArray[Any], ComplexNumbers()]
 Quantity = float | Array
 """A number, or an array of numbers for many cases at once."""
+if TYPE_CHECKING:
+    from typing import Generic as PerLoad
+
+    from typing_extensions import TypeVar
+
+    Q = TypeVar("Q", bound=Quantity, default=Quantity, covariant=True)
+    N = TypeVar("N", bound=Quantity)
+else:
+
+    class PerLoad:
+        """A load or a solution of one load, which holds numbers, or of many, which holds arrays of their shape.
+
+        Type checkers tell them apart by its argument ``Q``, a float or an array; nothing else looks at it.
+        """
+
+        def __class_getitem__(cls, _: Any) -> type:
+            return cls
+
+    Q = Quantity
 Curve = Callable[[Array], Array]
 """A function of one real variable, evaluated element by element."""
 
@@ -33,3 +52,8 @@ def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> Quantity:
     """
     numbers = np.asarray(result) if shape is None else np.reshape(result, shape)
     return float(numbers) if numbers.ndim == 0 else numbers
+
+
+def like(result: Quantity, given: N) -> N:
+    """Return a result of as many numbers as `given` has as a number, or as an array of its shape."""
+    return shaped(result, np.shape(given))  # type: ignore[return-value]

@@ -7,7 +7,7 @@ let a notebook show it.
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -44,12 +44,23 @@ from winkler.profiles.profile import Shape
 from winkler.punch_staircase import Staircase
 
 if TYPE_CHECKING:
+    from matplotlib.figure import FigureBase
+
     from winkler.plot.picture import Picture
+    from winkler.plot.render import Place
 
 __all__ = ["draw"]
 
 
-def draw(item: Any, *, extent: float | None = None) -> Picture:
+@overload
+def draw(item: Any, *, extent: float | None = None, ax: None = None) -> Picture: ...
+
+
+@overload
+def draw(item: Any, *, extent: float | None = None, ax: Place) -> FigureBase: ...
+
+
+def draw(item: Any, *, extent: float | None = None, ax: Place | None = None) -> Picture | FigureBase:
     """Return a figure of `item`.
 
     Parameters
@@ -86,16 +97,19 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - a ``Fit``: the curve with its model, and the residuals
     extent : float, optional
         Distance from the axis up to which is drawn [m]; chosen automatically if left out.
+    ax : matplotlib Axes, list of Axes, Figure or SubFigure, optional
+        Where to draw, in the style that it has: one of the axes for each panel of the picture, or a figure or
+        sub-figure, which is divided; a figure of its own if left out.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        Save it with ``savefig("name.png")`` or ``"name.svg"``; a notebook shows it.
+    matplotlib.figure.Figure or SubFigure
+        Save it with ``savefig("name.png")`` or ``"name.svg"``; a notebook shows it. If `ax` is given, its figure.
 
     Raises
     ------
     InvalidInput
-        If there is no picture of such an item.
+        If there is no picture of such an item, or `ax` has another number of axes than the picture has panels.
 
     Examples
     --------
@@ -103,9 +117,10 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
     >>> draw(Sphere(curvature_radius=10e-3), extent=2e-3)
     <Picture of 8.8 x 3.3 inches; save it with savefig(path)>
     """
-    from winkler.plot.render import render  # matplotlib is loaded by the first figure
+    from winkler.plot.render import render, render_into  # matplotlib is loaded by the first figure
 
-    return render(sheet_of(item, extent=extent))
+    sheet = sheet_of(item, extent=extent)
+    return render(sheet) if ax is None else render_into(sheet, ax)
 
 
 @sheet_of.register(Shape)

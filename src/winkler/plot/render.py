@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import FigureBase
 
+from winkler.checks.plain_numbers import as_text
+from winkler.errors import InvalidInput
 from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
 from winkler.plot.render_axis import set_axis, thin_ticks
 from winkler.plot.render_marks import draw_mark
 
-__all__ = ["fill_axes", "render"]
+__all__ = ["Place", "fill_axes", "render", "render_into"]
+
+Place = Axes | FigureBase | Sequence[Axes]
+"""Where a picture is drawn that is a part of another one."""
 
 
 def render(sheet: Sheet) -> Picture:
@@ -30,12 +37,49 @@ def render(sheet: Sheet) -> Picture:
     return figure
 
 
+def render_into(sheet: Sheet, place: Place) -> FigureBase:
+    """Draw a sheet into a figure, a sub-figure or axes of somebody else, in their style; return the figure drawn into.
+
+    Raises
+    ------
+    InvalidInput
+        If it is none of these, or has not as many axes as the sheet has panels.
+    """
+    if isinstance(place, FigureBase):
+        for axes, panel in _axes_of_panels(place, place.add_gridspec, sheet):  # type: ignore[attr-defined]
+            fill_axes(axes, panel)
+        if sheet.title:
+            place.suptitle(sheet.title)
+        return place
+    given = [place] if isinstance(place, Axes) else list(np.ravel(np.asarray(place, dtype=object)))
+    if not given or not all(isinstance(axes, Axes) for axes in given):
+        raise InvalidInput(
+            f"draw: ax is {as_text(place)}; give axes of matplotlib, a list of them, a figure or a sub-figure."
+        )
+    panels = _panels(sheet)
+    if len(given) != len(panels):
+        raise InvalidInput(
+            f"draw: the picture has {len(panels)} panels, and ax {len(given)} axes; give as many, or a sub-figure."
+        )
+    for axes, panel in zip(given, panels, strict=True):
+        fill_axes(axes, panel)
+    return given[0].figure
+
+
+def _panels(sheet: Sheet) -> list[Panel]:
+    """Return the panels of a sheet, and of the sheets inside it, in the order in which they are drawn."""
+    found: list[Panel] = []
+    for panel in sheet.panels:
+        found += _panels(panel) if isinstance(panel, Sheet) else [] if panel is None else [panel]
+    return found
+
+
 def _grid_size(sheet: Sheet) -> tuple[int, int]:
     columns = sheet.columns or len(sheet.panels)
     return columns, -(-len(sheet.panels) // columns)
 
 
-def _axes_of_panels(figure: Picture, make_grid: Callable[..., Any], sheet: Sheet) -> list[tuple[Axes, Panel]]:
+def _axes_of_panels(figure: FigureBase, make_grid: Callable[..., Any], sheet: Sheet) -> list[tuple[Axes, Panel]]:
     """Return empty axes on a grid for the panels of a sheet, and of the sheets inside it."""
     columns, rows = _grid_size(sheet)
     grid = make_grid(rows, columns, width_ratios=sheet.widths or None, height_ratios=sheet.heights or None)

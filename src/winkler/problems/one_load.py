@@ -43,7 +43,7 @@ class OfPath(Generic[State]):
 
 def picked(
     load: Load, index: int | tuple[int, ...], depth: Quantity, force: Quantity, radius: Quantity
-) -> tuple[Load, float, float, float]:
+) -> tuple[Force[float] | Depth[float] | Radius[float], float, float, float]:
     """Return one load, of the kind that was prescribed, and its depth [m], force [N] and radius [m].
 
     Parameters

@@ -5,6 +5,10 @@ from __future__ import annotations
 import builtins
 import contextlib
 import math
+import os
+import signal
+import subprocess
+import sys
 import types
 import typing
 import warnings
@@ -78,6 +82,70 @@ def test_the_command_line(address, tmp_path, monkeypatch, capsys):
     assert main(["run", "x.toml", "--quiet", "--output", "there", "--cluster", address]) == 4
     assert (tmp_path / "here/results.csv").read_bytes() == (tmp_path / "there/results.csv").read_bytes()
     assert capsys.readouterr() == ("", "")
+
+
+def curves(folder, count):
+    """Write force curves of a ball on gels of 1, 2 ... kPa, and the study that fits them."""
+    (folder / "curves").mkdir()
+    depth = np.linspace(-0.2e-6, 0.4e-6, 200)
+    for number in range(count):
+        bed = wk.Foundation(wk.Paraboloid(5e-6), wk.HalfSpace(wk.Elastic(1e3 * (number + 1), 0.5)))
+        pressed = wk.Indentation(bed, wk.Depth(np.maximum(depth, 0.0))).solve().force
+        noisy = pressed + 2e-12 * np.random.default_rng(number).standard_normal(depth.size)
+        rows = "".join(f"{d!r},{f!r}\n" for d, f in zip((1e9 * depth).tolist(), (1e9 * noisy).tolist(), strict=True))
+        (folder / "curves" / f"{number:02d}.csv").write_text(f"depth [nm],force [nN]\n{rows}", encoding="utf-8")
+    (folder / "gels.toml").write_text(GELS, encoding="utf-8")
+
+
+GELS = """title = "Gels"
+[problem]
+kind = "indentation"
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "5 um" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 kPa", poisson = 0.5 } }
+[fit]
+curve = "curves/*.csv"
+part = "approach"
+[fit.free]
+"problem.bed.medium.first.young" = ["10 Pa", "10 MPa"]
+contact_point = true
+[output]
+figures = []
+report = false
+"""
+
+
+@pytest.mark.slow
+def test_curves_are_fitted_on_a_cluster_whose_worker_is_killed(address, tmp_path, monkeypatch, capsys):
+    from distributed import Client
+
+    from winkler.study.batch.fit_run import fit_curves, pieces
+    from winkler.study.language.fit_reading import read_fit_study
+
+    monkeypatch.chdir(tmp_path)
+    curves(tmp_path, 16)
+    study = read_fit_study(tmp_path / "gels.toml")
+    stream = fit_curves(study, pieces(study), workers=Cluster(address))
+    found = dict([next(stream)])
+    with Client(address, set_as_default=False) as client:
+        before = client.run(os.getpid)
+        os.kill(min(before.values()), signal.SIGKILL)
+    found |= dict(stream)
+    here = dict(fit_curves(study, pieces(study)))
+    assert len(found) == 16
+    assert all(found[place][0].fit.values.tolist() == here[place][0].fit.values.tolist() for place in here)
+    assert main(["fit", "gels.toml", "--quiet", "--output", "here", "--workers", "1"]) == 0
+    assert main(["fit", "gels.toml", "--quiet", "--output", "there", "--cluster", address]) == 0
+    assert (tmp_path / "here/fit.csv").read_bytes() == (tmp_path / "there/fit.csv").read_bytes()
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_fit_takes_workers_or_a_cluster(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "gels.toml").write_text(GELS, encoding="utf-8")
+    assert main(["fit", "gels.toml", "--workers", "2", "--cluster", "tcp://127.0.0.1:1"]) == 2
+    assert capsys.readouterr().err == "winkler: fit: both --workers and --cluster are given; leave one of them out.\n"
 
 
 @pytest.mark.slow
@@ -191,3 +259,42 @@ def test_nobody_answers(monkeypatch):
     monkeypatch.setattr(cluster, "SCHEDULER_TIMEOUT", 0.5)
     with pytest.raises(InvalidInput, match=r"nobody answers at 'tcp://127\.0\.0\.1:9'"):
         run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))
+
+
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "tutorials" / "clusters.md"
+
+
+@pytest.mark.slow
+def test_the_scripts_of_the_manual_run_their_shards(tmp_path):
+    """The job of SLURM with its number set by hand, one of them killed, and the rules of Snakemake one by one."""
+    from winkler.study.language.writing import study_text
+
+    text = PAGE.read_text(encoding="utf-8")
+    job = text.partition("```text\n#!/bin/bash\n")[2].partition("```")[0].replace("1-20", "1-3").replace("/20", "/3")
+    rules = [line.partition('"')[2].rpartition('"')[0] for line in text.splitlines() if line.startswith("    shell: ")]
+    (tmp_path / "bin").mkdir()
+    command = tmp_path / "bin" / "winkler"
+    command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m winkler "$@"\n', encoding="utf-8")
+    command.chmod(0o755)
+    study = tmp_path / "study.toml"
+    study.write_text(study_text(ONE_BY_ONE) + "\n[output]\nfigures = []\n", encoding="utf-8")
+    place = {**os.environ, "PATH": f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+
+    def shell(line, **more):
+        done = subprocess.run(["bash", "-c", line], cwd=tmp_path, env={**place, **more}, capture_output=True, text=True)
+        assert done.returncode == 0, (line, done.stderr)
+
+    shell("winkler run study.toml --output alone --quiet")
+    for number in "12":
+        shell(job, SLURM_ARRAY_TASK_ID=number)
+    killed = subprocess.Popen(["bash", "-c", job], cwd=tmp_path, env={**place, "SLURM_ARRAY_TASK_ID": "3"})
+    killed.kill()
+    killed.wait()
+    shell(job, SLURM_ARRAY_TASK_ID="3")
+    shell("winkler merge study.toml --output results/study --quiet")
+    assert (tmp_path / "results/study/results.csv").read_bytes() == (tmp_path / "alone/results.csv").read_bytes()
+    shard, merge = (rule.replace("{input}", "study.toml").replace("/20", "/2") for rule in rules)
+    for number in "12":
+        shell(shard.replace("{wildcards.n}", number))
+    shell(merge)
+    assert (tmp_path / "results/study/results.csv").read_bytes() == (tmp_path / "alone/results.csv").read_bytes()

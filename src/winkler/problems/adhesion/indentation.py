@@ -14,11 +14,11 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
-from winkler.loading import Depth, Force, Load
+from winkler.loading import Depth, Force, Radius
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.transforms import abel
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, like
 from winkler.path import load_number
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge_states import EdgeStates, depth_under, force_under, margin
@@ -38,7 +38,7 @@ FIXED_GRIPS, DEAD_LOAD = float("inf"), 0.0
 
 
 @value
-class AdhesiveIndentation:
+class AdhesiveIndentation(PerLoad[Q]):
     """A body that sticks to another one.
 
     Parameters
@@ -69,13 +69,13 @@ class AdhesiveIndentation:
 
     bed: Bed
     law: AdhesionLaw
-    load: Load
+    load: Force[Q] | Depth[Q] | Radius[Q]
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "maugis_1992")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
-    def solve(self) -> AdhesiveSolution:
+    def solve(self) -> AdhesiveSolution[Q]:
         """Return depth, force, radius, and whether the state is stable.
 
         Returns
@@ -89,7 +89,8 @@ class AdhesiveIndentation:
             profile, or the law does not hold for this bed.
         """
         states = states_of(self.bed, self.law)
-        prescribed = np.asarray(load_number(self.load), dtype=float)
+        given: Q = load_number(self.load)  # type: ignore[assignment]
+        prescribed = np.asarray(given, dtype=float)
         flat = prescribed.ravel()
         match self.load:
             case Depth():
@@ -104,7 +105,7 @@ class AdhesiveIndentation:
                 depth, force, radius, stable = _at_radius(states, flat)
                 results = depth, force, radius
         held = stable.reshape(prescribed.shape) if prescribed.ndim else bool(stable[0])
-        d, f, a = (shaped(part, prescribed.shape) for part in results)
+        d, f, a = (like(part, given) for part in results)
         return AdhesiveSolution(self, d, f, a, held)
 
 
@@ -127,7 +128,7 @@ def _at_radius(states: EdgeStates, radius: Array) -> tuple[Array, Array, Array, 
 
 
 @value
-class AdhesiveSolution:
+class AdhesiveSolution(PerLoad[Q]):
     """The solution of an `AdhesiveIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -145,10 +146,10 @@ class AdhesiveSolution:
         load.
     """
 
-    problem: AdhesiveIndentation
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
+    problem: AdhesiveIndentation[Q]
+    depth: Q
+    force: Q
+    radius: Q
     stable: bool | Array
 
     per_load: ClassVar[str] = "depth"
@@ -158,24 +159,23 @@ class AdhesiveSolution:
         return states_of(self.problem.bed, self.problem.law)
 
     @property
-    def energy_release_rate(self) -> Quantity:
+    def energy_release_rate(self) -> Q:
         """G [J/m^2] of the edge: the work of adhesion where the edge is free, less where a rim holds it."""
         law = self.problem.law
         if isinstance(law, ShortRange):
-            return shaped(
-                griffith.energy_release_rate(self.problem.bed, np.asarray(self.depth), np.asarray(self.radius))
-            )
-        return shaped(np.full(np.shape(self.depth), law.work))
+            depth, radius = np.asarray(self.depth), np.asarray(self.radius)
+            return like(griffith.energy_release_rate(self.problem.bed, depth, radius), self.depth)
+        return like(np.full(np.shape(self.depth), law.work), self.depth)
 
     @property
-    def stress_intensity(self) -> Quantity:
+    def stress_intensity(self) -> Q:
         """K_I = sqrt(2 E* G) [Pa m^(1/2)] of the tension at the edge; zero under laws with a range.
 
         E* is that of the surface: of the uppermost layer, where there are layers. Raises `OutsideValidity` for moduli
         that vanish at the surface, whose tension is singular with another power.
         """
         if not isinstance(self.problem.law, ShortRange):
-            return shaped(np.zeros(np.shape(self.depth)))
+            return like(np.zeros(np.shape(self.depth)), self.depth)
         medium = self.problem.bed.medium
         if offers(medium, PowerOfDepth) and medium.exponent != 0.0:
             raise OutsideValidity(
@@ -184,13 +184,13 @@ class AdhesiveSolution:
                 "energy_release_rate, which is meant the same on every medium."
             )
         if isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves) or offers(medium, PowerOfDepth):
-            return shaped(np.sqrt(2.0 * medium.modulus * np.asarray(self.energy_release_rate)))
+            return like(np.sqrt(2.0 * medium.modulus * np.asarray(self.energy_release_rate)), self.depth)
         raise OutsideValidity(
             f"stress_intensity: the surface modulus of a {type(medium).__name__} is not known; use energy_release_rate."
         )
 
     @property
-    def stiffness(self) -> Quantity:
+    def stiffness(self) -> Q:
         """dF/dd along the equilibria [N/m]; k(a) where a rim holds the edge, infinite where the depth stands still."""
         bed, radius = self.problem.bed, np.ravel(self.radius)
         result = np.array(bed.stiffness(radius), dtype=float)
@@ -198,17 +198,17 @@ class AdhesiveSolution:
         if free.any():
             depth, force = self._states.slopes(radius[free])
             result[free] = np.where(depth != 0.0, force / np.where(depth != 0.0, depth, 1.0), np.inf)
-        return shaped(result, np.shape(self.depth))
+        return like(result, self.depth)
 
     @property
-    def energy(self) -> Quantity:
+    def energy(self) -> Q:
         """Elastic energy U [J]; that of the surfaces, -work pi a^2 without range, is not in it."""
         states = self._states
         parts = [
             _elastic_energy(states.pressed(float(d), float(a))) if a > 0.0 else 0.0
             for d, a in zip(np.ravel(self.depth), np.ravel(self.radius), strict=True)
         ]
-        return shaped(np.array(parts), np.shape(self.depth))
+        return like(np.array(parts), self.depth)
 
     @property
     def pull_off(self) -> PullOffSolution:
@@ -220,7 +220,7 @@ class AdhesiveSolution:
         """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
         return self._states.pressed(single(self.depth, "fields"), float(self.radius))
 
-    def at(self, index: int | tuple[int, ...]) -> AdhesiveSolution:
+    def at(self, index: int | tuple[int, ...]) -> AdhesiveSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters

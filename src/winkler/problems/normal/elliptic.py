@@ -29,7 +29,7 @@ from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior.peak import StressSpot
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal import elliptic_fields as inside
@@ -63,7 +63,7 @@ CONFORMING = "M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, 
 
 
 @value
-class EllipticIndentation:
+class EllipticIndentation(PerLoad[Q]):
     """Two bodies of two curvatures each, pressed together without friction.
 
     Parameters
@@ -101,7 +101,7 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     bodies: CurvedBodies | CurvedPair
     medium: Annotated[MappedMedium, Advice("neither Hertz's ellipse nor the boundary elements apply to another")]
-    load: Force | Depth
+    load: Force[Q] | Depth[Q]
 
     references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015", "polonsky_keer_1999")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
@@ -122,7 +122,7 @@ DepthGradedHalfSpace or GradedHalfSpace
         """
         return EllipticFoundation(self.bodies.together, self.medium)  # type: ignore[arg-type]
 
-    def solve(self) -> EllipticSolution:
+    def solve(self) -> EllipticSolution[Q]:
         """Return force, depth and contact.
 
         Raises
@@ -154,9 +154,10 @@ DepthGradedHalfSpace or GradedHalfSpace
         area = math.pi * a * b * grown**2
         pressure = 1.5 * force / np.where(area > 0.0, area, 1.0)
         columns = (depth, force, a * grown, b * grown, stiffness, area, pressure, 0.0 * force, 0.0 * force)
-        return EllipticSolution(self, *(shaped(column) for column in columns))
+        prescribed: Q = self.load.force if isinstance(self.load, Force) else self.load.depth
+        return EllipticSolution(self, *(like(column, prescribed) for column in columns))
 
-    def _by_pixels(self) -> EllipticSolution:
+    def _by_pixels(self) -> EllipticSolution[Q]:
         """Return the solution on layers, gradings and power laws, load by load."""
         by_force = isinstance(self.load, Force)
         loads = numbers_of(self.load)
@@ -170,7 +171,8 @@ DepthGradedHalfSpace or GradedHalfSpace
                 fine.depth, fine.force, *fine.contour(AXES), fine.stiffness, fine.area, fine.peak_pressure,
                 grid_error(coarse, fine), edge_error(coarse, fine, AXES),
             )  # fmt: skip
-        return EllipticSolution(self, *(shaped(column, loads.shape) for column in rows))
+        prescribed: Q = self.load.force if isinstance(self.load, Force) else self.load.depth
+        return EllipticSolution(self, *(like(column, prescribed) for column in rows))
 
 
 @cached_by_value(8)
@@ -203,7 +205,7 @@ def pressed_ellipse(
 
 
 @value
-class EllipticSolution:
+class EllipticSolution(PerLoad[Q]):
     """The solution of an `EllipticIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -235,16 +237,16 @@ class EllipticSolution:
         edge_error=EDGE_ERROR,
     )
 
-    problem: EllipticIndentation
-    depth: Quantity
-    force: Quantity
-    longitudinal_semi_axis: Quantity
-    lateral_semi_axis: Quantity
-    stiffness: Quantity
-    area: Quantity
-    peak_pressure: Quantity
-    grid_error: Quantity
-    edge_error: Quantity
+    problem: EllipticIndentation[Q]
+    depth: Q
+    force: Q
+    longitudinal_semi_axis: Q
+    lateral_semi_axis: Q
+    stiffness: Q
+    area: Q
+    peak_pressure: Q
+    grid_error: Q
+    edge_error: Q
 
     per_load: ClassVar[str] = "depth"
 
@@ -345,7 +347,7 @@ class EllipticSolution:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         return (float(self.longitudinal_semi_axis), float(self.lateral_semi_axis)), float(self.peak_pressure)
 
-    def at(self, index: int | tuple[int, ...]) -> EllipticSolution:
+    def at(self, index: int | tuple[int, ...]) -> EllipticSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters
@@ -360,7 +362,7 @@ class EllipticSolution:
         """
         _, depth, force, _ = picked(self.problem.load, index, self.depth, self.force, self.depth)
         load = Force(force) if isinstance(self.problem.load, Force) else Depth(depth)
-        return dataclasses.replace(self.problem, load=load).solve()
+        return EllipticIndentation(self.problem.bodies, self.problem.medium, load).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

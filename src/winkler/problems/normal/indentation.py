@@ -16,9 +16,9 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
-from winkler.loading import Depth, Force, Load, Radius
+from winkler.loading import Depth, Force, Radius
 from winkler.numerics.transforms import abel
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, like
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.peak_pressure import peak_pressure
 from winkler.problems.normal.solve_contact import at_depth, at_force, at_radius
@@ -32,7 +32,7 @@ __all__ = ["Indentation", "IndentationSolution"]
 
 
 @value
-class Indentation:
+class Indentation(PerLoad[Q]):
     """A body pressed into another one.
 
     Parameters
@@ -59,12 +59,12 @@ class Indentation:
     """
 
     bed: Bed
-    load: Load
+    load: Force[Q] | Depth[Q] | Radius[Q]
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "galin_1946", "sneddon_1965", "popov_2013")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
-    def solve(self) -> IndentationSolution:
+    def solve(self) -> IndentationSolution[Q]:
         """Return depth, force and contact radius.
 
         Returns
@@ -91,11 +91,11 @@ class Indentation:
             load = self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
         if solver is at_depth:
             load = np.where(radius > 0.0, load, 0.0)
-        return IndentationSolution(self, *(shaped(part, np.shape(prescribed)) for part in (depth, load, radius)))
+        return IndentationSolution(self, *(like(part, prescribed) for part in (depth, load, radius)))
 
 
 @value
-class IndentationSolution:
+class IndentationSolution(PerLoad[Q]):
     """The solution of an `Indentation`; every quantity has the shape of the load.
 
     Parameters
@@ -110,20 +110,20 @@ class IndentationSolution:
         a [m], zero where there is no contact.
     """
 
-    problem: Indentation
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
+    problem: Indentation[Q]
+    depth: Q
+    force: Q
+    radius: Q
 
     per_load: ClassVar[str] = "depth"
 
     @property
-    def stiffness(self) -> Quantity:
+    def stiffness(self) -> Q:
         """dF/dd = k(a) [N/m]."""
-        return shaped(self.problem.bed.stiffness(np.asarray(self.radius)))
+        return like(self.problem.bed.stiffness(np.asarray(self.radius)), self.radius)
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """F over the area of the contact [Pa]; zero without contact.
 
         Raises
@@ -132,10 +132,10 @@ class IndentationSolution:
             If the bed does not define the area.
         """
         area = np.asarray(self.problem.bed.footprint.area(np.asarray(self.radius)))
-        return shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
+        return like(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0), self.radius)
 
     @property
-    def peak_pressure(self) -> Quantity:
+    def peak_pressure(self) -> Q:
         """The greatest pressure [Pa]: infinite at a sharp apex, kink or rim; zero without contact.
 
         Raises
@@ -145,13 +145,13 @@ class IndentationSolution:
         """
         pairs = zip(*map(np.ravel, (self.depth, self.radius)), strict=True)
         peaks = [peak_pressure(PressedSprings(self.problem.bed, float(d), float(a))) for d, a in pairs]
-        return shaped(np.array(peaks), np.shape(self.depth))
+        return like(np.array(peaks), self.depth)
 
     @property
-    def energy(self) -> Quantity:
+    def energy(self) -> Q:
         """Elastic energy U [J], the work that was needed to press the bodies together."""
         work = [_energy(self.problem.bed, d, a) for d, a in zip(*map(np.ravel, (self.depth, self.radius)), strict=True)]
-        return shaped(np.array(work), np.shape(self.depth))
+        return like(np.array(work), self.depth)
 
     def line_load(self, x: Array) -> Array:
         """Load of the springs per length.
@@ -178,7 +178,7 @@ class IndentationSolution:
         """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
         return PressedSprings(self.problem.bed, single(self.depth, "line load or fields"), float(self.radius))
 
-    def at(self, index: int | tuple[int, ...]) -> IndentationSolution:
+    def at(self, index: int | tuple[int, ...]) -> IndentationSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters

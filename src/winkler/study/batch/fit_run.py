@@ -14,6 +14,7 @@ import operator
 import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 from types import MappingProxyType
 
@@ -25,6 +26,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
+from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.fit_further import further_of, joint_of_study
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import (
@@ -110,6 +112,10 @@ def fit_curves(
             journal.write(written_fits(*computed))
         return computed[1]
 
+    if isinstance(workers, Cluster | Executor):  # whose processes may have been started in another folder
+        sources = tuple(str(Path(path).absolute()) for path in study.sources)
+        study = dataclasses.replace(study, sources=sources, folder=str(Path(study.folder).absolute()))
+        todo = [str(Path(piece).absolute()) if isinstance(piece, str) else piece for piece in todo]
     return results(
         todo,
         functools.partial(_marked, study),

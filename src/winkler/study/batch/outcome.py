@@ -159,7 +159,9 @@ class Provenance:
     def attributes(self, title: str, study: str) -> dict[str, Any]:
         """Return the attributes of a NetCDF file that state its origin, with the title and the text of the study."""
         return {
+            "Conventions": CONVENTIONS,
             "title": title,
+            "history": f"{self.created}: written by winkler {self.version}",
             "program": "winkler",
             "winkler_version": self.version,
             "winkler_sources": self.sources,
@@ -170,6 +172,10 @@ class Provenance:
             "seconds": self.seconds,
             **{f"{name}_version": number for name, number in self.packages if name != "winkler"},
         }
+
+
+CONVENTIONS = "CF-1.11"
+"""Version of the conventions of climate and forecast (cfconventions.org) that NetCDF files follow."""
 
 
 def _yields(note: Note) -> bool:

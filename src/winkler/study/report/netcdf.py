@@ -77,7 +77,8 @@ def _add(file: Any, name: str, dims: tuple[str, ...], array: Any, attached: dict
 
     options: dict[str, Any] = {}
     if array.dtype.kind == "f":
-        options["fillvalue"] = array.dtype.type(np.nan)
+        if dims != (name,):  # a coordinate has no gaps, and may state no value for them
+            options["fillvalue"] = array.dtype.type(np.nan)
         if packed and array.size > LEAST_COMPRESSED:
             options |= {"compression": "gzip", "compression_opts": 4, "shuffle": True}
     elif array.dtype.kind == "b":

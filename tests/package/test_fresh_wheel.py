@@ -1,0 +1,162 @@
+"""A user who has the wheel and no checkout: the lines of README, and what is said where an extra is missing.
+
+The wheel is installed by pip into an environment of its own.  What it depends on is borrowed from the environment of
+the tests, by a path after which the modules of extras are hidden, each in turn.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import venv
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+pytestmark = pytest.mark.slow
+
+HIDING = """
+import os, sys
+class Hidden:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in os.environ.get("HIDDEN", "").split(","):
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+sys.meta_path.insert(0, Hidden())
+"""
+MODULES = {
+    "afm": "afmformats",
+    "app": "nicegui",
+    "cards": "array_api_compat",
+    "cluster": "distributed",
+    "export": "ziglang",
+    "nanoindentation": "openpyxl",
+    "topography": "SurfaceTopography",
+    "widget": "anywidget",
+}
+SWEEP = '\n[sweep]\n"problem.load.force" = ["1 N", "2 N"]\n'
+FIT = """title = "A curve"
+[problem]
+kind = "indentation"
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "5 um" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "10 kPa", poisson = 0.5 } }
+[fit]
+curve = "NAME"
+part = "approach"
+[fit.free]
+"problem.bed.medium.first.young" = ["1 kPa", "1 MPa"]
+contact_point = true
+"""
+
+
+class User(NamedTuple):
+    """An environment with the wheel alone, in which commands run."""
+
+    folder: Path
+    bin: Path
+
+    def shell(self, command: str, hidden: str = "") -> subprocess.CompletedProcess[str]:
+        """Run a command as it stands, without anything of the caller's Python."""
+        kept = {name: text for name, text in os.environ.items() if not name.startswith("PYTHON")}
+        place = {
+            **kept,
+            "PATH": f"{self.bin}{os.pathsep}{kept['PATH']}",
+            "HIDDEN": hidden,
+            "NUMBA_CACHE_DIR": str(self.folder / "kernels"),
+        }
+        return subprocess.run(
+            command, shell=True, cwd=self.folder, env=place, capture_output=True, text=True, timeout=300
+        )
+
+
+@pytest.fixture(scope="module")
+def wheel(root, tmp_path_factory):
+    if folder := os.environ.get("WINKLER_DIST"):
+        [path] = Path(folder).glob("*.whl")
+        return path
+    pytest.importorskip(
+        "hatchling", reason="neither WINKLER_DIST nor hatchling (pip install winkler[release]), which builds a wheel"
+    )
+    folder = tmp_path_factory.mktemp("dist")
+    subprocess.run([sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)], cwd=root, check=True)
+    [path] = folder.glob("*.whl")
+    return path
+
+
+@pytest.fixture(scope="module")
+def user(wheel, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("user")
+    venv.create(folder / "venv", with_pip=False, symlinks=os.name != "nt")
+    scripts = folder / "venv" / ("Scripts" if os.name == "nt" else "bin")
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "--python",
+        str(folder / "venv"),
+        "install",
+        "--quiet",
+        "--no-deps",
+        "--no-index",
+        str(wheel),
+    ]
+    subprocess.run(command, check=True)
+    [packages] = {path.parents[0] for path in (folder / "venv").rglob("winkler/__init__.py") for path in [path.parent]}
+    (packages / "borrowed.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
+    (packages / "sitecustomize.py").write_text(HIDING, encoding="utf-8")
+    return User(folder, scripts)
+
+
+def test_it_is_the_wheel_that_runs(user):
+    shown = user.shell('python -c "import winkler, sys; print(winkler.__file__); print(winkler.__version__)"')
+    place, number = shown.stdout.splitlines()
+    assert Path(place).is_relative_to(user.folder)
+    assert re.fullmatch(r"\d+\.\d+\.\d+(\.dev0)?", number)
+
+
+def test_the_first_lines_of_readme_run(user, root):
+    text = (root / "README.md").read_text(encoding="utf-8")
+    [block] = re.findall(r"<!-- ci: wheel -->\n```bash\n(.*?)```", text, re.DOTALL)
+    first, *lines = block.splitlines()
+    assert first == "pip install winkler"
+    assert len(lines) == 1
+    done = user.shell(lines[0], hidden=",".join(MODULES.values()))
+    assert done.returncode == 0, done.stderr
+    assert (user.folder / "results" / "indentation" / "report.html").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    "extra, command",
+    [
+        ("app", "winkler app --no-browser"),
+        ("cluster", "winkler run sweep.toml --cluster tcp://127.0.0.1:1"),
+        ("afm", "winkler fit curve.jpk-force.toml"),
+        ("nanoindentation", "winkler fit book.xlsx.toml"),
+        ("topography", "winkler show map.spm"),
+        ("export", "winkler export law.toml --to wasm"),
+        ("widget", "python -c \"import winkler; winkler.widget('normal')\""),
+    ],
+)
+def test_what_needs_an_extra_names_it(user, extra, command):
+    user.shell(
+        "winkler new indentation --output sweep.toml --overwrite && "
+        "winkler new tangential --output law.toml --overwrite"
+    )
+    with (user.folder / "sweep.toml").open("a", encoding="utf-8") as file:
+        file.write(SWEEP)
+    for name in ("curve.jpk-force", "book.xlsx"):
+        (user.folder / name).write_bytes(b"PK\x03\x04")
+        (user.folder / f"{name}.toml").write_text(FIT.replace("NAME", name), encoding="utf-8")
+    openpyxl = pytest.importorskip("openpyxl")
+    openpyxl.Workbook().save(user.folder / "book.xlsx")
+    (user.folder / "map.spm").write_bytes(b"map")
+    done = user.shell(command, hidden=MODULES[extra])
+    assert done.returncode != 0
+    last = done.stderr.strip().splitlines()[-1]
+    assert f"winkler[{extra}]" in last, done.stderr
+    assert "Traceback" not in done.stderr or command.startswith("python")
