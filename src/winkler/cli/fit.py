@@ -93,8 +93,7 @@ def fit(
         options = {"overwrite": overwrite, "quiet": quiet, "as_json": as_json}
         return nanoindentation.evaluate(study, output, settings or (), **options)
     if is_measured_problem(study):
-        options = {"overwrite": overwrite, "anew": anew, "quiet": quiet, "as_json": as_json}
-        return run(study, output, settings, workers=workers, cluster=cluster, **options)
+        return run(study, output, settings, overwrite, workers, cluster, anew=anew, quiet=quiet, as_json=as_json)
     fitters = stated_workers("fit", workers, cluster)
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from winkler.checks.plain_numbers import as_text
+from winkler.checks.physical_size import as_text
 from winkler.errors import InvalidInput
 from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
@@ -46,7 +46,7 @@ def render_into(sheet: Sheet, place: Place) -> FigureBase:
         If it is none of these, or has not as many axes as the sheet has panels.
     """
     if isinstance(place, FigureBase):
-        for axes, panel in _axes_of_panels(place, place.add_gridspec, sheet):  # type: ignore[attr-defined]
+        for axes, panel in _axes_of_panels(place, place.add_gridspec, sheet):
             fill_axes(axes, panel)
         if sheet.title:
             place.suptitle(sheet.title)
