@@ -46,6 +46,7 @@ def test_another_method_is_refused_with_those_that_hold(make, known):
                 make(method)
 
 
+@pytest.mark.slow
 def test_elements_of_a_line_agree_with_sums_of_earlier_contacts():
     exact, elements = (pressed_line(method).solve() for method in (wk.Method.EXACT, wk.Method.ELEMENTS))
     assert exact.states == pressed_line(wk.Method.AUTO).solve().states
@@ -54,6 +55,7 @@ def test_elements_of_a_line_agree_with_sums_of_earlier_contacts():
     assert elements.slip_shift == pytest.approx(exact.slip_shift, abs=2e-3 * np.max(np.abs(exact.slip_shift)))
 
 
+@pytest.mark.slow
 def test_sums_are_refused_where_they_do_not_hold():
     with pytest.raises(wk.OutsideValidity, match="the method exact adds up .*: give the method elements"):
         pressed_line(wk.Method.EXACT, COATED).solve()
@@ -66,6 +68,7 @@ def test_sums_are_refused_where_they_do_not_hold():
         bimodal(wk.Method.RINGS)
 
 
+@pytest.mark.slow
 def test_rings_of_a_coating_that_is_none_lose_what_springs_do():
     same = wk.CoatedHalfSpace([wk.Layer(STEEL, 1e-4)], on=STEEL)
     exact, rings = (bimodal(method, same).solve() for method in (wk.Method.EXACT, wk.Method.RINGS))

@@ -34,6 +34,7 @@ def test_all_slides_under_what_friction_bears(medium):
     assert np.all(pushed.shear_force[~felt] == 0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", [HALF, COATED, GRADED])
 def test_the_greatest_torque_is_that_of_a_path_that_went_no_deeper(medium):
     bed = wk.Foundation(wk.Paraboloid(1e-2), medium)
