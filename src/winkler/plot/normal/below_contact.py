@@ -10,6 +10,7 @@ import numpy as np
 from winkler.fields import SubsurfaceFields, restore
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.tensor import measure_named
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
@@ -18,6 +19,7 @@ from winkler.plot.series import common_scale, series, with_unit
 from winkler.problems.line.stress import LineFields
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.greatest_stress import INTERFACE_OFFSET
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers
 from winkler.problems.subsurface.contact_stress import ContactStressSolution
@@ -71,10 +73,13 @@ def _on_layers(contact: object) -> TypeGuard[EllipticSolution]:
 
 
 def _depths(item: ContactStressSolution) -> Array:
-    if _on_layers(item.contact):  # in the body with the layers
-        return np.asarray(DEEPEST * _width(item) * np.linspace(1e-4, 1.0, FEW_DOWN))
-    side = float(np.copysign(1.0, item.max_shear_depth))
-    return np.asarray(side * DEEPEST * _width(item) * np.linspace(1e-4, 1.0, DOWN))
+    few, medium = _on_layers(item.contact), item.problem.medium
+    side = 1.0 if few else float(np.copysign(1.0, item.max_shear_depth))  # an ellipse in the body with the layers
+    z = DEEPEST * _width(item) * np.linspace(1e-4, 1.0, FEW_DOWN if few else DOWN)
+    if side > 0.0 and offers(medium, LayerStack):  # stresses jump where layers end
+        faces = np.array([bottom for _, bottom in medium.spans if bottom < z[-1]])
+        z = np.unique(np.concatenate([z, faces, (1.0 + INTERFACE_OFFSET) * faces]))
+    return np.asarray(side * z)
 
 
 def _at_depths(item: ContactStressSolution) -> dict[str, Array]:

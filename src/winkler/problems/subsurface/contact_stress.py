@@ -97,7 +97,7 @@ class ContactStress:
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
-        medium = self._medium
+        medium = self.medium
         if not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
             raise InvalidInput(
                 f"ContactStress: the medium is a {type(medium).__name__}; the greatest stresses are sought in "
@@ -113,7 +113,8 @@ class ContactStress:
                 )
 
     @property
-    def _medium(self) -> object:
+    def medium(self) -> object:
+        """Both bodies."""
         return self.contact.medium if isinstance(self.contact, EllipticIndentation) else self.contact.bed.medium
 
     def solve(self) -> ContactStressSolution:
@@ -135,7 +136,7 @@ class ContactStress:
             along = contact.longitudinal_semi_axis >= contact.lateral_semi_axis
             kinds.append(tensor.longitudinal_shear if along else tensor.lateral_shear)
         rows, error = [], 0.0
-        for number, part in enumerate(solid_parts(self._medium), 1):
+        for number, part in enumerate(solid_parts(self.medium), 1):
             found = [find(part, kind) for kind in kinds]
             if isinstance(contact, IndentationSolution):
                 found.append(found[-1])
