@@ -48,6 +48,10 @@ def pytest_configure(config: pytest.Config) -> None:
             os.environ["NUMBA_CACHE_DIR"] = fresh.name
 
 
+MOST_SLOW = 12
+"""Slow members of one test."""
+
+
 def _spread(members: list[pytest.Item], count: int) -> list[pytest.Item]:
     """So many members of a test, far from each other, which have as many values of each parameter as possible."""
     width = len(members).bit_length()
@@ -64,7 +68,10 @@ def _spread(members: list[pytest.Item], count: int) -> list[pytest.Item]:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Run as many members of a test as its mark ``few`` says; of the others some are slow tests, and some long ones."""
+    """Run as many members of a test as its mark ``few`` says; of the others some are slow tests, and some long ones.
+
+    Of more than `MOST_SLOW` slow members the others are long ones, too.
+    """
     found: dict[tuple[pytest.Item, str], list[pytest.Item]] = {}
     for item in items:
         marks = {mark.name for mark in item.iter_markers()}
@@ -77,6 +84,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for item in members:
             if item not in chosen[:count]:
                 item.add_marker(pytest.mark.slow if item in chosen else pytest.mark.long)
+    slow: dict[tuple[pytest.Item, str], list[pytest.Item]] = {}
+    for item in items:
+        if {mark.name for mark in item.iter_markers()} & {"slow", "long", "manual", "browser"} == {"slow"}:
+            slow.setdefault((item.parent, item.originalname), []).append(item)
+    for members in (each for each in slow.values() if len(each) > MOST_SLOW):
+        for item in set(members) - set(_spread(members, MOST_SLOW)):
+            item.add_marker(pytest.mark.long)
 
 
 def pytest_collection_finish() -> None:

@@ -133,13 +133,13 @@ def test_the_first_lines_of_readme_run(user, root):
 @pytest.mark.parametrize(
     "extra, command",
     [
-        ("app", "winkler app --no-browser"),
-        ("cluster", "winkler run sweep.toml --cluster tcp://127.0.0.1:1"),
+        pytest.param("app", "winkler app --no-browser", marks=pytest.mark.long),
+        pytest.param("cluster", "winkler run sweep.toml --cluster tcp://127.0.0.1:1", marks=pytest.mark.long),
         ("afm", "winkler fit curve.jpk-force.toml"),
         ("nanoindentation", "winkler fit book.xlsx.toml"),
         ("topography", "winkler show map.spm"),
-        ("export", "winkler export law.toml --to wasm"),
-        ("widget", "python -c \"import winkler; winkler.widget('normal')\""),
+        pytest.param("export", "winkler export law.toml --to wasm", marks=pytest.mark.long),
+        pytest.param("widget", "python -c \"import winkler; winkler.widget('normal')\"", marks=pytest.mark.long),
     ],
 )
 def test_what_needs_an_extra_names_it(user, extra, command):
