@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.normal.force_curve import normal_curve
 
 STEEL, SOFT = wk.Elastic(210e9, 0.3), wk.Elastic(20e9, 0.4)
 HALF, COATED = wk.HalfSpace(STEEL), wk.CoatedHalfSpace([wk.Layer(SOFT, 1e-4)], on=STEEL)
@@ -15,21 +14,12 @@ LAW, DEPTH = wk.Coulomb(0.3), 1e-6
 PARTS = np.array([1e-6, 1e-10, 1e-14, 1e-20, 1e-40])
 
 
-@pytest.mark.parametrize("profile", [wk.Paraboloid(1e-2), wk.Cone(1.4), wk.TruncatedCone(1e-4, 1.4)])
-def test_a_curve_has_the_force_and_the_energy_of_each_depth(profile):
-    bed = wk.Foundation(profile, HALF)
-    alone = [wk.Indentation(bed, wk.Depth(DEPTH * part)).solve() for part in PARTS]
-    found = [normal_curve(bed, DEPTH).at(DEPTH * part)[1] for part in PARTS]
-    assert found == pytest.approx([each.force for each in alone], rel=1e-12, abs=0.0)
-
-
-@pytest.mark.parametrize("medium", [HALF, COATED, GRADED])
-def test_all_slides_under_what_friction_bears(medium):
-    bed = wk.Foundation(wk.Paraboloid(1e-2), medium)
+def test_all_rings_slide_under_what_friction_bears():
+    bed = wk.Foundation(wk.Paraboloid(1e-2), COATED)
     depths = DEPTH * np.array([1.0, *PARTS])
     shifts = DEPTH * np.array([0.01, *(1.0 + np.arange(PARTS.size))])
     pushed = wk.Tangential(bed, LAW, wk.Path.through(wk.Depth(depths), wk.Shift(shifts))).solve()
-    felt = pushed.radius > 0.0 if medium is not COATED else pushed.radius > 0.5**24 * pushed.radius[0]
+    felt = pushed.radius > 0.5**24 * pushed.radius[0]
     assert pushed.shear_force[felt][1:] == pytest.approx(0.3 * pushed.force[felt][1:], rel=1e-8, abs=0.0)
     assert np.all(pushed.shear_force[~felt] == 0.0)
 

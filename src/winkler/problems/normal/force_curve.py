@@ -37,8 +37,6 @@ __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth"]
 
 DEPTH_MARGIN = 1e-3
 """How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
-OCTAVES = 10
-"""How often panels are eight times narrower; below the stiffness follows one power of the depth."""
 SEARCH_FACTOR = 1.3
 SEARCH_START = 1e-3
 """Part of the radius at which a power profile would store the energy, where a search begins."""
@@ -58,27 +56,16 @@ class NormalCurve(NamedTuple):
         Chebyshev coefficients of K [N/m], F [N] and W [J] on every panel.
     orders : ndarray
         0, 1, 2 ...
-    shallow : float
-        Depth [m] up to which K is a power of the depth: on panels it would be lost in the rounding of greater ones.
-    stiffness, power : float
-        K at that depth [N/m], and the power.
     """
 
     edges: list[float]
     rows: list[Array]
     orders: Array
-    shallow: float
-    stiffness: float
-    power: float
 
     def at(self, depth: float) -> tuple[float, float, float]:
         """Return K [N/m], F [N] and W [J] at a depth [m]; all zero before touch."""
         if depth < 0.0:
             return 0.0, 0.0, 0.0
-        if depth <= self.shallow:
-            stiffness = self.stiffness * (depth / self.shallow) ** self.power
-            force = stiffness * depth / (1.0 + self.power)
-            return stiffness, force, force * depth / (2.0 + self.power)
         edges = self.edges
         panel = min(bisect_right(edges, depth), len(edges) - 1) - 1
         low, high = edges[panel], edges[panel + 1]
@@ -149,8 +136,7 @@ def _normal_curve(bed: Bed, depth: float) -> NormalCurve:
     if math.isfinite(bed.rim) and bed.rim <= bed.reach:
         breaks = np.append(breaks, at_end(bed)[0])
     inner = breaks[(breaks > 1e-12 * last) & (breaks < (1.0 - 1e-12) * last)]
-    # rounding counts over the greatest value of a panel
-    edges = np.unique(np.concatenate([[0.0], inner, last * 0.125 ** np.arange(OCTAVES + 1.0)]))
+    edges = np.unique(np.concatenate([[0.0], inner, [last]]))
 
     widest = float(at_depth(bed, np.array([last]))[1][0])
 
@@ -166,15 +152,7 @@ def _normal_curve(bed: Bed, depth: float) -> NormalCurve:
         np.stack([np.pad(each, (0, count - each.size)) for each in (one, two, three)], axis=1)
         for one, two, three in zip(first.coefficients, second.coefficients, third.coefficients, strict=True)
     ]
-    shallow = float(first.edges[1])
-    half, whole = stiffness(np.array([0.5 * shallow, shallow])).tolist()
-    curve = NormalCurve(
-        first.edges.tolist(), rows, np.arange(count, dtype=float), shallow, whole, max(math.log2(whole / half), 0.0)
-    )
-    _, force, work = np.subtract(curve.at(shallow), curve.at(math.nextafter(shallow, last))).tolist()
-    for row in rows:  # the curve goes on from there
-        row[0, 1:] += force, work
-    return curve
+    return NormalCurve(first.edges.tolist(), rows, np.arange(count, dtype=float))
 
 
 def _radii(bed: Bed, depths: Array, widest: float) -> Array:
