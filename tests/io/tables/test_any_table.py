@@ -168,3 +168,13 @@ def test_the_numbers_stay_or_the_table_is_refused(kind, texts_drawn, tmp_path_fa
     drawn()
     assert counts["read"] >= 0.3 * texts_drawn, counts
     assert counts["unnamed"] == 0
+
+
+def test_decimal_commas_beside_a_column_of_remarks_part_no_cells(tmp_path):
+    """By commas each of its rows has three cells, as its header has by semicolons."""
+    path = tmp_path / "scan.txt"
+    rows = [f"{n},5;{n};1,{n}25e-7" for n in range(10, 90)]
+    path.write_text("\n".join(["x [nm];Remark;z [m]", *rows]), encoding="utf-8")
+    position, heights = READERS["scan"](path)
+    assert position == pytest.approx(1e-9 * (np.arange(10, 90) + 0.5), rel=1e-12)
+    assert heights == pytest.approx([float(f"1.{n}25e-7") for n in range(10, 90)], rel=1e-12)

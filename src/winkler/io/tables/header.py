@@ -327,7 +327,8 @@ def separator_of(lines: Sequence[str], header: Header) -> str | None:
     first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
     for separator in (header.separator, *SEPARATORS_TRIED):
         cells = cells_of(first.partition("#")[0], separator)
-        if len(cells) == len(header.cells) and all(is_number(cells[place]) for place in header.places):
+        fits = like_number if separator == header.separator else is_number  # 0,5;1;2,5 has three cells by commas, too
+        if len(cells) == len(header.cells) and all(fits(cells[place]) for place in header.places):
             return separator
     return header.separator
 
