@@ -7,7 +7,7 @@ An entry has a class, which was fixed when its numbers were gathered:
 
 - **R**, rearranged: closed forms, transforms, springs by gap.  The same to `REARRANGED` = 1e-12.
 - **M**, march: stepped, iterated or fitted within an error that the problem allows (its `tolerance`), or that a
-  constant of its module names.  The same to that error.
+  constant of its module names.  The same to twice that error, by which both may err.
 - **W**, wrong before: an independent number, its tolerance and its source, in place of what was answered.
 
 A difference counts over the greatest magnitude of its quantity along the path, over loads or points: a number that
@@ -177,8 +177,8 @@ class Entry(NamedTuple):
 
     def allowed(self, row: int, name: str) -> float:
         """Return the difference that is allowed."""
-        own = REARRANGED if self.kind == "R" else self.error[row % len(self.error)]
-        return max(own, MARGIN * self.rounding.get(name, 0.0))
+        stated = self.error[row % len(self.error)] * (2.0 if self.kind == "M" else 1.0)  # both answers err by it
+        return max(REARRANGED, stated, MARGIN * self.rounding.get(name, 0.0))
 
     def moved(self, row: int, found: Found | str) -> list[str]:
         """Return one line for each quantity that is not what it was."""
