@@ -1,4 +1,4 @@
-"""A contact that has nearly parted bears what one bears that was never pressed deeper: mu F, and a moment of that."""
+"""Rings of a contact that has nearly parted bear what those of one bear that was never pressed deeper; torques do, too."""
 
 from __future__ import annotations
 
