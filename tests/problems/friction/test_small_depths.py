@@ -1,4 +1,4 @@
-"""Rings of a contact that has nearly parted bear what those of one bear that was never pressed deeper, as torques do."""
+"""Rings of a contact that has nearly parted bear what those of one bear that was never pressed deeper."""
 
 from __future__ import annotations
 
