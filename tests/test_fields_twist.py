@@ -94,7 +94,7 @@ def test_stress_is_that_of_the_displacement():
 @pytest.mark.slow
 def test_peak():
     peak, alone = wk.peak_stress(STATE), wk.peak_stress(wk.Indentation(BALL, wk.Radius(STATE.radius)).solve())
-    assert peak.von_mises >= alone.von_mises
+    assert peak.von_mises >= alone.von_mises * (1.0 - 1e-12)  # below the axis both are the same, to rounding
     r, z = np.meshgrid(np.linspace(0.0, 1.2, 40) * STATE.radius, np.geomspace(1e-3, 2.0, 40) * STATE.radius)
     most = float(np.max(wk.restore_body(STATE, r, 0.0, z).von_mises))
     assert most <= peak.von_mises * (1.0 + 1e-9) <= most * 1.01

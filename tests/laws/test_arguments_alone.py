@@ -97,6 +97,7 @@ GIVEN: dict[str, Any] = {
 TOGETHER = {
     "bimodal_damping.method": "kernels of their own",
     "elastic_plastic_particle.work_closing": "work_opening",
+    "elliptic_friction_heating.second_direction": "second_speed",
     "fretting_wear.layer_wears": "no layers",
     "friction_damping.method": "kernels of their own",
     "sliding_wear.layer_wears": "no layers",

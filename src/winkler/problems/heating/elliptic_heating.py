@@ -68,7 +68,7 @@ class EllipticFrictionHeating(RubbingBodies):
     ------
     InvalidInput
         If the law is not Coulomb's with a finite coefficient, a conductor or partition is none, a number is not
-        finite, or speeds and load do not broadcast.
+        finite, speeds and load do not broadcast, or a second body at rest has a direction.
 
     References
     ----------
@@ -125,6 +125,11 @@ class EllipticFrictionHeating(RubbingBodies):
                 f"EllipticFrictionHeating: load, first_speed and second_speed have the shapes {shapes[0]}, {shapes[1]} "
                 f"and {shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
             ) from None
+        if self.second_direction and not np.any(self.second_speed):
+            raise InvalidInput(
+                f"EllipticFrictionHeating: second_direction is {self.second_direction:g} rad and second_speed is zero: "
+                "a body at rest has no direction; give second_speed, or leave second_direction out."
+            )
 
     @property
     def _directions(self) -> tuple[float, float]:
