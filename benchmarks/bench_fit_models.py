@@ -1,4 +1,4 @@
-"""Fits of 2,000 points with four free numbers by several models, and of the modulus of a film at all widths.
+"""Fits of 2,000 points with four free numbers by several models, of 64,000 points, and of the modulus of a film.
 
 Run it:  pytest benchmarks/bench_fit_models.py -m bench -n 0 --benchmark-only
 """
@@ -28,12 +28,12 @@ TIPS = {
 }
 
 
-def noisy(bed: wk.Foundation, noise: float) -> ForceCurve:
-    position = np.linspace(-1e-6, 1e-6, COUNT)
+def noisy(bed: wk.Foundation, noise: float, count: int = COUNT) -> ForceCurve:
+    position = np.linspace(-1e-6, 1e-6, count)
     depth = np.linspace(0.0, 1e-6, 200)[1:]
     force = wk.Indentation(bed, wk.Depth(depth)).solve().force
     smooth = CubicSpline(np.append(0.0, np.sqrt(depth)), np.append(0.0, force))
-    random = np.random.default_rng(0).standard_normal(COUNT)
+    random = np.random.default_rng(0).standard_normal(count)
     measured = smooth(np.sqrt(np.maximum(position, 0.0))) + noise * force[-1] * random
     return ForceCurve(position + 2e-6, measured + 0.01 * force[-1])
 
@@ -47,6 +47,15 @@ def bench_tip(benchmark, below, name):
     found = benchmark.pedantic(lambda: fit(curve, far, free=FOUR), rounds=10, warmup_rounds=1)
     assert abs(found.value(FOUR[0]) - YOUNG) < 5.0 * found.error(FOUR[0])
     below(0.08 if name == "measured tip" else 0.05, f"fit of 2,000 points, {name}, four free numbers")
+
+
+def bench_many_points(benchmark, below):
+    """Beside scipy's `curve_fit` of Hertz' law with three numbers, which states no doubt: see docs/benchmarks.md."""
+    bed = wk.Foundation(TIPS["paraboloid"], wk.HalfSpace.between(wk.Elastic(YOUNG, 0.5)))
+    model, curve = wk.Indentation(bed, wk.Depth(0.0)), noisy(bed, 1e-3, 64_000)
+    found = benchmark.pedantic(lambda: fit(curve, model, free=FOUR[:3]), rounds=5, warmup_rounds=1)
+    assert abs(found.value(FOUR[0]) - YOUNG) < 5.0 * found.error(FOUR[0])
+    below(0.25, "fit of 64,000 points, paraboloid, three free numbers")
 
 
 @pytest.mark.parametrize("ratio", [0.01, 100.0])

@@ -8,6 +8,7 @@ import pytest
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import states_for
+from winkler.fitting.elastic.depth_response import DepthResponse
 from winkler.fitting.elastic.film_tables import FilmTables
 from winkler.fitting.elastic.model_tables import EACH_ANEW, HomogeneousTables
 from winkler.fitting.elastic.tables_for import tables_for
@@ -35,16 +36,40 @@ def test_one_table_for_all_moduli_gives_hertz(spring):
         force = 4.0 / 3.0 * young / 0.75 * np.sqrt(R) * depth**1.5
         place = depth + force / spring
         response = tables.response(states_for(on_half_space(young)), 1.0 / spring, float(place[-1]))
-        found = response.closing(place)
+        found = response.opening(place, np.inf)
         assert found.force == pytest.approx(force, rel=1e-8)
         assert found.radius == pytest.approx(np.sqrt(R * depth), rel=1e-8)
         slope = 1.5 * force / depth
         assert found.slope == pytest.approx(slope / (1.0 + slope / spring), rel=1e-6)
-        changed = tables.differences(
-            response.table, states_for(on_half_space(1.001 * young)), 1.0 / spring, found.radius
-        )
+        changed = tables.differences(response, states_for(on_half_space(1.001 * young)), 1.0 / spring, found)
         assert changed[1] == pytest.approx(1e-3 * force, rel=1e-6)
         assert changed[0] == pytest.approx(1e-3 * force / spring, rel=1e-6, abs=1e-25)
+
+
+@pytest.mark.parametrize("spring", [np.inf, 0.02])
+@pytest.mark.parametrize(
+    "profile", [wk.Sphere(R), wk.Cone(0.3), wk.PowerLaw(1e17, 4.0), wk.PowerLaw(100.0, 1.5)], ids=repr
+)
+def test_forces_over_the_depth_are_those_of_the_radii(profile, spring):
+    """From the surface on: d = g(a) and F = 2 E* (a g - the integral of g) of a hundred radii, and k = 2 E* a."""
+    modulus, radius = 1e4 / 0.75, 1e-6 * np.concatenate([np.geomspace(1e-6, 1e-2, 20), np.linspace(0.02, 3.0, 80)])
+    model = wk.Indentation(wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(1e4, 0.5))), wk.Depth(0.0))
+    depth = profile.gap(radius)
+    force = 2.0 * modulus * (radius * depth - profile.gap_integral(radius))
+    position = depth + force / spring
+    response = HomogeneousTables().response(states_for(model), 1.0 / spring, float(position[-1]))
+    assert isinstance(response, DepthResponse)
+    found = response.opening(position, np.inf)
+    assert found.force == pytest.approx(force, rel=1e-7, abs=1e-11 * force[-1])
+    assert found.radius == pytest.approx(radius, rel=1e-6, abs=1e-8 * radius[-1])
+    stiffness = 2.0 * modulus * radius
+    assert found.slope == pytest.approx(stiffness / (1.0 + stiffness / spring), rel=1e-6, abs=1e-8 * stiffness[-1])
+
+
+@pytest.mark.parametrize("profile", [wk.FlatPunch(R), wk.TruncatedCone(0.3, 1e-6)], ids=repr)
+def test_a_profile_with_an_edge_keeps_its_table_of_radii(profile):
+    model = wk.Indentation(wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(1e4, 0.5))), wk.Depth(0.0))
+    assert not isinstance(HomogeneousTables().response(states_for(model), 0.0, 1e-6), DepthResponse)
 
 
 SLOW = pytest.mark.slow

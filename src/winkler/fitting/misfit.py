@@ -23,6 +23,8 @@ FEWEST_FREE_POINTS = 20
 """Fewest free points for an estimate of the noise."""
 ROW = 9
 """Points in a row, of which the median residual counts."""
+LEVELS = 0.9, 0.6
+"""Parts of the residuals below the levels by which the rows are found whose median may be the greatest."""
 LEAST_USUAL = 0.1
 """Least usual noise, relative to the standard deviation: of digits whose median is none."""
 LOCAL_LIMIT = 8.0
@@ -97,6 +99,14 @@ def _greatest_row(residuals: Array) -> tuple[float, int]:
     """Return the greatest median residual of points in a row, as a standard deviation, and the middle of the row."""
     if residuals.size < ROW:
         return 0.0, 0
-    rows = np.median(np.lib.stride_tricks.sliding_window_view(np.abs(residuals), ROW), axis=1)
-    place = int(np.argmax(rows))
-    return MAD_TO_SIGMA * float(rows[place]), place + ROW // 2
+    sizes, rows = np.abs(residuals), np.arange(residuals.size - ROW + 1)
+    for share in LEVELS:  # the median of a row is above a level where most of its points are
+        place = int(share * sizes.size)
+        above = np.cumsum(np.concatenate([[0], sizes > np.partition(sizes, place)[place]]))
+        high = np.flatnonzero(above[ROW:] - above[:-ROW] > ROW // 2)
+        if high.size:
+            rows = high
+            break
+    medians = np.median(np.lib.stride_tricks.sliding_window_view(sizes, ROW)[rows], axis=1)
+    greatest = int(np.argmax(medians))
+    return MAD_TO_SIGMA * float(medians[greatest]), int(rows[greatest]) + ROW // 2

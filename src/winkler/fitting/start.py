@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import numpy as np
 
 from winkler.errors import OutsideValidity
@@ -30,12 +32,27 @@ def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search
     search : Search
         Counts the evaluations.
     """
-    candidates = task.starts(rough_outline)
+    candidates, coarse = iter(task.starts(rough_outline)), task.coarse
+    starts: list[tuple[Array, float]] = []
+    improved: dict[bytes, tuple[Array, float]] = {}
+    refusal = OutsideValidity(NO_START)
+
+    def explains(candidate: Array) -> bool:
+        """Improve a start, unless that was done, and return whether the curve needs no other."""
+        if candidate.tobytes() not in improved:
+            improved[candidate.tobytes()] = solved(coarse, candidate, search, coarse=True)
+        return task.explained_by(improved[candidate.tobytes()][1], coarse, rough_outline)
+
     if not task.starts_are_trials:
-        candidates = list(candidates)
-        if len(candidates) == 1:
-            return candidates[0]
-    coarse, starts, refusal = task.coarse, [], OutsideValidity(NO_START)
+        first = next(candidates)
+        if task.has_one_optimum:
+            with contextlib.suppress(OutsideValidity):
+                if explains(first):
+                    return improved[first.tobytes()][0]
+        rest = list(candidates)
+        if not rest:
+            return first
+        candidates = iter([first, *rest])
     for candidate in candidates:
         try:
             starts.append((candidate, float(np.sum(coarse.residuals(candidate) ** 2))))
@@ -47,12 +64,10 @@ def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search
     if not starts:
         raise refusal
     starts.sort(key=lambda start: start[1])
-    improved = []
     for candidate, _ in starts[: task.starts_improved]:
-        improved.append(solved(coarse, candidate, search, coarse=True))
-        if task.explained_by(improved[-1][1], coarse, rough_outline):
+        if explains(candidate):
             break
-    return min(improved, key=lambda start: start[1])[0]
+    return min(improved.values(), key=lambda start: start[1])[0]
 
 
 def contact_points(task: FitTask, parameter: Parameter, rough_outline: CurveOutline) -> list[float]:

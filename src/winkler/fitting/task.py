@@ -114,6 +114,11 @@ class FitTask(_TaskFields):
         """Weighted norm of the measured quantity."""
         raise NotImplementedError
 
+    @property
+    def has_one_optimum(self) -> bool:
+        """Whether an improved first start that explains the curve needs no comparison with others."""
+        return False
+
     def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Return coordinates from which a fit may begin."""
         raise NotImplementedError

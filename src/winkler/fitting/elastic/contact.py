@@ -14,8 +14,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.model_tables import EACH_ANEW, ModelTables
-from winkler.fitting.elastic.response import MachineResponse, ResponseValues, response
+from winkler.fitting.elastic.model_tables import EACH_ANEW, ModelTables, Response
+from winkler.fitting.elastic.response import ResponseValues, response
 from winkler.fitting.validity import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
@@ -58,7 +58,7 @@ class HeldContact(NamedTuple):
         [N], dF/dD [N/m], a [m].
     balanced : ndarray of bool, (n,)
         Where the edge is in the equilibrium of `response`; elsewhere it is pinned.
-    response : MachineResponse
+    response : MachineResponse or DepthResponse
         Of the receding contact.
     adhesive : bool
         Whether it is adhesive.
@@ -68,7 +68,7 @@ class HeldContact(NamedTuple):
     slope: Array
     radius: Array
     balanced: Array
-    response: MachineResponse
+    response: Response
     adhesive: bool
 
 
@@ -132,7 +132,7 @@ def held_contact(
     """
     highest = max(float(position.max()), 1e-3 * float(np.ptp(position)))
     receding = tables.response(states_for(model), compliance, highest)
-    advancing = receding
+    advancing: Response = receding
     law = cast(Any, model).law if isinstance(model, AdhesiveIndentation) else None
     hysteresis = isinstance(law, ShortRange) and law.work_closing != law.work_opening
     if isinstance(law, ShortRange) and hysteresis:
@@ -186,8 +186,9 @@ def moved_force(
     tables : ModelTables, optional
         As for `held_contact`.
     """
-    level, force = tables.differences(held.response.table, states_for(other), compliance, held.radius[where])
-    return np.asarray(force - held.slope[where] * level)
+    values = ResponseValues(*(column[where] for column in (held.force, held.slope, held.radius, held.balanced)))
+    level, force = tables.differences(held.response, states_for(other), compliance, values)
+    return np.asarray(force - values.slope * level)
 
 
 def comparable(model: Model, other: Model) -> bool:
@@ -197,7 +198,7 @@ def comparable(model: Model, other: Model) -> bool:
 
 
 def _unloaded(
-    bed: Bed, advancing: MachineResponse, receding: MachineResponse, compliance: float, position: Array, turn: float
+    bed: Bed, advancing: Response, receding: Response, compliance: float, position: Array, turn: float
 ) -> ResponseValues:
     """Return the response of a contact whose edge is at rest after the turn until it recedes."""
     top = advancing.closing(np.array([turn]))

@@ -13,10 +13,10 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from winkler.fitting.elastic.model_tables import EachAnew
+from winkler.fitting.elastic.model_tables import EachAnew, Response
 from winkler.fitting.elastic.panels import PanelSeries, panel_nodes
-from winkler.fitting.elastic.response import MachineResponse, of_table
-from winkler.fitting.elastic.rising import RadiusTable, table_of
+from winkler.fitting.elastic.response import MachineResponse, ResponseValues, of_table
+from winkler.fitting.elastic.rising import table_of
 from winkler.fitting.parameters import changed, number_at
 from winkler.foundation.foundation import Foundation
 from winkler.media.layered.coated import LayeredMedium
@@ -77,7 +77,7 @@ class FilmTables(EachAnew):
         self._is_used = True
         self._edges = np.zeros(0)
 
-    def response(self, states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
+    def response(self, states: EdgeStates, compliance: float, highest: float) -> Response:
         """Return the response."""
         if highest > self._highest:
             self._choose_radii(states, highest)
@@ -107,14 +107,16 @@ class FilmTables(EachAnew):
             a = _radius_at(bed, float(bed.profile.gap(np.array([a]))[0]) * depth / float(reached[0]))
         return float(force[0]) * (depth / float(reached[0])), 0.0
 
-    def differences(self, table: RadiusTable, states: EdgeStates, compliance: float, radius: Array) -> Array:
+    def differences(self, held: Response, states: EdgeStates, compliance: float, values: ResponseValues) -> Array:
         """Return the differences."""
+        assert isinstance(held, MachineResponse)
+        table = held.table
         columns = self._columns(states) if table.left.size == self._edges.size - 1 else None
         if columns is None:
-            return super().differences(table, states, compliance, radius)
+            return super().differences(held, states, compliance, values)
         depth, force = columns
         both = (depth + compliance * force).ravel(), force.ravel()
-        return table.differences(lambda _: both, table.places_of(radius))
+        return table.differences(lambda _: both, table.places_of(values.radius))
 
     def _choose_radii(self, states: EdgeStates, highest: float) -> None:
         """Choose the radii of all tables, so that the contact at the position `highest` lies within them."""

@@ -6,6 +6,8 @@ few scalings give the right magnitude from any start.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from winkler.errors import OutsideValidity
@@ -24,8 +26,8 @@ __all__ = ["starts"]
 MOST_ROUNDS = 6
 
 
-def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
-    """Return the coordinates from which a fit may begin, one for each trial contact point.
+def starts(task: FitTask, rough_outline: CurveOutline) -> Iterator[Array]:
+    """Yield the coordinates from which a fit may begin, one for each trial contact point.
 
     Parameters
     ----------
@@ -39,11 +41,10 @@ def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
     if parameter is not None:
         origins = contact_points(task, parameter, rough_outline)[: task.tables.most_starts]
         origins = [parameter.start] if parameter.has_start else [parameter.inside(origin) for origin in origins]
-    found: list[dict[str, float]] = []
+    numbers = {p.name: p.start for p in task.parameters}
     for origin in dict.fromkeys(origins):
-        begun = found[-1] if found else {p.name: p.start for p in task.parameters}
-        found.append(_sized(task, rough_outline, origin, dict(begun)))
-    return [np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters]) for numbers in found]
+        numbers = _sized(task, rough_outline, origin, dict(numbers))
+        yield np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
 
 
 def _sized(task: FitTask, rough_outline: CurveOutline, origin: float, numbers: dict[str, float]) -> dict[str, float]:

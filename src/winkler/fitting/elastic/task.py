@@ -75,9 +75,14 @@ class ElasticTask(FitTask):
         assert rough_outline is not None
         return starts(self, rough_outline)
 
+    @property
+    def has_one_optimum(self) -> bool:
+        """Without a snap."""
+        return not isinstance(self.model, AdhesiveIndentation)
+
     def explained_by(self, squares: float, coarse: FitTask, rough_outline: CurveOutline | None) -> bool:
         """Return whether the residuals are hardly larger than the noise out of contact, and no snap has optima."""
-        if rough_outline is None or isinstance(self.model, AdhesiveIndentation):
+        if rough_outline is None or not self.has_one_optimum:
             return False
         count = max(int(np.count_nonzero(coarse.weights)) - len(self.parameters), 1)
         level = EXPLAINED_NOISE * rough_outline.noise * float(np.mean(coarse.weights))

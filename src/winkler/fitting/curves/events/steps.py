@@ -67,8 +67,14 @@ def found_steps(signal: Array, sign: float = 1.0) -> tuple[Step, ...]:
         if signal.size < FEWEST_WIDTHS * width:
             break
         gaps = _gaps(signal, width)
-        noise = _noise(gaps, width)
-        high = sign * gaps > np.maximum(LEAST_RATIO * noise, LEAST_SHARE * span)
+        whole = MAD_TO_SIGMA * float(np.median(np.abs(gaps)))
+        high = sign * gaps > max(LEAST_RATIO * whole, LEAST_SHARE * span)
+        places = np.flatnonzero(high)
+        if not places.size:
+            continue
+        noise = np.full(gaps.shape, whole)
+        noise[places] = _noise(gaps, width, places, whole)
+        high[places] = sign * gaps[places] > LEAST_RATIO * noise[places]
         for place in _peaks(np.where(high, sign * gaps, 0.0), width):
             error = max(float(noise[place]), 1e-12 * span)
             candidates.append((sign * gaps[place] / error, place + width, width, float(gaps[place]), error))
@@ -90,19 +96,20 @@ def _gaps(signal: Array, width: int) -> Array:
     return gaps
 
 
-def _noise(gaps: Array, width: int) -> Array:
-    """Return the standard deviation of gaps: that of all, or that of the neighbourhood if it is greater ``(m,)``."""
-    sizes = np.abs(gaps)
-    whole = MAD_TO_SIGMA * float(np.median(sizes))
-    reach, stride = LOCAL_WIDTHS * width, max(width, 1)
-    centres = np.arange(0, gaps.size, stride)
-    inner = (centres >= reach) & (centres + reach < gaps.size)
-    local = np.empty(centres.size)
-    if inner.any():
+def _noise(gaps: Array, width: int, places: Array, whole: float) -> Array:
+    """Return the standard deviation of gaps at places: that of all, or of the neighbourhood if it is greater."""
+    sizes, reach = np.abs(gaps), LOCAL_WIDTHS * width
+    centres = np.arange(0, gaps.size, width)
+    beside = places // width
+    needed = np.unique(np.minimum(np.concatenate([beside, beside + 1]), centres.size - 1))
+    inner = needed[(centres[needed] >= reach) & (centres[needed] + reach < gaps.size)]
+    local = np.zeros(centres.size)
+    if inner.size:
         windows = np.lib.stride_tricks.sliding_window_view(sizes, 2 * reach + 1)
         local[inner] = np.median(windows[centres[inner] - reach], axis=1)
-    local[~inner] = [_median(sizes[max(c - reach, 0) : c + reach + 1]) for c in centres[~inner].tolist()]
-    return np.asarray(np.maximum(whole, MAD_TO_SIGMA * np.interp(np.arange(gaps.size), centres, local)))
+    for index in np.setdiff1d(needed, inner).tolist():
+        local[index] = _median(sizes[max(index * width - reach, 0) : index * width + reach + 1])
+    return np.asarray(np.maximum(whole, MAD_TO_SIGMA * np.interp(places, centres, local)))
 
 
 def _median(numbers: Array) -> float:
