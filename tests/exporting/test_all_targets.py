@@ -73,7 +73,7 @@ def test_a_thousand_histories_are_the_same_in_python_and_fortran(tmp_path, many)
     agree(all_targets.by_fortran(tmp_path, laws, motions), expected)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_thousand_histories_are_the_same_in_units(tmp_path, many):
     """A unit takes differences of places, which are rounded; the C files take just these differences."""
     laws, motions, _ = many

@@ -51,7 +51,7 @@ def test_some_curves(memory):
     assert min(hits(False, memory, range(8), 150).values()) >= least
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("memory", [0.0, 0.7])
 @pytest.mark.parametrize("sticky", [False, True], ids=["Hertz", "JKR"])
 def test_a_hundred_curves(sticky, memory):

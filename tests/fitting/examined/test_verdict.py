@@ -57,7 +57,7 @@ def test_no_model_is_confirmed_by_a_worse_one():
     assert "None of the models explains" in found.verdict
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_wrong_models_are_rarely_told():
     """From noise that hides the tip to noise that does not: no curve is called the other tip."""
     wrong = right = 0

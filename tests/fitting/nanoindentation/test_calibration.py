@@ -61,7 +61,7 @@ def test_a_reference_with_an_error_makes_the_area_uncertain():
     assert share == pytest.approx(2.0 * relative, rel=0.25)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_of_the_calibration_hold():
     """Of area and frame of four played calibrations, down to 60 nm, the shallowest reading."""
     machine, errors = Machine(), []

@@ -88,7 +88,7 @@ def assumed(random, courses):
     return noise + courses @ (np.asarray(size) * random.standard_normal(courses.shape[1]))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_white_noise_that_is_stated():
     """Of 1,000 curves 92 to 98 % are held for each number: an honest interval fails once in 10,000 such tests."""
     inside = held(lambda random, _: random.standard_normal(COUNT), 1000, white=True)
