@@ -73,7 +73,9 @@ def lacking(kinds: tuple[type, ...], part: Any) -> str:
 def _missing(part: Any, protocol: type) -> set[str]:
     """Return the public members of a protocol that a value has not, without evaluating any of them."""
     unknown = _unknown(part.__class__, protocol)
-    return {name for name in unknown if inspect.getattr_static(part, name, unknown) is unknown}
+    if isinstance(part, type):
+        return {name for name in unknown if inspect.getattr_static(part, name, unknown) is unknown}
+    return {name for name in unknown if name not in getattr(part, "__dict__", ())}  # the class has none of them
 
 
 @functools.cache
