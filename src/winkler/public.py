@@ -72,6 +72,7 @@ from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
+from winkler.io.tables.surface_interaction import write_surface_interaction
 from winkler.io.tables.surface_load_table import read_surface_load
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps, read_relaxation_sweeps
 from winkler.io.topography_file import read_topography
@@ -218,5 +219,6 @@ __all__ = [
     "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section",
     "read_spectrum", "read_surface_load", "read_topography", "relaxation_band", "repeated_mean", "restore",
     "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray",
-    "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_trace", "write_vtk",
+    "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_surface_interaction",
+    "write_trace", "write_vtk",
 ]  # fmt: skip
