@@ -61,6 +61,7 @@ from winkler.foundation.springs import Springs
 from winkler.io.contact_state import read_contacts, write_contacts
 from winkler.io.curves import PlacedCurve, read_curve, read_curves
 from winkler.io.indenter_file import read_indenter, write_indenter
+from winkler.io.surface_interaction import write_surface_interaction
 from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
@@ -72,7 +73,6 @@ from winkler.io.tables.profile_table import read_profile, read_section
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
-from winkler.io.tables.surface_interaction import write_surface_interaction
 from winkler.io.tables.surface_load_table import read_surface_load
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps, read_relaxation_sweeps
 from winkler.io.topography_file import read_topography

@@ -36,6 +36,7 @@ MODULES = {
     "nanoindentation": "openpyxl",
     "topography": "SurfaceTopography",
     "widget": "anywidget",
+    "xlsx": "openpyxl",
 }
 SWEEP = '\n[sweep]\n"problem.load.force" = ["1 N", "2 N"]\n'
 FIT = """title = "A curve"
@@ -138,6 +139,7 @@ def test_the_first_lines_of_readme_run(user, root):
         ("afm", "winkler fit curve.jpk-force.toml"),
         ("nanoindentation", "winkler fit book.xlsx.toml"),
         ("topography", "winkler show map.spm"),
+        ("xlsx", "winkler run law.toml --set output.workbook=true"),
         pytest.param("export", "winkler export law.toml --to wasm", marks=pytest.mark.long),
         pytest.param("widget", "python -c \"import winkler; winkler.widget('normal')\"", marks=pytest.mark.long),
     ],
