@@ -61,6 +61,7 @@ from winkler.foundation.springs import Springs
 from winkler.io.contact_state import read_contacts, write_contacts
 from winkler.io.curves import PlacedCurve, read_curve, read_curves
 from winkler.io.indenter_file import read_indenter, write_indenter
+from winkler.io.surface_interaction import write_surface_interaction
 from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
@@ -218,5 +219,6 @@ __all__ = [
     "read_profile", "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_scan", "read_section",
     "read_spectrum", "read_surface_load", "read_topography", "relaxation_band", "repeated_mean", "restore",
     "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray",
-    "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_trace", "write_vtk",
+    "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_surface_interaction",
+    "write_trace", "write_vtk",
 ]  # fmt: skip

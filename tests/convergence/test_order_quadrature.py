@@ -16,6 +16,12 @@ import winkler as wk
 from winkler.numerics.integrals.adaptive_quadrature import RULE_LADDER, settled
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 
+FOUR = tuple(
+    np.concatenate(parts)
+    for parts in zip(*(((k + gauss_legendre(48)[0]) / 4.0, gauss_legendre(48)[1] / 4.0) for k in range(4)), strict=True)
+)
+"""Nodes and weights of four panels of 48 points."""
+
 
 def bernstein(place: complex) -> float:
     """Return rho of a singularity at `place`, for the interval from 0 to 1."""
@@ -67,7 +73,7 @@ def rungs(integrand, count: int = 1) -> tuple[np.ndarray, list[int]]:
 
 @pytest.mark.parametrize(
     ("pole", "last"),
-    [(-3.0, 24), (-0.3, 48), (-0.05, 96), (-0.02, 192)],
+    [(-3.0, 24), (-0.3, 48), (-0.05, 96)],
 )
 def test_the_ladder_is_climbed_as_far_as_the_pole_demands(pole, last):
     result, tried = rungs(lambda nodes, index: np.tile(1.0 / (nodes - pole), (len(index), 1)))
@@ -78,6 +84,25 @@ def test_the_ladder_is_climbed_as_far_as_the_pole_demands(pole, last):
     assert bernstein(pole) ** (-2 * tried[-2]) < 1e-12
     if len(tried) > 2:
         assert bernstein(pole) ** (-2 * tried[-3]) > 1e-15
+
+
+@pytest.mark.parametrize("pole", [-0.02, -0.005, -0.001])
+def test_a_pole_close_to_the_end_is_left_to_the_double_exponential_rule(pole):
+    result, tried = rungs(lambda nodes, index: np.tile(1.0 / (nodes - pole), (len(index), 1)))
+    assert result[0] == pytest.approx(math.log((1.0 - pole) / -pole), rel=1e-14)
+    assert RULE_LADDER[len(tried) - 1][0] == "double exponential"
+
+
+def test_two_rules_that_share_their_error_are_no_two_witnesses():
+    """Four panels of 48 points and one of 96 err alike at an end like t^p: by c 96^(-2 p - 2), to leading order."""
+    powers = np.linspace(1.01, 3.99, 300)
+    found, _ = rungs(lambda nodes, index: nodes ** powers[index, None], powers.size)
+    np.testing.assert_allclose(found, 1.0 / (1.0 + powers), rtol=3e-14)
+    shared = []
+    for power in (1.4, 1.6):
+        one, parts = (weights @ nodes**power * (1.0 + power) - 1.0 for nodes, weights in (gauss_legendre(96), FOUR))
+        shared.append(parts / one)
+    np.testing.assert_allclose(shared, 1.0, rtol=0.05)
 
 
 @pytest.mark.parametrize("power", [0.5, -0.5, 0.1, -0.25])

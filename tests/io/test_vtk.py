@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 
@@ -53,6 +55,75 @@ def read(path):
             assert line() == "LOOKUP_TABLE default"
         found[name] = numbers(int(count), {"SCALARS": 1, "VECTORS": 3, "TENSORS": 9}[sort])
     return dimensions, points, found
+
+
+def read_xml(path):
+    """Return the same of a file in XML; arrays lie behind the underscore, each after its length in bytes."""
+    content = path.read_bytes()
+    head, _, rest = content.partition(b'<AppendedData encoding="raw">')
+    raw = rest[rest.index(b"_") + 1 :]
+    root = ElementTree.fromstring(head + b"</VTKFile>")
+    assert root.attrib == {
+        "type": "StructuredGrid", "version": "1.0", "byte_order": "LittleEndian", "header_type": "UInt64"
+    }  # fmt: skip
+    extent = [int(word) for word in root.find("StructuredGrid/Piece").get("Extent").split()]
+    dimensions = tuple(high - low + 1 for low, high in zip(extent[::2], extent[1::2], strict=True))
+    count, found, end = int(np.prod(dimensions)), {}, 0
+    for array in root.iter("DataArray"):
+        assert (array.get("type"), array.get("format")) == ("Float64", "appended")
+        place, parts = int(array.get("offset")), int(array.get("NumberOfComponents"))
+        size = int.from_bytes(raw[place : place + 8], "little")
+        assert size == 8 * count * parts
+        numbers = np.frombuffer(raw, "<f8", count * parts, place + 8).reshape(count, parts)
+        found[array.get("Name")] = numbers
+        end = max(end, place + 8 + size)
+    assert raw[end:].split() == [b"</AppendedData>", b"</VTKFile>"]
+    return dimensions, found.pop("points"), found
+
+
+def of_program(path):
+    """Return the same by the library of VTK itself."""
+    core = pytest.importorskip("vtkmodules.vtkIOXML", reason="vtk is not installed")
+    convert = pytest.importorskip("vtkmodules.util.numpy_support").vtk_to_numpy
+    reader = core.vtkXMLStructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    data = grid.GetPointData()
+    arrays = {data.GetArrayName(k): convert(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
+    found = {name: numbers.reshape(len(numbers), -1) for name, numbers in arrays.items()}
+    return grid.GetDimensions(), convert(grid.GetPoints().GetData()), found
+
+
+@pytest.mark.parametrize("reader", [read_xml, of_program])
+def test_xml_holds_what_the_legacy_format_holds(reader, tmp_path):
+    field = wk.restore(CONTACT, R[:, None], Z[None, :])
+    wk.write_vtk(field, tmp_path / "a.vtk", around=5)
+    wk.write_vtk(field, tmp_path / "a.vts", around=5)
+    dimensions, points, found = read(tmp_path / "a.vtk")
+    again = reader(tmp_path / "a.vts")
+    assert again[0] == dimensions
+    assert np.array_equal(again[1], points)
+    assert again[2].keys() == found.keys()
+    assert all(np.array_equal(again[2][name], found[name]) for name in found)
+
+
+def test_a_time_series_is_a_collection_of_states(tmp_path):
+    loads = {0.0: 1.0, 0.5: 30.0, 2.0: 100.0}
+    states = {
+        time: wk.restore(wk.Indentation(BED, wk.Force(load)).solve(), R[:, None], Z[None, :])
+        for time, load in loads.items()
+    }
+    target = tmp_path / "press & hold.pvd"
+    assert wk.write_vtk(states, target) == target
+    root = ElementTree.fromstring(target.read_bytes())
+    assert root.get("type") == "Collection"
+    listed = {float(one.get("timestep")): one.get("file") for one in root.iter("DataSet")}
+    assert list(listed) == list(loads)
+    assert {target.name, *listed.values()} == {path.name for path in tmp_path.iterdir()}
+    for time, name in listed.items():
+        _, _, found = read_xml(tmp_path / name)
+        assert np.max(found["von_mises"]) == np.max(states[time].von_mises)
 
 
 def test_a_half_plane_has_the_numbers_of_the_field(tmp_path):
@@ -135,7 +206,12 @@ def test_currents_and_heat_are_written(tmp_path):
     [
         (lambda: wk.write_vtk(CONTACT, "a.vtk"), "is no field inside the bodies"),
         (lambda: wk.write_vtk(wk.restore(CONTACT, R), "a.vtk"), "is no field inside the bodies"),
-        (lambda: wk.write_vtk(wk.restore(CONTACT, R, Z[:1]), "a.vtu"), "the ending is '.vtu'; give .vtk"),
+        (lambda: wk.write_vtk(wk.restore(CONTACT, R, Z[:1]), "a.vtu"), "the ending is '.vtu'; give .vtk or .vts"),
+        (lambda: wk.write_vtk({0.0: wk.restore(CONTACT, R, Z[:1])}, "a.vts"), "the ending is '.vts'; give .pvd"),
+        (lambda: wk.write_vtk({}, "a.pvd"), "the times must be finite and rise, at least one"),
+        (lambda: wk.write_vtk({"now": wk.restore(CONTACT, R, Z[:1])}, "a.pvd"), "a time is no number"),
+        (lambda: wk.write_vtk({1.0: wk.restore(CONTACT, R, Z[:1]), 0.0: 3}, "a.pvd"), "must be finite and rise"),
+        (lambda: wk.write_vtk({0.0: wk.restore(CONTACT, R, Z[:1]), 1.0: 3}, "a.pvd"), "a int is no field"),
         (lambda: wk.write_vtk(wk.restore(CONTACT, R, Z[:1]), "no/such/a.vtk"), "cannot be written"),
         (lambda: wk.write_vtk(wk.restore(CONTACT, R, Z[:1]), "a.vtk", around=2), "around is 2; give 1"),
         (lambda: wk.write_vtk(wk.restore(CONTACT, np.ones((2, 2, 2)) * A, A), "a.vtk"), "the places have the shape"),

@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 import sysconfig
+import tomllib
 import venv
 from pathlib import Path
 from typing import NamedTuple
@@ -36,6 +37,7 @@ MODULES = {
     "nanoindentation": "openpyxl",
     "topography": "SurfaceTopography",
     "widget": "anywidget",
+    "xlsx": "openpyxl",
 }
 SWEEP = '\n[sweep]\n"problem.load.force" = ["1 N", "2 N"]\n'
 FIT = """title = "A curve"
@@ -130,6 +132,27 @@ def test_the_first_lines_of_readme_run(user, root):
     assert (user.folder / "results" / "indentation" / "report.html").stat().st_size > 10_000
 
 
+@pytest.mark.parametrize("extra", [*(pytest.param(name, marks=pytest.mark.long) for name in MODULES), "all"])
+def test_three_kinds_run_without_each_extra(user, extra):
+    hidden = ",".join(MODULES.values()) if extra == "all" else MODULES[extra]
+    for kind in ("tangential", "adhesive_indentation", "line_indentation"):
+        name = f"{kind}_without_{extra}"
+        done = user.shell(f"winkler new {kind} --output {name}.toml && winkler run {name}.toml", hidden=hidden)
+        assert done.returncode == 0, done.stderr
+        folder = user.folder / "results" / name
+        assert (folder / "report.html").stat().st_size > 10_000
+        assert (folder / "results.csv").read_text(encoding="utf-8").count("\n") > 1
+
+
+MAP = """
+import types, numpy, winkler as wk
+cards = types.ModuleType("cards")
+cards.asarray = lambda numbers: memoryview(bytes(8))
+ball = wk.Topography(-numpy.linspace(-1, 1, 16)[:, None] ** 2 - numpy.linspace(-1, 1, 16) ** 2, [1.0, 1.0])
+wk.SurfaceContact(ball, wk.HalfSpace(wk.Elastic(1.0, 0.0)), wk.Depth(0.1)).solve(cards)
+"""
+
+
 @pytest.mark.parametrize(
     "extra, command",
     [
@@ -138,6 +161,8 @@ def test_the_first_lines_of_readme_run(user, root):
         ("afm", "winkler fit curve.jpk-force.toml"),
         ("nanoindentation", "winkler fit book.xlsx.toml"),
         ("topography", "winkler show map.spm"),
+        pytest.param("cards", "python map.py", marks=pytest.mark.long),
+        ("xlsx", "winkler run law.toml --set output.workbook=true"),
         pytest.param("export", "winkler export law.toml --to wasm", marks=pytest.mark.long),
         pytest.param("widget", "python -c \"import winkler; winkler.widget('normal')\"", marks=pytest.mark.long),
     ],
@@ -155,8 +180,15 @@ def test_what_needs_an_extra_names_it(user, extra, command):
     openpyxl = pytest.importorskip("openpyxl")
     openpyxl.Workbook().save(user.folder / "book.xlsx")
     (user.folder / "map.spm").write_bytes(b"map")
+    (user.folder / "map.py").write_text(MAP, encoding="utf-8")
     done = user.shell(command, hidden=MODULES[extra])
     assert done.returncode != 0
     last = done.stderr.strip().splitlines()[-1]
     assert f"winkler[{extra}]" in last, done.stderr
     assert "Traceback" not in done.stderr or command.startswith("python")
+
+
+def test_each_extra_that_adds_an_ability_is_hidden_here(root):
+    """The others are tools for those who work on winkler."""
+    extras = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    assert set(MODULES) == set(extras) - {"test", "bench", "peers", "docs", "dev", "checks", "release"}

@@ -125,7 +125,8 @@ def _of_other(content: Any, argument: Argument) -> Any:
     """Return the numbers of something of another library."""
     if hasattr(content, "nominal_value") and hasattr(content, "std_dev"):
         raise InvalidInput(
-            f"{argument.where} is {as_text(content)}, whose uncertainty would be lost; give its nominal_value."
+            f"{argument.where} is {as_text(content)}, whose uncertainty would be lost; give its nominal_value, "
+            "or carry it through the computation with uncertainties.wrap."
         )
     if hasattr(content, "magnitude") and hasattr(content, "dimensionality"):
         return _of_quantity(content, argument)

@@ -1,8 +1,9 @@
 r"""Fields inside the bodies as VTK files, for ParaView, VisIt and PyVista.
 
-The file is a structured grid in VTK's legacy format, version 3.0, binary (big-endian doubles): no library is needed to
-write it, and every VTK program reads it.  Lengths are in m and stresses in Pa; x and y lie along the surface, z
-points into the first body.  An axisymmetric field is rotated about the axis:
+A file is a structured grid, in VTK's legacy format, version 3.0, binary (big-endian doubles), or in VTK's XML with raw
+numbers behind it (.vts), of which a collection (.pvd) lists those of a time series.  Libraries were tried: pyevtk and
+meshio have no tensors on structured grids, vtk weighs a hundred megabytes.  Lengths are in m and stresses in Pa; x and
+y lie along the surface, z points into the first body.  An axisymmetric field is rotated about the axis:
 
 .. math:: \sigma_{xx} = \sigma_r\cos^2\varphi + \sigma_\theta\sin^2\varphi, \quad
           \sigma_{xy} = (\sigma_r - \sigma_\theta)\sin\varphi\cos\varphi, \quad
@@ -13,8 +14,11 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -31,6 +35,10 @@ __all__ = ["write_vtk"]
 
 HALF_PLANE = 1
 """Number of planes for which an axisymmetric field is written in the half-plane y = 0, x > 0 alone."""
+MOST_STATES = 200
+"""Of a time series: each is a file, all of which are open until all are written, and a process may open 256."""
+
+BodyField = SubsurfaceFields | BodyFields | CurrentFields | HeatFields
 
 
 class _PointGrid(NamedTuple):
@@ -43,20 +51,22 @@ class _PointGrid(NamedTuple):
 
 
 def write_vtk(
-    fields: SubsurfaceFields | BodyFields | CurrentFields | HeatFields,
+    fields: BodyField | Mapping[float, BodyField],
     path: str | os.PathLike[str],
     *,
     around: int = HALF_PLANE,
 ) -> Path:
-    """Write fields inside the bodies as a structured grid of VTK.
+    """Write fields inside the bodies as a structured grid of VTK, or many over the time.
 
     Parameters
     ----------
     fields
         What ``restore(solution, r, z)``, ``restore_body(solution, x, y, z)`` or ``restore_conduction(solution, r, z)``
-        returns, on a grid: ``restore(solution, r[:, None], z[None, :])``.
+        returns, on a grid: ``restore(solution, r[:, None], z[None, :])``.  Or a mapping of times [s], rising, to such
+        fields.
     path : str or path
-        The file; its ending must be ``.vtk``.
+        The file; its ending must be ``.vtk`` (legacy format) or ``.vts`` (XML); of a time series ``.pvd``, beside
+        which the states are written as ``NAME_0000.vts``, ``NAME_0001.vts`` ...
     around : int, optional
         For axisymmetric fields: planes through the axis, evenly over the full turn, the first one repeated at the end
         so that the body is closed.  1, unless given: only the half-plane y = 0, x > 0.
@@ -68,7 +78,8 @@ def write_vtk(
     Raises
     ------
     InvalidInput
-        If the ending is another one, the file cannot be written, the fields are no such fields or not on a grid.
+        If the ending is another one, the file cannot be written, the fields are no such fields or not on a grid, or
+        the times do not rise.
 
     Notes
     -----
@@ -81,28 +92,60 @@ def write_vtk(
     W. Schroeder, K. Martin, B. Lorensen, The Visualization Toolkit, 4th ed., Kitware 2006: simple legacy formats
     """
     target = Path(path)
-    if target.suffix != ".vtk":
-        raise InvalidInput(f"{target}: the ending is {target.suffix!r}; give .vtk.")
     if isinstance(around, bool) or not isinstance(around, int) or not (around == HALF_PLANE or 3 <= around <= 10_000):
         raise InvalidInput(f"write_vtk: around is {around!r}; give 1 for a half-plane, or 3 to 10000 planes.")
+    series = isinstance(fields, Mapping)
+    endings = (".pvd",) if series else (".vtk", ".vts")
+    if target.suffix not in endings:
+        raise InvalidInput(f"{target}: the ending is {target.suffix!r}; give {' or '.join(endings)}.")
+    if isinstance(fields, Mapping):
+        write_whole(_series(target, fields, around))
+    elif target.suffix == ".vts":
+        write_whole({target: _xml_content(_grid_of(fields, around))})
+    else:
+        write_whole({target: _file_content(_grid_of(fields, around), type(fields).__name__)})
+    return target
+
+
+def _grid_of(fields: BodyField, around: int) -> _PointGrid:
     if isinstance(fields, SubsurfaceFields | CurrentFields | HeatFields):
         affordable("write_vtk", "places", (around + 1) * np.broadcast(fields.r, fields.z).size, MOST_NUMBERS // 16)
     match fields:
         case SubsurfaceFields():
-            grid = _revolved(_stress_half_plane(fields), around)
+            return _revolved(_stress_half_plane(fields), around)
         case CurrentFields() | HeatFields():
-            grid = _revolved(_flux_half_plane(fields), around)
+            return _revolved(_flux_half_plane(fields), around)
         case BodyFields():
             if around != HALF_PLANE:
                 raise InvalidInput("write_vtk: BodyFields are not axisymmetric; leave around out.")
-            grid = _body_grid(fields)
+            return _body_grid(fields)
         case _:
             raise InvalidInput(
                 f"write_vtk: a {type(fields).__name__} is no field inside the bodies; give what restore(solution, r, "
                 "z), restore_body(solution, x, y, z) or restore_conduction(solution, r, z) returns."
             )
-    write_whole({target: _file_content(grid, type(fields).__name__)})
-    return target
+
+
+def _series(target: Path, states: Mapping[float, BodyField], around: int) -> dict[Path, bytes]:
+    """Return the files of a time series: the states, and the collection that lists them."""
+    try:
+        times = [float(time) for time in states]
+    except (TypeError, ValueError):
+        raise InvalidInput("write_vtk: a time is no number; give a mapping of times [s] to fields.") from None
+    if not times or not all(map(math.isfinite, times)) or any(after <= before for before, after in pairwise(times)):
+        raise InvalidInput("write_vtk: the times must be finite and rise, at least one; give {time: fields, ...}.")
+    affordable("write_vtk", "states", len(times), MOST_STATES)
+    digits = max(4, len(str(len(times) - 1)))
+    names = [f"{target.stem}_{place:0{digits}d}.vts" for place in range(len(times))]
+    files = {
+        target.with_name(name): _xml_content(_grid_of(fields, around))
+        for name, fields in zip(names, states.values(), strict=True)
+    }
+    listed = [
+        f'<DataSet timestep="{time!r}" part="0" file={quoteattr(name)}/>\n'
+        for name, time in zip(names, times, strict=True)
+    ]
+    return files | {target: _xml_file("Collection", f"<Collection>\n{''.join(listed)}</Collection>\n").encode("utf-8")}
 
 
 class _HalfPlane(NamedTuple):
@@ -197,8 +240,7 @@ def _file_content(grid: _PointGrid, title: str) -> bytes:
     count = math.prod(shape)
 
     def raw(numbers: Array, parts: int) -> bytes:
-        rows = numbers.reshape(parts, *shape).transpose(3, 2, 1, 0)  # parts of a point together, first axis fastest
-        return np.ascontiguousarray(rows, dtype=">f8").tobytes() + b"\n"
+        return _rows(numbers, parts, shape, ">f8") + b"\n"
 
     pieces = [
         f"# vtk DataFile Version 3.0\nwinkler {title}, SI units\nBINARY\nDATASET STRUCTURED_GRID\n"
@@ -213,3 +255,44 @@ def _file_content(grid: _PointGrid, title: str) -> bytes:
     for name, numbers in grid.tensors.items():
         pieces += [f"TENSORS {name} double\n".encode("ascii"), raw(numbers, 9)]
     return b"".join(pieces)
+
+
+def _rows(numbers: Array, parts: int, shape: tuple[int, ...], kind: str) -> bytes:
+    """Return numbers with the parts of a point together, the first axis of the points fastest."""
+    return np.ascontiguousarray(numbers.reshape(parts, *shape).transpose(3, 2, 1, 0), dtype=kind).tobytes()
+
+
+def _xml_content(grid: _PointGrid) -> bytes:
+    """Return the bytes of a structured grid in XML; its numbers follow the underscore, each array behind its length."""
+    shape = grid.points.shape[1:]
+    extent = " ".join(f"0 {count - 1}" for count in shape)
+    blocks: list[bytes] = []
+
+    def array(name: str, numbers: Array, parts: int) -> str:
+        place = sum(map(len, blocks))
+        content = _rows(numbers, parts, shape, "<f8")
+        blocks.append(len(content).to_bytes(8, "little") + content)
+        return (
+            f'<DataArray type="Float64" Name="{name}" NumberOfComponents="{parts}" format="appended" '
+            f'offset="{place}"/>\n'
+        )
+
+    points = array("points", grid.points, 3)
+    fields = "".join(
+        array(name, numbers, parts)
+        for parts, group in ((1, grid.scalars), (3, grid.vectors), (9, grid.tensors))
+        for name, numbers in group.items()
+    )
+    described = (
+        f'<StructuredGrid WholeExtent="{extent}">\n<Piece Extent="{extent}">\n<PointData>\n{fields}</PointData>\n'
+        f"<Points>\n{points}</Points>\n</Piece>\n</StructuredGrid>\n"
+    )
+    start, end = _xml_file("StructuredGrid", f'{described}<AppendedData encoding="raw">\n_@</AppendedData>\n').split(
+        "@"
+    )
+    return start.encode("utf-8") + b"".join(blocks) + b"\n" + end.encode("utf-8")
+
+
+def _xml_file(kind: str, content: str) -> str:
+    version = 'version="1.0" byte_order="LittleEndian" header_type="UInt64"'
+    return f'<?xml version="1.0"?>\n<VTKFile type="{kind}" {version}>\n{content}</VTKFile>\n'

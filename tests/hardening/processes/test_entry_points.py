@@ -105,6 +105,7 @@ FUNCTIONS = {
     "to_pandas": lambda bad: wk.to_pandas(bad),
     "to_xarray": lambda bad: wk.to_xarray(bad),
     "write_vtk": lambda bad: wk.write_vtk(bad, "none/a.vtk"),
+    "write_surface_interaction": lambda bad: wk.write_surface_interaction(bad, "none/a.inp", program="abaqus"),
     "write_law": lambda bad: wk.write_law(bad, "none/a.csv"),
     "write_trace": lambda bad: wk.write_trace(bad, "none/a.csv"),
     "ContactLaw": lambda bad: wk.ContactLaw(BALL, bad),

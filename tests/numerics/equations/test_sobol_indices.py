@@ -58,6 +58,14 @@ def test_the_estimates_of_scipy():
     np.testing.assert_allclose(ours.total_order, theirs.total_order, rtol=1e-10, atol=1e-12)
 
 
+def test_pairs_may_be_missing_which_scipy_does_not_take():
+    f_a, f_b, f_ab = evaluated(ishigami, 3, 256)
+    found = sobol_indices(f_a[:250], f_b[:250], f_ab[:, :250])
+    np.testing.assert_allclose(found.total_order, TOTAL, atol=0.05)
+    with pytest.raises(ValueError, match="power of 2"):
+        stats.sobol_indices(func={"f_A": f_a[None, :250], "f_B": f_b[None, :250], "f_AB": f_ab[:, None, :250]}, n=250)
+
+
 def test_a_constant_beside_the_function_changes_nothing():
     plain = sobol_indices(*evaluated(ishigami, 3, 128))
     moved = sobol_indices(*evaluated(lambda shares: ishigami(shares) + 1e4, 3, 128))

@@ -9,6 +9,9 @@ taken from B:
 The first is the part of the variance that is gone once argument *i* is known; the second, what is left of it when all
 others are.  Their intervals are percentiles over pairs that are drawn again (bootstrap).
 
+`scipy.stats.sobol_indices` has the same estimates.  It takes a power of two of pairs only, so that no point may have
+failed, and its intervals have no seed: a study would not write the same table twice.
+
 References
 ----------
 Saltelli, Annoni, Azzini, Campolongo, Ratto, Tarantola: Computer Physics Communications 181 (2010) 259,

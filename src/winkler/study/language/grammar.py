@@ -76,6 +76,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "folder": "folder of the results; results/NAME if left out",
         "figures": "formats of the figures: a list of svg, png, pdf",
         "report": "whether report.html is written: true or false",
+        "workbook": "whether the tables are also written as tables.xlsx: true or false",
     },
     "expect": {
         "quantity": "an answer (depth), a restored field (pressure, von_mises), a function (line_load), or a path",
@@ -149,6 +150,7 @@ def study_form() -> type[BaseModel]:
         folder=(StrictStr, MISSING),
         figures=(checked(picture_formats, json_forms.texts), MISSING),
         report=(StrictBool, MISSING),
+        workbook=(StrictBool, MISSING),
     )
     expect = create_model(
         "expect",

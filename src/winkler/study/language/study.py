@@ -93,11 +93,14 @@ class Output:
         Formats of the figures as files: any of svg, png, pdf; empty for none.  The report holds them in any case.
     report
         Whether a report.html is written.
+    workbook
+        Whether the tables are also written as a workbook, tables.xlsx.
     """
 
     folder: str = ""
     figures: tuple[str, ...] = ("svg",)
     report: bool = True
+    workbook: bool = False
 
     def __post_init__(self) -> None:
         for picture in self.figures:
@@ -105,6 +108,14 @@ class Output:
                 raise InvalidInput(
                     f"output: figures cannot be written as '{picture}'; give some of {', '.join(PICTURES)}."
                 )
+        if self.workbook:
+            try:
+                import openpyxl  # noqa: F401  (missed before anything is computed)
+            except ImportError:
+                raise InvalidInput(
+                    "output: workbook needs openpyxl; install it with pip install 'winkler[xlsx]', or leave workbook "
+                    "out."
+                ) from None
 
 
 def named(quantity: str) -> str:

@@ -37,6 +37,7 @@ OUTPUT_SECTION = """
 # folder = "results/{name}"
 # figures = ["svg"]
 # report = true
+# workbook = false
 """
 
 

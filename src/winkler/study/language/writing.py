@@ -58,7 +58,11 @@ def _places(places: Places) -> Any:
 
 def _output(output: Output) -> dict[str, Any]:
     table: dict[str, Any] = {"folder": output.folder} if output.folder else {}
-    return table | {"figures": list(output.figures), "report": output.report}
+    return (
+        table
+        | {"figures": list(output.figures), "report": output.report}
+        | ({"workbook": True} if output.workbook else {})
+    )
 
 
 def _expected(item: Expectation) -> dict[str, Any]:

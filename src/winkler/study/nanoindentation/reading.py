@@ -41,7 +41,7 @@ __all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_s
 
 SECTIONS = ("indentation", "calibration")
 TOP = ("title", *SECTIONS, "indenter", "output", "expect", "source", "grade")
-OF_OUTPUT = ("folder", "figures", "report")
+OF_OUTPUT = ("folder", "figures", "report", "workbook")
 MEASURED, NO_DRIFT = "measured", "none"
 LOWEST, HIGHEST = "depths.0", "depths.1"
 """Keys of the ends of the window of depths."""
@@ -263,7 +263,11 @@ def _output(raw: Any) -> Output:
     figures = raw.get("figures", ["svg"])
     if not isinstance(figures, list) or any(one not in ("svg", "png", "pdf") for one in figures):
         raise InvalidInput(f"output.figures is {figures!r}; give a list of svg, png, pdf.")
-    return Output(folder=str(raw.get("folder", "")), figures=tuple(figures), report=bool(raw.get("report", True)))
+    switches = {name: raw[name] for name in ("report", "workbook") if name in raw}
+    for name, given in switches.items():
+        if not isinstance(given, bool):
+            raise InvalidInput(f"output.{name} is {given!r}; give true or false.")
+    return Output(folder=str(raw.get("folder", "")), figures=tuple(figures), **switches)
 
 
 def _references(raw: Any, folder: Path) -> tuple[tuple[str, ...], tuple[ReferenceSample, ...]]:

@@ -20,6 +20,7 @@ from winkler.study.batch.outcome import ResultColumn
 from winkler.study.nanoindentation.running import NanoindentationOutcome
 from winkler.study.report.archive import table_file
 from winkler.study.report.page_parts import page_files
+from winkler.study.report.workbook import workbook_file
 from winkler.study.report.writing import with_provenance
 from winkler.vocabulary import Word
 
@@ -44,6 +45,8 @@ def nanoindentation_files(outcome: NanoindentationOutcome) -> dict[str, bytes]:
         from winkler.study.nanoindentation.report import figures_of, page
 
         files |= page_files(outcome, figures_of(outcome), page)
+    if study.output.workbook:
+        files |= workbook_file(files)
     files["study.toml"] = study.text.encode("utf-8")
     return with_provenance(files, outcome.provenance, missing=outcome.left)
 

@@ -80,6 +80,10 @@ def outcome_files(outcome: Outcome | FitOutcome, *, pages: int = 0) -> dict[str,
 
             files |= curve_pages(outcome, pages)
         text, left = outcome.study.text, outcome.left
+    if outcome.study.output.workbook:
+        from winkler.study.report.workbook import workbook_file
+
+        files |= workbook_file(files)
     if text:
         files["study.toml"] = text.encode("utf-8")
     return with_provenance(files, outcome.provenance, missing=left)
