@@ -39,8 +39,8 @@ def headline_section(outcome: Outcome) -> str:
     outside = doubt_of(outcome).standing is Standing.OUTSIDE
     mark = f" {badge(outcome.validity)}" if outside else ""
     lead = f'<p class="{"" if outside else "lead "}sought-line">{with_fixed_units(sentence)}{mark}</p>'
-    large = not verdict and not outside  # what is not to be used is never the large number
-    cards = "".join(_card(one, mark, first=large and place == 0) for place, one in enumerate(numbers))
+    counts = not verdict and not outside  # what is not to be used is never the large number
+    cards = "".join(_card(one, mark, first=counts and place == 0) for place, one in enumerate(numbers))
     if verdict:
         large = f'<div class="value">{safe(verdict)}</div><div class="name">verdict on the body</div>'
         cards = f'<div class="card sought">{large}</div>{cards}'
