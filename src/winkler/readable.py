@@ -22,7 +22,7 @@ POWERS = {"m^2": (2, 1e-2), "m^3": (3, 1e-3)}
 
 WHOLE_BELOW = 1e6
 """Largest number whose rounded digits are written as zeros."""
-RAW_NUMBER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?e[+-]?\d+|0\.000\d+)(?: (m|N|Pa|J|W|s|V|A|K)(?![\w/^*]| [mNJs]\b))?")
+RAW_NUMBER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?e[+-]?\d+|0\.0\d+)(?: (m|N|Pa|J|W|s|V|A|K)(?![\w/^*]| [mNJs]\b))?")
 """A number with a power of ten, or with zeros behind the point, and its unit if a prefix fits that."""
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
@@ -139,7 +139,9 @@ def with_readable_numbers(sentence: str) -> str:
     Examples
     --------
     >>> with_readable_numbers("stretched by 3.55e-09 m, a strength of 1.67e+08 Pa, up to 4.1e+02 per cent")
-    'stretched by 3.55 nm, a strength of 167 MPa, up to 410 per cent'
+    'stretched by 3.55 nm, a strength of 167 MPa, up to 410 %'
+    >>> with_readable_numbers("1e+02 per cent of 0.0109 m")
+    '100 % of 10.9 mm'
     >>> with_readable_numbers("0.000201 m below, with 2e-05 of it; E1e-3 and 1.5 m stay")
     '201 µm below, with 2·10⁻⁵ of it; E1e-3 and 1.5 m stay'
     """
@@ -150,4 +152,4 @@ def with_readable_numbers(sentence: str) -> str:
             return found[0]
         return with_unit(float(found[1]), found[2] or "", max(digits, 1))
 
-    return RAW_NUMBER.sub(readable, sentence)
+    return re.sub(r"(?<=\d) per cent\b", " %", RAW_NUMBER.sub(readable, sentence))

@@ -17,7 +17,17 @@ from winkler.values import value
 EXACT_PART, LEFT_PARTS = 1e-4, (0.01, 0.1)
 """What a solver may leave of an answer that is exact; of one that is asymptotic and approximate."""
 
-__all__ = ["Assumption", "Note", "Standing", "standing_left", "standing_of", "topic_of", "worst", "worst_of_each"]
+__all__ = [
+    "Assumption",
+    "Note",
+    "Standing",
+    "in_words",
+    "standing_left",
+    "standing_of",
+    "topic_of",
+    "worst",
+    "worst_of_each",
+]
 
 
 class Standing(Enum):
@@ -44,12 +54,15 @@ class Note:
         One sentence in plain words.
     source
         Where the statement comes from: a citation with DOI, or the check that was made.
+    error
+        About how far the answer may be off for this reason, a share of it [-]; None where that is not known.
     """
 
     assumption: Assumption
     standing: Standing
     statement: str
     source: str
+    error: float | None = None
 
     def __str__(self) -> str:
         return f"{self.standing.value}: {self.statement} [{self.source}]"
@@ -82,6 +95,33 @@ def worst(notes: Iterable[Note]) -> Standing:
     """Return the worst standing among `notes`; exact if there are none."""
     order = list(Standing)
     return max((note.standing for note in notes), key=order.index, default=Standing.EXACT)
+
+
+IN_WORDS = {
+    Standing.EXACT: "exact in its theory",
+    Standing.ASYMPTOTIC: "good here",
+    Standing.APPROXIMATE: "an estimate",
+    Standing.OUTSIDE: "do not use",
+}
+"""Standing -> what a user may do with a result."""
+
+
+def in_words(notes: Iterable[Note]) -> str:
+    """Return what a user may do with a result of these notes, with its error where every worst note knows one.
+
+    Examples
+    --------
+    >>> in_words([Note(Assumption.SMALL_SLOPES, Standing.ASYMPTOTIC, "The slope is 0.09.", "Hay", 0.03)])
+    'good to about 3 %'
+    """
+    told = tuple(notes)
+    standing = worst(told)
+    errors = [note.error for note in told if note.standing is standing]
+    known = [error for error in errors if error is not None]
+    if standing not in (Standing.ASYMPTOTIC, Standing.APPROXIMATE) or not known or len(known) < len(errors):
+        return IN_WORDS[standing]
+    percent = f"{float(f'{100.0 * max(known):.1g}'):g} %"
+    return f"good to about {percent}" if standing is Standing.ASYMPTOTIC else f"an estimate: ± {percent}"
 
 
 def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:

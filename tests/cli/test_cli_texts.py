@@ -186,16 +186,29 @@ def test_everything_is_written_in_one_place():
         assert "Console" not in names or path.name == "terminal.py", path.name
 
 
-def test_a_narrow_table_leaves_columns_out_and_cuts_no_number():
+def printed(load, width):
     bed = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3)))
-    outcome = run(Study("two loads", wk.Indentation(bed, wk.Force(np.array([1e-5, 2e-5])))))
-    out = Console(file=io.StringIO(), width=60)
+    outcome = run(Study("loads", wk.Indentation(bed, wk.Force(np.array(load)))))
+    out = Console(file=io.StringIO(), width=width)
     terminal.answers(outcome, out)
-    text = out.file.getvalue()
-    table, left_out = text.split("Not shown, for want of width: ")
+    return outcome, out.file.getvalue()
+
+
+def test_a_narrow_table_goes_on_below_and_cuts_no_number():
+    outcome, text = printed([1e-5, 2e-5, 1.5e-5], 60)
     assert "…" not in text
-    assert max(len(line) for line in table.splitlines()) <= 60
-    later = left_out.strip().rstrip(".").replace("\n", " ").split(", ")
-    headings = table.split()
-    assert all((name in headings) != (name in later) for name in outcome.answers)
-    assert outcome.answers[0] in table
+    assert max(len(line) for line in text.splitlines()) <= 60
+    headings = [line for line in text.splitlines() if any(name in line.split() for name in outcome.answers)]
+    assert len(headings) > 1
+    assert {line.split()[0] for line in headings} == {outcome.answers[0]}
+    told = " ".join(headings).split()
+    assert all(told.count(name) == 1 for name in outcome.answers[1:])
+
+
+def test_a_history_ends_in_the_greatest_numbers():
+    _, text = printed([1e-5, 2e-5, 1.5e-5], 200)
+    (end,) = [line.split() for line in text.splitlines() if "greatest" in line]
+    rows = [line.split() for line in text.splitlines() if line.strip() and line.split()[0][0].isdigit()]
+    assert len(rows) == 3
+    assert end[1:] == rows[1]
+    assert "greatest" not in printed([1e-5, 2e-5], 200)[1]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 
+import numpy as np
 import pytest
 
 import winkler as wk
@@ -12,11 +14,11 @@ from winkler.vocabulary import GLOSSARY
 
 NAMES = wk.material_names()
 RANGES = {
-    "young": (1e5, 1.3e12), "poisson": (0.0, 0.5), "hardness": (1e6, 1.5e11), "strength": (1e6, 1e10),
+    "young": (5e2, 1.3e12), "poisson": (0.0, 0.5), "hardness": (1e6, 1.5e11), "strength": (1e6, 1e10),
     "density": (800.0, 23000.0), "heat_capacity": (100.0, 4200.0), "conductivity": (0.1, 2500.0),
     "resistivity": (1e-8, 1e-5), "temperature_coefficient": (0.0, 0.01),
 }  # fmt: skip
-"""Diamond and osmium are the ends."""
+"""Soft gels, diamond and osmium are the ends."""
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -93,9 +95,9 @@ def test_a_word_lists_its_materials(capsys):
 
 LORENZ = {
     "silver": 2.31e-8, "gold": 2.35e-8, "copper": 2.23e-8, "platinum": 2.51e-8, "tungsten": 3.04e-8,
-    "iron": 2.61e-8, "aluminium": 2.14e-8,
+    "tin": 2.52e-8, "iron": 2.61e-8, "aluminium": 2.14e-8,
 }  # fmt: skip
-"""Measured at 0 degrees Celsius [V^2/K^2]: the first five after C. Kittel, Introduction to Solid State Physics, 8th
+"""Measured at 0 degrees Celsius [V^2/K^2]: the first six after C. Kittel, Introduction to Solid State Physics, 8th
 ed., Wiley 2005, chapter 6, the others after N. W. Ashcroft, N. D. Mermin, Solid State Physics, Saunders 1976."""
 
 
@@ -108,14 +110,52 @@ def test_heat_and_current_of_pure_metals_are_in_the_measured_proportion(name, lo
 
 def test_silicon_is_hills_mean_of_its_crystal():
     c11, c12, c44 = 165.7e9, 63.9e9, 79.6e9
-    bulk = (c11 + 2.0 * c12) / 3.0
     voigt = (c11 - c12 + 3.0 * c44) / 5.0
     reuss = 5.0 * (c11 - c12) * c44 / (4.0 * c44 + 3.0 * (c11 - c12))
-    shear = 0.5 * (voigt + reuss)
+    is_of_moduli("silicon", (c11 + 2.0 * c12) / 3.0, 0.5 * (voigt + reuss))
+
+
+def test_diamond_is_the_self_consistent_mean_of_its_crystal():
+    """Of Hershey and Kroener, with the constants of M. H. Grimsditch, A. K. Ramdas, Phys. Rev. B 11 (1975) 3139."""
+    c11, c12, c44 = 1076.4e9, 125.2e9, 577.4e9
+    bulk, other = (c11 + 2.0 * c12) / 3.0, 0.5 * (c11 - c12)
+    roots = np.roots([8.0, 9.0 * bulk + 4.0 * other, -3.0 * c44 * (bulk + 4.0 * other), -6.0 * bulk * c44 * other])
+    (shear,) = roots[roots > 0.0]
+    is_of_moduli("diamond", bulk, shear)
+
+
+def is_of_moduli(name, bulk, shear):
     young = 9.0 * bulk * shear / (3.0 * bulk + shear)
-    silicon = wk.material("silicon")
-    assert silicon.number("young") == pytest.approx(young, rel=1e-3)
-    assert silicon.number("poisson") == pytest.approx(young / (2.0 * shear) - 1.0, abs=1e-3)
+    crystal = wk.material(name)
+    assert crystal.number("young") == pytest.approx(young, rel=1e-3)
+    assert crystal.number("poisson") == pytest.approx(young / (2.0 * shear) - 1.0, abs=1e-3)
+
+
+def test_diamond_is_softest_along_the_cube_axes_and_stiffest_along_the_diagonals():
+    c11, c12, c44 = 1076.4e9, 125.2e9, 577.4e9
+    axis = (c11 - c12) * (c11 + 2.0 * c12) / (c11 + c12)
+    s11, s12, s44 = 1.0 / axis, -c12 / ((c11 - c12) * (c11 + 2.0 * c12)), 1.0 / c44
+    diagonal = 1.0 / (s11 - 2.0 / 3.0 * (s11 - s12 - 0.5 * s44))
+    (least, greatest) = wk.material("diamond").figures[0].spread
+    assert (least, greatest) == pytest.approx((axis, diagonal), rel=0.02)
+
+
+def test_tin_and_titanium_nitride_are_told_apart_by_their_capitals():
+    assert wk.material("tin").name == wk.material("Tin").name == wk.material("Sn").name == "tin"
+    assert wk.material("TiN").name == wk.material("titanium Nitride").name == "titanium nitride"
+    with pytest.raises(wk.InvalidInput, match="'TIN' may be tin or titanium nitride; write one of these"):
+        wk.material("TIN")
+    assert wk.NamedElastic("TiN").young > 4.0 * wk.NamedElastic("tin").young
+
+
+def test_gels_are_as_soft_as_their_sources_measured():
+    """Shear moduli 260 to 4530 Pa; 277 kPa for 2 parts of water, 4.34 kPa for 20, and a power law between."""
+    gel = wk.material("polyacrylamide gel")
+    young, poisson = gel.number("young"), gel.number("poisson")
+    assert young / (2.0 * (1.0 + poisson)) == pytest.approx(2900.0, rel=0.01)
+    assert gel.figures[0].spread == pytest.approx((2.96 * 260.0, 2.96 * 4530.0), rel=0.01)
+    power = math.log(277.0 / 4.34) / math.log(20.0 / 2.0)
+    assert wk.material("gelatin").number("young") == pytest.approx(277e3 * (10.0 / 2.0) ** -power, rel=0.02)
 
 
 def test_other_names_and_capitals():

@@ -25,11 +25,40 @@ def entered():
     return study
 
 
-def test_an_example_that_nobody_changed_is_replaced():
+def bodies(study):
+    medium = form.at(study.table, "problem.bed.medium")
+    return form.at(study.table, PROFILE), *({**medium[body], "strength": ""} for body in ("first", "second"))
+
+
+@pytest.mark.parametrize("question", ["yield_onset", "tangential", "friction_heating", "constriction", "impact"])
+def test_no_question_changes_the_bodies_of_the_first_page(question):
     study = StudyForm(lambda: None, lambda: None)
+    before = bodies(study)
+    study.choose("problem", question)
+    assert bodies(study) == before
+    study.choose("problem", "indentation")
+    assert bodies(study) == before
+
+
+def test_numbers_of_the_example_are_said():
+    study = StudyForm(lambda: None, lambda: None)
+    study.choose("problem", "yield_onset")
+    assert study.carried_remark.endswith("Of the example: strength 700 MPa.")
+    assert study.assumed[f"{FIRST}.strength"] == "700 MPa"
+    study.change(f"{FIRST}.strength", "900 MPa", "one number")
     study.choose("problem", "tangential")
-    assert study.table == form.initial_table("tangential")
-    assert study.carried_remark == ""
+    assert form.at(study.table, f"{FIRST}.strength") == "900 MPa"
+    assert f"{FIRST}.strength" not in study.assumed
+    assert f"{FIRST}.young" in study.assumed
+
+
+def test_what_was_put_aside_comes_back_before_numbers_of_examples():
+    study = StudyForm(lambda: None, lambda: None)
+    study.change(f"{FIRST}.young", "70 GPa", "one number")
+    for question in ("viscoelastic_indentation", "seal", "constriction"):
+        study.choose("problem", question)
+    assert form.at(study.table, f"{FIRST}.young") == "70 GPa"
+    assert f"{FIRST}.young" not in study.assumed
 
 
 def test_bodies_and_load_stay(entered):
@@ -37,7 +66,10 @@ def test_bodies_and_load_stay(entered):
     assert form.at(entered.table, PROFILE) == TIP
     assert form.at(entered.table, FIRST) == RUBBER
     assert form.at(entered.table, LOAD) == {"kind": "force", "force": "2 N"}
-    assert entered.carried_remark == "Kept: shape and bodies, load (force 2 N)."
+    assert entered.carried_remark == (
+        "Kept: shape and bodies, load (force 2 N). Of the example: coefficient 0.3, conductivity 45 W/(m K), "
+        "diffusivity 12 mm^2/s, first speed 1 m/s."
+    )
     entered.take_example()
     assert entered.table == form.initial_table("friction_heating")
     assert entered.carried_remark == ""
@@ -55,7 +87,8 @@ def test_what_has_no_place_is_said_and_comes_back(entered):
     assert form.at(entered.table, "problem.medium.first") == RUBBER
     assert entered.carried_remark == (
         "Kept: medium (half space), load (force 2 N). "
-        "Dropped, as elliptic indentation has no place for it: profile (sphere 7 mm)."
+        "Dropped, as elliptic indentation has no place for it: profile (sphere 7 mm). "
+        "Of the example: longitudinal curvature radius 20 mm, lateral curvature radius 10 mm."
     )
     entered.choose("problem", "constriction")
     assert form.at(entered.table, FIRST) == RUBBER

@@ -200,13 +200,8 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
             out.print(f"  {where}{flag}", soft_wrap=True)
     print_batch(outcome, out, "fit.csv")
     terminal.notes(outcome, out)
-    if outcome.refused:
-        first = outcome.refused[0]
-        out.print(
-            f"{len(outcome.refused)} of {len(outcome.results)} curves have no answer; the first: {first.name}: "
-            f"{first.reason}",
-            soft_wrap=True,
-        )
+    failed = [(one.name, one.reason) for one in outcome.refused]
+    terminal.failures(failed, f"of {len(outcome.results)} curves", out)
     out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
 
 

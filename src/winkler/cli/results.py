@@ -131,6 +131,7 @@ def write_outcome_json(outcome: Outcome | FitOutcome, folder: Path | None, colum
                     "standing": note.standing.value,
                     "statement": note.statement,
                     "source": note.source,
+                    "error": note.error,
                 }
                 for note in outcome.validity
             ],

@@ -257,8 +257,9 @@ def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
 def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
+    from winkler.readable import with_readable_numbers
     from winkler.study.report.headline.questions import questions_of
-    from winkler.study.report.headline.section import doubt_of
+    from winkler.study.report.headline.section import doubt_of, headline
     from winkler.validity import Standing
 
     out = terminal.console()
@@ -266,14 +267,17 @@ def _print(outcome: Outcome, folder: Path) -> None:
     terminal.answers(outcome, out)
     doubt = doubt_of(outcome)
     if doubt.standing is Standing.OUTSIDE:
-        out.print(f"These numbers are outside of what holds: {doubt.statement} {doubt.advice}", soft_wrap=True)
+        out.print(f"Do not use these numbers: {with_readable_numbers(doubt.statement)} {doubt.advice}", soft_wrap=True)
+    elif told := headline(outcome):
+        out.print(told, soft_wrap=True)
     terminal.indices(outcome, out)
     if outcome.verdicts:
         out.print(verdict_table(outcome.verdicts))
     terminal.notes(outcome, out, questions_of(outcome))
-    if outcome.failed:
-        first = outcome.failed[0]
-        out.print(f"{len(outcome.failed)} of {len(outcome.points)} points have no answer; the first: {first.reason}")
+    failed = [
+        (f"point {', '.join(str(place + 1) for place in point.index) or 1}", point.reason) for point in outcome.failed
+    ]
+    terminal.failures(failed, f"of {len(outcome.points)} points", out)
     for point in outcome.solved:
         if point.stopped:
             out.print(point.stopped)

@@ -19,14 +19,19 @@ if TYPE_CHECKING:
 
 from winkler.cli.messages import heard, one_line
 from winkler.cli.streams import safe
-from winkler.readable import scale_of
+from winkler.readable import scale_of, with_readable_numbers
+from winkler.validity import in_words
 
-__all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "table", "tracked"]
+__all__ = ["add_rows", "answers", "console", "failures", "indices", "marching", "notes", "table", "tracked"]
 
 T = TypeVar("T")
+WrittenColumn = tuple[str, str, list[str]]
+"""Name, unit and texts of a column."""
 
 MOST_ROWS = 24
 """Longer tables are cut in the middle."""
+MOST_NAMES = 6
+"""Names of what has no answer for one reason; longer lists are cut."""
 WIDE_COLUMNS = 160
 """Columns of text where the output is no terminal."""
 UNLIMITED = 10_000
@@ -82,7 +87,7 @@ def answers(outcome: Outcome, out: Console) -> None:
     from winkler.study.language.explain import plain_symbol
 
     swept = [axis.key for axis in outcome.study.sweep]
-    answered = outcome.table()
+    answered = [column for column in outcome.table() if column.name != "failure"]  # the reasons stand below
     swept_contents = [column.content for column in answered if column.name in swept]
     columns = [
         column
@@ -101,22 +106,38 @@ def answers(outcome: Outcome, out: Console) -> None:
         out.print(shown)
         return
     written = [(column.name, unit, texts) for column, (unit, texts) in zip(columns, formatted, strict=True)]
-    first = {*swept, *answer_of(outcome.study.problem).headline}
-    shown = _many(written)
-    left_out: list[str] = []
-    later = [each for each in written if each[0] not in first]
-    while later and _width(shown, out) > out.width:
-        dropped = later.pop()
-        written.remove(dropped)
-        left_out.insert(0, dropped[0])
-        shown = _many(written)
-    out.print(shown)
-    if left_out:
-        out.print(f"Not shown, for want of width: {', '.join(left_out)}.")
+    leads, later = [each for each in written if each[0] in swept], [each for each in written if each[0] not in swept]
+    if not swept and rows > 2:  # a history: its greatest numbers stand below it
+        ends = [_greatest(column.content, texts) for column, (_, texts) in zip(columns, formatted, strict=True)]
+        later = [(name, unit, [*texts, end]) for (name, unit, texts), end in zip(written, ends, strict=True)]
+        leads = [("", "", [""] * rows + ["greatest"]), later.pop(0)]
+    if _width(_many([*leads, *later]), out) > out.width:
+        sought = answer_of(outcome.study.problem).headline
+        later.sort(key=lambda each: each[0] not in sought)
+    for block in _blocks(leads, later, out):
+        out.print(_many(block))
 
 
-def _many(columns: list[tuple[str, str, list[str]]]) -> Table:
-    """Return a table of many loads, from the name, unit and texts of each column."""
+def _greatest(content: np.ndarray, texts: list[str]) -> str:
+    """Return the text of the number that is farthest from zero; empty where there is none."""
+    if content.dtype.kind not in "fiu" or not np.any(np.isfinite(content)):
+        return ""
+    return texts[int(np.argmax(np.where(np.isfinite(content), np.abs(content), -1.0)))]
+
+
+def _blocks(leads: list[WrittenColumn], columns: list[WrittenColumn], out: Console) -> Iterator[list[WrittenColumn]]:
+    """Yield columns in blocks as wide as the terminal, one below the other; each begins with `leads`."""
+    block: list[WrittenColumn] = []
+    for each in columns:
+        if block and _width(_many([*leads, *block, each]), out) > out.width:
+            yield [*leads, *block]
+            block = []
+        block.append(each)
+    yield [*leads, *block]
+
+
+def _many(columns: list[WrittenColumn]) -> Table:
+    """Return a table of many loads."""
     shown = table()
     for key, unit, _ in columns:
         name = key.removeprefix("problem.")
@@ -163,7 +184,30 @@ def notes(outcome: Outcome | FitOutcome, out: Console, questions: tuple[str, ...
     if outcome.validity:
         out.print("How far this can be trusted:")
     for note in outcome.validity:
-        out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
+        out.print(f"  {in_words((note,))}: {with_readable_numbers(note.statement)}", soft_wrap=True)
+
+
+def failures(failed: Iterable[tuple[str, str]], what: str, out: Console) -> None:
+    """Show why there is no answer, each reason once, behind the names of those that it holds for.
+
+    Parameters
+    ----------
+    failed
+        Name and reason.
+    what
+        How many there are, such as "of 12 curves".
+    out
+        The terminal.
+    """
+    named: dict[str, list[str]] = {}
+    for name, reason in failed:
+        named.setdefault(reason, []).append(name)
+    if not named:
+        return
+    out.print(f"{sum(map(len, named.values()))} {what} have no answer:")
+    for reason, names in named.items():
+        more = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
+        out.print(f"  {', '.join(names[:MOST_NAMES])}{more}: {reason}", soft_wrap=True)
 
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:

@@ -179,14 +179,15 @@ def material(name: str) -> NamedMaterial:
     Parameters
     ----------
     name : str
-        Such as ``"fused silica"``; capitals do not count, and usual other names are known. ``"Shore A 60"`` is a rubber
-        of that hardness (20 to 80 of scale A, 30 to 85 of scale D): moduli by two published relations, whose
-        difference is the spread.
+        Such as ``"fused silica"``; usual other names are known, and capitals count only where they tell two materials
+        apart (``"tin"`` is the metal, ``"TiN"`` titanium nitride). ``"Shore A 60"`` is a rubber of that hardness (20 to
+        80 of scale A, 30 to 85 of scale D): moduli by two published relations, whose difference is the spread.
 
     Raises
     ------
     InvalidInput
-        If the table does not contain it, and the message names those that it contains; or a hardness is out of range.
+        If the table does not contain it, and the message names those that it contains; if the name means two
+        materials; or if a hardness is out of range.
 
     Examples
     --------
@@ -196,11 +197,16 @@ def material(name: str) -> NamedMaterial:
     """
     if isinstance(name, str) and (found := SHORE.fullmatch(" ".join(name.lower().split()))):
         return _rubber(found[1], float(found[2]))
-    known = {word.lower(): one for one, row in _table()["materials"].items() for word in (one, *row["also"])}
-    if not isinstance(name, str) or name.strip().lower() not in known:
-        near = suggest(name.strip().lower(), known) if isinstance(name, str) else ""
+    told = name.strip() if isinstance(name, str) else ""
+    known = [(word, one) for one, row in _table()["materials"].items() for word in (one, *row["also"])]
+    called = {one for word, one in known if word in (told, told[:1].lower() + told[1:])}
+    called = called or {one for word, one in known if word.lower() == told.lower()}
+    if not called:
+        near = suggest(told.lower(), [word.lower() for word, _ in known])
         raise InvalidInput(f"the material {name!r} is not in the table{near}; it has {', '.join(material_names())}.")
-    return _made(known[name.strip().lower()])
+    if len(called) > 1:
+        raise InvalidInput(f"the material {name!r} may be {' or '.join(sorted(called))}; write one of these.")
+    return _made(called.pop())
 
 
 def _rubber(scale: str, hardness: float) -> NamedMaterial:

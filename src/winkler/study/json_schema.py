@@ -20,7 +20,7 @@ from winkler.study.language.fit_grammar import fit_form
 from winkler.study.language.fit_study import FITTED
 from winkler.study.language.grammar import SECTIONS, study_form
 from winkler.study.language.json_forms import KINDS, SHARED, Form
-from winkler.study.language.schema import form, required_fields
+from winkler.study.language.schema import GROOVE, OSCULATION, diameters, form, required_fields
 from winkler.study.language.study import GRADES, PICTURES
 from winkler.study.nanoindentation.keys import MEANINGS, UNITS
 
@@ -127,7 +127,21 @@ def _kind(name: str) -> Form:
         found["properties"][key.name]["description"] = f"{head}: {said}" if head and said else head or said
     if former := [before for before, now in FORMER.items() if now == name]:
         found["properties"]["kind"] = {"enum": [name, *former]}
+    halved = diameters(kinds()[name].cls)
+    for diameter, radius in halved.items():
+        found["properties"][diameter] = found["properties"][radius] | {"description": f"twice the {radius}"}
+    if GROOVE in halved.values():
+        found["properties"][OSCULATION] = {
+            "type": "number",
+            "description": "radius of a groove over the diameter of the ball in it, for the second lateral radius",
+        }
+    others = {radius: [key for key in halved if halved[key] == radius] for radius in halved.values()}
+    if GROOVE in others:
+        others[GROOVE].append(OSCULATION)
     needed = [key for key in found["required"] if not (name in FITTED and key in OF_A_FIT)]
+    if either := [[radius, *others[radius]] for radius in needed if radius in others]:
+        found["allOf"] = [{"anyOf": [{"required": [key]} for key in keys]} for keys in either]
+    needed = [key for key in needed if key not in others]
     if kinds()[name].reader is not None:
         found["anyOf"] = [{"required": ["file"]}, {"required": required_fields(kinds()[name].cls)}]
     return found | {"description": summary(kinds()[name].cls), "required": needed, "title": f"{name} ({slot_of(name)})"}

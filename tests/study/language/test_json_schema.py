@@ -79,11 +79,18 @@ def test_signs_and_bounds_are_marked_where_the_class_states_them():
 def test_the_schema_of_a_kind_describes_its_keys():
     sphere = json_schema("sphere")
     assert sphere["$schema"] == DIALECT
-    assert sphere["required"] == ["kind", "curvature_radius"]
+    assert sphere["required"] == ["kind"]
     assert sphere["properties"]["curvature_radius"]["description"].startswith("R [m]: radius of curvature")
     taken = jsonschema.Draft7Validator(sphere).is_valid
     assert taken({"kind": "sphere", "curvature_radius": "10 mm"})
-    for wrong in ({"curvature_radius": "10 kg"}, {"curvature_radius": 0.01}, {"radius": "10 mm"}, {}):
+    assert taken({"kind": "sphere", "diameter": "20 mm"})
+    for wrong in (
+        {"curvature_radius": "10 kg"},
+        {"curvature_radius": 0.01},
+        {"radius": "10 mm"},
+        {"diameter": 0.02},
+        {},
+    ):
         assert not taken({"kind": "sphere", **wrong})
 
 

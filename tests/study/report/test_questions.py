@@ -69,4 +69,5 @@ def test_the_restitution_of_bodies_that_yield_is_marked_where_it_stands(speed, m
     strong = wk.Elastic(210e9, 0.3, strength=1e9)
     bed = wk.Foundation(wk.Sphere(2.5e-3), wk.HalfSpace.between(strong, strong))
     text = headline_section(outcome(wk.Impact(bed, wk.Coulomb(0.3), mass=0.5e-3, velocity=speed, count=21)))
-    assert ('<div class="value">1 <span class="standing outside">outside</span></div>' in text) == marked
+    assert ('<div class="value">1 <span class="standing outside">do not use</span></div>' in text) == marked
+    assert ('class="card sought"' in text) != marked

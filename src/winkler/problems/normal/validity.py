@@ -17,6 +17,11 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = ["contact_notes", "indentation_notes", "large_body_note", "shape_notes", "steepness_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
+SLOPE_ERROR = 0.4
+"""Part of the load that a slope of one costs at most: Hay's correction under a cone on a body with nu = 0."""
+SIZE_ERROR = 0.425
+"""Part of the approach that a radius of contact as large as the body's costs at most: what Boussinesq's field of the
+opposite force moves the contact of a sphere with nu = 0.5."""
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
 
 
@@ -113,9 +118,8 @@ def steepness_note(slope: float) -> Note:
         )
     else:
         standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
-    return Note(
-        Assumption.SMALL_SLOPES, standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY
-    )
+    statement = f"The steepest slope within the contact is {slope:.3g}: {verdict}."
+    return Note(Assumption.SMALL_SLOPES, standing, statement, HAY, SLOPE_ERROR * slope)
 
 
 def large_body_note(ratio: float, *, strip: bool = False) -> Note:
@@ -127,4 +131,6 @@ def large_body_note(ratio: float, *, strip: bool = False) -> Note:
     else:
         standing, verdict = Standing.OUTSIDE, "the body is no half-space"
     size = "half-width of the contact" if strip else "contact radius"
-    return Note(Assumption.HALF_SPACE, standing, f"The {size} is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON)
+    error = None if strip else SIZE_ERROR * ratio
+    statement = f"The {size} is {ratio:.3g} of the body's radius: {verdict}."
+    return Note(Assumption.HALF_SPACE, standing, statement, JOHNSON, error)

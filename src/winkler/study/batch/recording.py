@@ -77,16 +77,16 @@ def json_line(point: Recalled | Failed) -> str:
     return json.dumps(content, separators=(",", ":"), ensure_ascii=False)
 
 
-def plain_notes(notes: Iterable[Note]) -> list[list[str]]:
-    """Return notes as rows of texts."""
-    return [[note.assumption.value, note.standing.value, note.statement, note.source] for note in notes]
+def plain_notes(notes: Iterable[Note]) -> list[list[Any]]:
+    """Return notes as rows of texts, the error last."""
+    return [[note.assumption.value, note.standing.value, note.statement, note.source, note.error] for note in notes]
 
 
-def notes_of(rows: Iterable[list[str]]) -> tuple[Note, ...]:
+def notes_of(rows: Iterable[list[Any]]) -> tuple[Note, ...]:
     """Return notes from the rows of `plain_notes`."""
     return tuple(
-        Note(Assumption(assumption), Standing(standing), statement, source)
-        for assumption, standing, statement, source in rows
+        Note(Assumption(assumption), Standing(standing), statement, source, *error)
+        for assumption, standing, statement, source, *error in rows  # versions up to 0.2 recorded no error
     )
 
 

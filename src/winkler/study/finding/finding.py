@@ -114,7 +114,7 @@ class SearchResult(NamedTuple):
     hits
         The best first.
     beyond
-        What was asked for and is not covered, or None; the hits are then the nearest.
+        What was asked for and is not covered, or None; the hits are then what the other words mean, and the nearest.
     """
 
     hits: tuple[Hit, ...]
@@ -315,6 +315,21 @@ def _public(text: str) -> list[Hit]:
     return made or [Hit(name, "python", f"python -m pydoc winkler.{name}") for name in others if name not in hits]
 
 
+def _nearest(beyond: str, each: list[dict[str, float]]) -> tuple[Hit, ...]:
+    """Return what comes nearest to what is not covered: what the other words of the question mean comes first."""
+    index = _index()
+    others: defaultdict[str, float] = defaultdict(float)
+    for best in each:
+        if beyond not in best:
+            for name in best.keys() & index.hits.keys():
+                others[name] += best[name] * index.favour.get(name, 1.0)
+    ranked = sorted(others, key=lambda name: -others[name])
+    named = [name for name in ranked[:1] if name in kinds()]
+    return tuple(
+        index.hits[name] for name in dict.fromkeys([*named, *index.beyond[beyond.removeprefix("beyond.")].nearest])
+    )
+
+
 def find(text: str, *, most: int = 5) -> SearchResult:
     """Return what a word or a question means, the best first.
 
@@ -334,6 +349,7 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     """
     index = _index()
     totals: defaultdict[str, float] = defaultdict(float)
+    each: list[dict[str, float]] = []
     for token in _asked(text):
         best: defaultdict[str, float] = defaultdict(float)
         for known, sure in index.alike(token).items():
@@ -342,6 +358,7 @@ def find(text: str, *, most: int = 5) -> SearchResult:
         decides = token in index.scores and all(name.startswith("beyond.") for name in best)
         for name, score in best.items():
             totals[name] += score * (DECIDES if decides else 1.0)
+        each.append(best)
     public = _public(text)
     if not totals:
         return SearchResult(tuple(public), None)
@@ -350,7 +367,7 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     ranked = sorted(totals, key=lambda name: -totals[name])
     if ranked[0].startswith("beyond.") and not public:
         beyond = index.beyond[ranked[0].removeprefix("beyond.")]
-        return SearchResult(tuple(index.hits[name] for name in beyond.nearest), beyond)
+        return SearchResult(_nearest(ranked[0], each)[:most], beyond)
     least = PROMISED * totals[ranked[0]]
     names = [name for name in ranked if name in index.hits and totals[name] >= least]
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first

@@ -17,6 +17,7 @@ from collections.abc import Callable, Mapping
 from enum import StrEnum
 from typing import Any, Literal, Union
 
+import numpy as np
 from pydantic import (
     BaseModel,
     ConfigDict,
@@ -27,6 +28,7 @@ from pydantic import (
     create_model,
     model_validator,
 )
+from pydantic_core import PydanticCustomError
 
 from winkler.checks.field_checks import numbers_taken
 from winkler.errors import suggest
@@ -37,14 +39,18 @@ from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, 
 from winkler.study.language.json_forms import checked
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind, value_text
 from winkler.study.language.quantities import WHERE, wrong
+from winkler.units import format_quantity
 
 __all__ = [
     "FORBID",
+    "GROOVE",
     "MISSING",
+    "OSCULATION",
     "adapter",
     "allowed_in_list",
     "allowed_kinds",
     "choice",
+    "diameters",
     "form",
     "hints",
     "is_choice",
@@ -52,6 +58,9 @@ __all__ = [
     "required_fields",
     "slot_adapter",
 ]
+
+OSCULATION, BALL, GROOVE = "osculation", "first_lateral_radius", "second_lateral_radius"
+"""Radius of a groove over the diameter of the ball in it, and the radii that it stands between."""
 
 MISSING: Any = object()
 """Stands in a form for a key that was left out and has a default in its class."""
@@ -194,6 +203,64 @@ def options(line: Kind) -> dict[str, Any]:
     return {item.name: types_[item.name] for item in arguments if item.kind is inspect.Parameter.KEYWORD_ONLY}
 
 
+def diameters(owner: type) -> dict[str, str]:
+    """Return the diameters that a study may give in place of radii: key -> field of the radius.
+
+    Examples
+    --------
+    >>> from winkler.profiles.power import Paraboloid
+    >>> diameters(Paraboloid)
+    {'diameter': 'curvature_radius'}
+    """
+    radii = [field for field in hints(owner) if "radius" in field and quantities.unit_of(owner, field) == "m"]
+    named = {radius.replace("curvature_radius", "diameter").replace("radius", "diameter"): radius for radius in radii}
+    return {key: radius for key, radius in named.items() if key not in hints(owner)}
+
+
+def _in_radii(raw: Any, pairs: dict[str, str]) -> Any:
+    """Return a table with the radii that its diameters and the osculation of a groove stand for."""
+    if not isinstance(raw, dict):
+        return raw
+    found = dict(raw)
+    for key in pairs.keys() & raw.keys():
+        if pairs[key] in raw:
+            wrong(f"{WHERE} has both {key} and {pairs[key]}; give one of them.")
+        found[pairs[key]] = _scaled(found.pop(key), 0.5, key)
+    if OSCULATION in found and GROOVE in pairs.values():
+        if GROOVE in found:
+            wrong(f"{WHERE} has both {OSCULATION} and {GROOVE}; give one of them.")
+        if BALL not in found:
+            wrong(f"{WHERE} has an {OSCULATION}, but no '{BALL}', of the ball in the groove; add it.")
+        ratio = _read(found.pop(OSCULATION), None, OSCULATION)
+        if not (isinstance(ratio, int | float) and 0.5 < ratio < 1.0):
+            given = value_text(raw[OSCULATION])
+            wrong(
+                f"{WHERE} is {given}; give the radius of the groove over the diameter of the ball, such as 0.52.",
+                OSCULATION,
+            )
+        found[GROOVE] = _scaled(found[BALL], -2.0 * ratio, BALL)
+    return found
+
+
+def _scaled(raw: Any, factor: float, key: str) -> Any:
+    """Return a length of a study, or several, times a factor."""
+    if raw == quantities.INFINITE:
+        return raw
+    lengths = np.asarray(_read(raw, "m", key), dtype=float) * factor
+    return (
+        [format_quantity(float(length), "m") for length in lengths]
+        if lengths.ndim
+        else format_quantity(float(lengths), "m")
+    )
+
+
+def _read(raw: Any, unit: str | None, key: str) -> Any:
+    try:
+        return quantities.number_or_numbers(raw, unit)
+    except PydanticCustomError as refusal:
+        wrong(quantities.sentence_of(refusal), key)
+
+
 def _model(name: str, line: Kind) -> type[BaseModel]:
     required = required_fields(line.cls)
     others = [field for field in hints(line.cls) if field not in required]
@@ -202,6 +269,8 @@ def _model(name: str, line: Kind) -> type[BaseModel]:
         optional = field not in required or line.reader is not None
         keys[field] = (annotation(line.cls, field, hint), MISSING if optional else ...)
     rules: dict[str, Any] = {}
+    if pairs := diameters(line.cls):
+        rules["radii"] = model_validator(mode="before")(functools.partial(_in_radii, pairs=pairs))
     if line.reader is not None:
         keys["file"] = (StrictStr, MISSING)
         taken = options(line)

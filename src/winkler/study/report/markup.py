@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import html
 import re
+from collections.abc import Iterable
 
 from winkler.readable import with_readable_numbers
-from winkler.validity import Standing
+from winkler.validity import Note, in_words, worst
 
 __all__ = ["badge", "number", "safe", "section", "table", "with_fixed_units"]
 
@@ -33,9 +34,10 @@ def section(title: str, *parts: str) -> str:
     return f"<section>\n<h2>{safe(title)}</h2>\n" + "\n".join(part for part in parts if part) + "\n</section>"
 
 
-def badge(standing: Standing) -> str:
-    """Return the standing of statements as a page shows it."""
-    return f'<span class="standing {standing.value}">{standing.value}</span>'
+def badge(notes: Iterable[Note]) -> str:
+    """Return what a user may do with a result of these notes, as a page shows it."""
+    told = tuple(notes)
+    return f'<span class="standing {worst(told).value}">{safe(in_words(told))}</span>'
 
 
 def number(text: str) -> str:

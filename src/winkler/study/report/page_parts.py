@@ -21,7 +21,6 @@ from winkler.validity import Note, Standing
 
 __all__ = [
     "REPORT",
-    "STANDING_MEANINGS",
     "figure_elements",
     "folded",
     "formula_list",
@@ -35,13 +34,6 @@ __all__ = [
 WIDE_FIGURE = 7.0
 """Width [inch] above which figures, panels side by side, take both columns of the page."""
 REPORT = "report.html"
-
-STANDING_MEANINGS = {
-    Standing.EXACT: "holds without error within the stated theory",
-    Standing.ASYMPTOTIC: "right in a limit; the deviation is stated",
-    Standing.APPROXIMATE: "the error is stated",
-    Standing.OUTSIDE: "not to be trusted",
-}
 
 
 def page_files(
@@ -94,14 +86,11 @@ def trust(notes: tuple[Note, ...], questions: tuple[str, ...] = ()) -> str:
     order = list(Standing)
     ranked = sorted(notes, key=lambda note: -order.index(note.standing))
     items = "".join(
-        f"<li><div>{badge(note.standing)}</div><div>{safe(with_readable_numbers(note.statement))}"
+        f"<li><div>{badge((note,))}</div><div>{safe(with_readable_numbers(note.statement))}"
         f'<div class="source">{safe(note.assumption.value)}; {safe(note.source)}</div></div></li>'
         for note in ranked
     )
-    legend = "; ".join(f"{standing.value}: {meaning}" for standing, meaning in STANDING_MEANINGS.items())
-    return section(
-        "How far this can be trusted", asked, f'<ul class="notes">{items}</ul>', f'<p class="small">{safe(legend)}.</p>'
-    )
+    return section("How far this can be trusted", asked, f'<ul class="notes">{items}</ul>')
 
 
 def papers(content: Any) -> str:

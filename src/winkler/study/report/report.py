@@ -18,7 +18,6 @@ from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import badge, safe, section
 from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
-from winkler.validity import Standing, worst
 
 __all__ = ["page", "report_files"]
 
@@ -55,7 +54,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
     pictures = figures_of(outcome) if shown is None else shown
     notes = outcome.validity
     body = [
-        f"<header><h1>{title}</h1>{_standing_line(outcome, worst(notes))}{doubt_line(doubt_of(outcome))}</header>",
+        f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}</header>",
         question_section(outcome),
         answer_section(outcome),
         failures(outcome),
@@ -70,12 +69,12 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
     return parts.framed(title, outcome.provenance.version, body)
 
 
-def _standing_line(outcome: Outcome, standing: Standing) -> str:
+def _standing_line(outcome: Outcome) -> str:
     made = outcome.provenance
     counts = f"{len(outcome.points)} points" if len(outcome.points) > 1 else "one point"
     return (
-        f"<p>{badge(standing)} <span class='small'>{parts.STANDING_MEANINGS[standing]} (the worst of all "
-        f"statements below). Solved with winkler {safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
+        f"<p>{badge(outcome.validity)} <span class='small'>The worst of all statements below. Solved with winkler "
+        f"{safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
     )
 
 

@@ -7,8 +7,9 @@ fit, the parts and numbers inside it that do.  Each stays only if the study is s
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import tomli_w
@@ -20,8 +21,10 @@ from winkler.study.language.explain import keys_of
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 
-__all__ = ["CarriedStudy", "carried", "is_sound"]
+__all__ = ["CarriedStudy", "carried", "is_sound", "leaves"]
 
+MOST_NAMED = 6
+"""Numbers of an example in a sentence."""
 LOADS = ("load", "normal")
 """Names of the part that presses."""
 NAMES = {
@@ -43,23 +46,47 @@ class CarriedStudy(NamedTuple):
         Names of what stayed, and of what the new problem has no place for.
     aside
         Key -> what was dropped, which may fit again later.
+    assumed
+        Path -> content of the numbers and words that nobody has given: those of an example.
+    new
+        Names and contents of those of them that come with the new problem.
     """
 
     table: dict[str, Any]
     kept: tuple[str, ...]
     dropped: tuple[str, ...]
     aside: dict[str, Any]
+    assumed: dict[str, Any]
+    new: tuple[str, ...]
 
     @property
     def sentence(self) -> str:
-        """One sentence on both."""
+        """What was kept, dropped and assumed, in sentences."""
         kept = f"Kept: {', '.join(self.kept)}." if self.kept else "Nothing of the former study fits here."
         kind = str(self.table["problem"]["kind"]).replace("_", " ")
-        return kept + (f" Dropped, as {kind} has no place for it: {', '.join(self.dropped)}." if self.dropped else "")
+        dropped = f" Dropped, as {kind} has no place for it: {', '.join(self.dropped)}." if self.dropped else ""
+        more = f" and {len(self.new) - MOST_NAMED} more" if len(self.new) > MOST_NAMED else ""
+        named = f" Of the example: {', '.join(self.new[:MOST_NAMED])}{more}." if self.new else ""
+        return kept + dropped + named
+
+
+def leaves(content: Any, path: str = "problem") -> dict[str, Any]:
+    """Return path -> content of all kinds, numbers and words of a part."""
+    if isinstance(content, dict):
+        inside = [leaves(item, f"{path}.{key}") for key, item in content.items()]
+    elif isinstance(content, list) and any(isinstance(item, dict) for item in content):
+        inside = [leaves(item, f"{path}.{place}") for place, item in enumerate(content)]
+    else:
+        return {path: content}
+    return {key: item for part in inside for key, item in part.items()}
 
 
 def carried(
-    old: dict[str, Any], new: dict[str, Any], aside: dict[str, Any], is_sound: Callable[[dict[str, Any]], bool]
+    old: dict[str, Any],
+    new: dict[str, Any],
+    aside: dict[str, Any],
+    is_sound: Callable[[dict[str, Any]], bool],
+    assumed: Mapping[str, Any] = MappingProxyType({}),
 ) -> CarriedStudy:
     """Return a study with what fits of another one.
 
@@ -73,15 +100,20 @@ def carried(
         Key -> content that was dropped earlier.
     is_sound
         Whether a study passes its checks.
+    assumed
+        Path -> content of the study before that nobody has given: what was put aside comes before it.
     """
     table = copy.deepcopy(new)
-    transfer = _Transfer(old, table, aside, is_sound)
+    transfer = _Transfer(old, table, aside, is_sound, assumed)
     transfer.part(form.part_of(table))
+    transfer.restore()
     dropped = list(transfer.dropped(form.part_of(old)))
     left = {key: content for key, content in aside.items() if key not in transfer.taken_aside}
-    left |= {path.rpartition(".")[2]: form.at(old, path) for path, _ in dropped}
-    names = tuple(dict.fromkeys(name for _, name in dropped))
-    return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left)
+    given = [(path, name) for path, name in dropped if not transfer.is_assumed(path, form.at(old, path))]
+    left |= {_aside_key(path, form.at(old, path)): form.at(old, path) for path, _ in given}
+    names = tuple(dict.fromkeys(name for _, name in given))
+    still, fresh = transfer.not_given()
+    return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left, still, fresh)
 
 
 def is_sound(table: dict[str, Any], folder: Path) -> bool:
@@ -114,8 +146,10 @@ class _Transfer:
         new: dict[str, Any],
         aside: dict[str, Any],
         is_sound: Callable[[dict[str, Any]], bool],
+        assumed: Mapping[str, Any],
     ) -> None:
-        self.old, self.new, self.aside, self.is_sound = old, new, aside, is_sound
+        self.old, self.new, self.aside, self.is_sound, self.assumed = old, new, aside, is_sound, assumed
+        self.sources: dict[str, str] = {}
         self.places = list(_places(old["problem"], "problem"))
         self.used: set[str] = set()
         self.kept: list[str] = []
@@ -150,7 +184,7 @@ class _Transfer:
         key = slot.path.rpartition(".")[2]
         for path, content in self._candidates(slot.path, key):
             if isinstance(content, dict) and str(content.get("kind")) in slot.allowed and self._put(slot.path, content):
-                self._taken(path, key, content)
+                self._taken(slot.path, path, key, content)
                 return True
         return False
 
@@ -161,7 +195,7 @@ class _Transfer:
                 isinstance(one, dict) and str(one.get("kind")) in many.allowed for one in content
             )
             if fits and content and self._put(many.path, content):
-                self._taken(path, key, content)
+                self._taken(many.path, path, key, content)
                 return
         for step in many.parts:  # the first step of a path that prescribes a load of the same kind
             for child in step.children:
@@ -176,7 +210,7 @@ class _Transfer:
             if not parent or isinstance(content, dict) or not _belong(parent.rpartition(".")[2], role):
                 continue
             if _takes(form.at(self.old, parent), key) == entry.takes and self._put(entry.path, content):
-                self._taken(path, key, content)
+                self._taken(entry.path, path, key, content)
                 return
 
     def _candidates(self, path: str, key: str) -> list[tuple[str, Any]]:
@@ -185,7 +219,9 @@ class _Transfer:
         named = [(one, content) for one, content in self.places if one.rpartition(".")[2] in names]
         named.sort(key=lambda pair: pair[0] != path)
         free = [(one, content) for one, content in named if not self._is_used(one)]
-        return [*free, *([("", self.aside[key])] if key in self.aside and not named else [])]
+        given = [one for one in free if not self.is_assumed(*one)]
+        aside = [("", self.aside[key])] if key in self.aside and not given else []
+        return [*given, *aside, *(one for one in free if one not in given)]
 
     def _is_used(self, path: str) -> bool:
         return any(path == used or path.startswith(f"{used}.") for used in self.used)
@@ -204,7 +240,36 @@ class _Transfer:
             form.put(self.new, path, before)
         return False
 
-    def _taken(self, path: str, key: str, content: Any) -> None:
+    def is_assumed(self, path: str, content: Any) -> bool:
+        """Return whether nobody has given a content of the study before."""
+        return all(at in self.assumed and self.assumed[at] == item for at, item in leaves(content, path).items())
+
+    def restore(self) -> None:
+        """Put numbers that were put aside to the places where they stood, if nobody has given others."""
+        for path, content in self.not_given()[0].items():
+            key = _aside_key(path, content)
+            if key in self.aside and key not in self.taken_aside and self._put(path, self.aside[key]):
+                self._taken(path, "", key, self.aside[key])
+
+    def not_given(self) -> tuple[dict[str, Any], tuple[str, ...]]:
+        """Return path -> content of what nobody has given in the new study, and its numbers that came with it."""
+        found, fresh = {}, []
+        for path, content in leaves(self.new["problem"]).items():
+            place = path
+            while place and place not in self.sources:
+                place = place.rpartition(".")[0]
+            source = self.sources.get(place)
+            if source is None:
+                found[path] = content
+                key = path.rpartition(".")[2]
+                if key != "kind" and not isinstance(content, bool):
+                    fresh.append(f"{name_in_words(key)} {content}" if isinstance(content, str | float | int) else key)
+            elif source and self.is_assumed(source + path[len(place) :], content):
+                found[path] = content
+        return found, tuple(dict.fromkeys(fresh))
+
+    def _taken(self, place: str, path: str, key: str, content: Any) -> None:
+        self.sources[place] = path
         if path:
             self.used.add(path)
         else:
@@ -221,6 +286,11 @@ def _places(content: Any, path: str) -> Iterator[tuple[str, Any]]:
             yield f"{path}.{key}", inside
     for key, inside in content.items():
         yield from _places(inside, f"{path}.{key}")
+
+
+def _aside_key(path: str, content: Any) -> str:
+    """Return the name under which a content is put aside: of a number with that of its part, as ``first.young``."""
+    return ".".join(path.split(".")[-1 if isinstance(content, dict | list) else -2 :])
 
 
 def _belong(before: str, now: str) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
-from winkler.web.form.carry import carried, is_sound
+from winkler.web.form.carry import carried, is_sound, leaves
 from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
 from winkler.web.form.ranges import range_content
@@ -45,6 +45,8 @@ class StudyForm:
         """What stayed when the question changed, and what did not."""
         self._aside: dict[str, Any] = {}
         self.table: dict[str, Any] = first_table()
+        self.assumed: dict[str, Any] = leaves(self.table["problem"])
+        """Path -> content of what nobody has given: what an example says."""
         self.other_table: dict[str, Any] = fit_form.initial_table(FITTED[0])
         self.target = ""
         """Path for which the next upload is meant."""
@@ -64,12 +66,13 @@ class StudyForm:
         """Replace the whole study."""
         if ("fit" in table) != ("fit" in self.table):
             self.other_table = self.table
-        self.table, self.carried_remark = table, ""
+        self.table, self.carried_remark, self.assumed = table, "", {}
         self.changed()
 
     def take_example(self) -> None:
         """Replace the study by the example of its problem."""
-        self.load(self._example(str(self.table["problem"]["kind"])))
+        self.load(example := self._example(str(self.table["problem"]["kind"])))
+        self.assumed = leaves(example["problem"])
 
     def _example(self, kind: str) -> dict[str, Any]:
         if self.task == "solve":
@@ -80,18 +83,14 @@ class StudyForm:
         return table
 
     def _ask(self, kind: str) -> None:
-        """Ask another question: an example that nobody has changed is replaced, of other studies stays what fits."""
+        """Ask another question: what fits stays, of examples, too, so that no question changes a body."""
         before, after = self.table, self._example(kind)
-        self.carried_remark = ""
-        examples = (self._example(str(before["problem"]["kind"])), first_table())
-        sentence = ""
-        if any(before["problem"] == one["problem"] for one in examples):
-            self.table = after
-        else:
-            checked = is_sound(after, self.folder)  # not without a curve
-            carry = carried(before, after, self._aside, lambda table: not checked or is_sound(table, self.folder))
-            self.table, self._aside, sentence = carry.table, carry.aside, carry.sentence
-        usual = examples[0]["title"]
+        checked = is_sound(after, self.folder)  # not without a curve
+        sound = lambda table: not checked or is_sound(table, self.folder)  # noqa: E731
+        carry = carried(before, after, self._aside, sound, self.assumed)
+        self.table, self._aside, self.assumed = carry.table, carry.aside, carry.assumed
+        sentence = carry.sentence
+        usual = self._example(str(before["problem"]["kind"]))["title"]
         if before.get("title", usual) != usual:  # one's own
             self.table["title"] = before["title"]
         sections = [name for name in before if name not in ("title", "problem", "fit")]

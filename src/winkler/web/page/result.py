@@ -119,7 +119,7 @@ class Result:
         self.wrong.set_visibility(False)
         for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
-        badge = f'<p class="standing-line"><span class="standing {answer.standing}">{answer.standing}</span></p>'
+        badge = f'<p class="standing-line">{answer.trust}</p>'
         self.head.set_content(badge + answer.doubt + answer.answers)
         self.curves.set_content(answer.curves)
         self._clear_sheets()

@@ -24,7 +24,7 @@ from winkler.study.report.figure import ReportFigure, capital, svg_element
 from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
-from winkler.study.report.markup import safe
+from winkler.study.report.markup import badge, safe
 from winkler.study.report.page_parts import papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
 from winkler.validity import worst
@@ -75,6 +75,7 @@ def answer_text(outcome: Outcome, text: str, moments: Moments, moment: int) -> A
     answers = "\n".join(part for part in (answer_section(outcome), failures(outcome), expected(outcome)) if part)
     return AnswerText(
         worst(outcome.validity).value,
+        badge(outcome.validity),
         answers,
         trust(outcome.validity, questions_of(outcome)),
         papers(outcome.study),

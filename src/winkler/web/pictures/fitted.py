@@ -21,7 +21,7 @@ from winkler.study.report.figure import capital
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.headline.advice import worst_doubt
 from winkler.study.report.headline.section import doubt_line
-from winkler.study.report.markup import safe, with_fixed_units
+from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
@@ -56,6 +56,7 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
     ]
     return AnswerText(
         worst(outcome.validity).value,
+        badge(outcome.validity),
         f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
         trust(outcome.validity),
         papers(outcome.study.problem),

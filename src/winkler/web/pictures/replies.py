@@ -23,6 +23,8 @@ class AnswerText(NamedTuple):
     ----------
     standing
         The worst standing of all notes.
+    trust
+        What a user may do with the results, as the page shows it.
     answers, notes, papers
         Sections of a page.
     text
@@ -42,6 +44,7 @@ class AnswerText(NamedTuple):
     """
 
     standing: str
+    trust: str
     answers: str
     notes: str
     papers: str

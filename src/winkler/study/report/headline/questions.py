@@ -49,6 +49,8 @@ UNLIKELY = (
     Unlikely("radius", "m", 100.0, "balls, rollers and wheels are smaller", 1e-3),
     Unlikely("work", "J/m^2", 5.0, "clean solids adhere with 0.02 to 2 J/m^2", 1e-3),
 )
+GROOVES = (1.005, 1.3)
+"""Radius of a groove over that of the ball in it, least and greatest: 1.02 to 1.1 in bearings, more in guides."""
 STIFF = 1e9
 """Effective modulus [Pa] above which bodies are hard: metals, ceramics, glasses, hard polymers."""
 HARD_SHARE = 0.05
@@ -58,7 +60,7 @@ HARD_SHARE = 0.05
 
 def questions_of(outcome: Outcome) -> tuple[str, ...]:
     """Return a question about each unlikely number of a study, and about a peak pressure that nothing bears."""
-    return (*dict.fromkeys(_asked(outcome.study.problem)), *_hollow(outcome))
+    return (*dict.fromkeys(_asked(outcome.study.problem)), *(_hollow(outcome) or _groove(outcome.study.problem)))
 
 
 def _asked(content: Any) -> Iterator[str]:
@@ -82,15 +84,37 @@ def _asked(content: Any) -> Iterator[str]:
         yield from _asked(item)
 
 
-def _hollow(outcome: Outcome) -> Iterator[str]:
+def _radii(pair: CurvedPair) -> dict[str, float]:
+    names = [field.name for field in dataclasses.fields(pair) if field.name.endswith("_radius")]
+    return {name: getattr(pair, name) for name in names}
+
+
+def _groove(problem: Any) -> tuple[str, ...]:
+    """Return a question about a second body that is hardly wider than the first: a groove without its sign."""
+    pair = getattr(problem, "bodies", None)
+    if not isinstance(pair, CurvedPair):
+        return ()
+    radii = _radii(pair)
+    for along in ("longitudinal", "lateral"):
+        first, second = radii[f"first_{along}_radius"], radii[f"second_{along}_radius"]
+        if first > 0.0 and GROOVES[0] < second / first < GROOVES[1]:
+            name = f"second {along} radius"
+            return (
+                f"The {name} is {second / first:.3g} times that of the first body, as of a groove or raceway, and "
+                f"positive: did you mean {with_unit(-second, 'm')}, which is hollow?",
+            )
+    return ()
+
+
+def _hollow(outcome: Outcome) -> tuple[str, ...]:
     problem = outcome.study.problem
     pair, modulus = getattr(problem, "bodies", None), getattr(getattr(problem, "medium", None), "modulus", math.nan)
     if not isinstance(pair, CurvedPair) or "peak_pressure" not in outcome.answers:
-        return
+        return ()
     peak = float(np.nanmax(outcome.answer("peak_pressure"), initial=0.0))
-    radii = [getattr(pair, field.name) for field in dataclasses.fields(pair) if field.name.endswith("_radius")]
-    if min(radii) > 0.0 and modulus > STIFF and peak > HARD_SHARE * modulus:
-        yield (
+    if min(_radii(pair).values()) > 0.0 and modulus > STIFF and peak > HARD_SHARE * modulus:
+        return (
             f"The peak pressure is {with_unit(peak, 'Pa')}, {peak / modulus:.0%} of the effective modulus, and no "
-            "surface is hollow: did you mean a groove or raceway, whose radius is negative?"
+            "surface is hollow: did you mean a groove or raceway, whose radius is negative?",
         )
+    return ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from winkler.readable import with_unit
+from winkler.readable import with_readable_numbers, with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figure import capital
@@ -16,7 +16,7 @@ from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.validity import Standing
 
-__all__ = ["doubt_line", "doubt_of", "headline_section"]
+__all__ = ["doubt_line", "doubt_of", "headline", "headline_section"]
 
 VON_MISES = r"\sigma_{vM}"
 
@@ -36,18 +36,57 @@ def headline_section(outcome: Outcome) -> str:
     sentence = (
         f"The verdict on the body: {verdict}. {_sentence(outcome, numbers)}" if verdict else _sentence(outcome, numbers)
     )
-    standing = doubt_of(outcome).standing
-    mark = f" {badge(standing)}" if standing is Standing.OUTSIDE else ""
-    lead = f'<p class="lead sought-line">{with_fixed_units(sentence)}{mark}</p>'
-    cards = "".join(_card(one, mark, first=place == 0 and not verdict) for place, one in enumerate(numbers))
+    outside = doubt_of(outcome).standing is Standing.OUTSIDE
+    mark = f" {badge(outcome.validity)}" if outside else ""
+    lead = f'<p class="{"" if outside else "lead "}sought-line">{with_fixed_units(sentence)}{mark}</p>'
+    counts = not verdict and not outside  # what is not to be used is never the large number
+    cards = "".join(_card(one, mark, first=counts and place == 0) for place, one in enumerate(numbers))
     if verdict:
         large = f'<div class="value">{safe(verdict)}</div><div class="name">verdict on the body</div>'
         cards = f'<div class="card sought">{large}</div>{cards}'
     shown = {one.name for one in numbers if not one.is_range}
     if "z" in outcome.answers:  # the answer itself is a place of the greatest stress
         shown |= {"von_mises"}
-    state = None if outcome.study.sweep else elastic_state(shown_point(outcome))
-    return f'{lead}<div class="cards">{cards}</div>{_beside(state, shown)}'
+    return f'{lead}<div class="cards">{cards}</div>{_beside(_state(outcome), shown, _force(numbers))}'
+
+
+def headline(outcome: Outcome) -> str:
+    """Return the headline of an outcome as text: the sought number, and how far the contact is from yielding.
+
+    Parameters
+    ----------
+    outcome
+        Outcome of a study.
+    """
+    numbers = sought_numbers(outcome)
+    if not numbers:
+        return ""
+    state = _state(outcome)
+    margin = _margin(state, _force(numbers)) if state else ""
+    return " ".join(part for part in (with_readable_numbers(_sentence(outcome, numbers)), margin) if part)
+
+
+def _state(outcome: Outcome) -> ElasticState | None:
+    return None if outcome.study.sweep else elastic_state(shown_point(outcome))
+
+
+def _force(numbers: tuple[SoughtNumber, ...]) -> float:
+    """Return the one normal force of a headline [N, N/m]; not a number where there are several, or none."""
+    forces = [one.last for one in numbers if one.name in ("force", "force_per_length") and not one.many]
+    return forces[0] if len(forces) == 1 else math.nan
+
+
+def _margin(state: ElasticState, force: float) -> str:
+    """Return at which multiple of its load a contact yields, and where, as a sentence; empty where it is not known."""
+    if not (state.yield_load > 0.0 and force > 0.0):
+        return ""
+    times = state.yield_load / force
+    under = f"{with_unit(state.depth, 'm', 2)} below the surface, {state.body}"
+    return (
+        f"It yields at {times:.3g} times this load, {under}."
+        if times > 1.0
+        else (f"It has yielded: this is {1.0 / times:.3g} times the load at which it does, {under}.")
+    )
 
 
 def _verdict(outcome: Outcome) -> str:
@@ -97,7 +136,7 @@ def _card(one: SoughtNumber, mark: str, *, first: bool) -> str:
     )
 
 
-def _beside(state: ElasticState | None, shown: set[str]) -> str:
+def _beside(state: ElasticState | None, shown: set[str], force: float) -> str:
     """Return greatest pressure, greatest von Mises stress and load of yield as cards."""
     if state is None:
         return ""
@@ -111,11 +150,11 @@ def _beside(state: ElasticState | None, shown: set[str]) -> str:
     around = f"; {state.sharp}, and this one is a tenth of the contact radius away" if state.sharp else ""
     stress = f"greatest von Mises stress {symbol(VON_MISES)}"
     cards.append(_small(with_unit(state.von_mises, "Pa"), stress, f"{where}, without friction{around}"))
-    cards.append(_yield_card(state))
+    cards.append(_yield_card(state, force))
     return f'<div class="cards beside">{"".join(cards)}</div>'
 
 
-def _yield_card(state: ElasticState) -> str:
+def _yield_card(state: ElasticState, force: float) -> str:
     name = "load at which it yields"
     if math.isinf(state.strength):
         return _small("not known", name, f"set a strength of the {state.body} to see it")
@@ -124,7 +163,8 @@ def _yield_card(state: ElasticState) -> str:
         return _small("not known", name, f"the greatest stress is {share:.3g} of the strength of the {state.body}")
     if state.sharp:
         return _small(with_unit(0.0, state.unit), name, "a sharp place yields at the first touch")
-    return _small(with_unit(state.yield_load, state.unit), name, f"of the {state.body}, by von Mises' criterion")
+    times = f"{state.yield_load / force:.3g} times this load; " if force > 0.0 else ""
+    return _small(with_unit(state.yield_load, state.unit), name, f"{times}of the {state.body}, by von Mises' criterion")
 
 
 def _small(text: str, name: str, remark: str) -> str:
