@@ -251,10 +251,10 @@ GROUPS: dict[str, Callable[[int], Any]] = {
     **slip_groups(wk.Tangential, "coated", "shift shear", name="CoatedTangential"),
     **slip_groups(wk.Tangential, "stacked film", "shift shear", STEADY, name="CoatedTangential"),
     **slip_groups(
-        wk.Tangential, "relaxing", "shift", CONTROLS[1:3], name="ViscoelasticTangential", count=50, tolerance=1e-4
+        wk.Tangential, "relaxing", "shift", CONTROLS[1:3], name="ViscoelasticTangential", count=50, tolerance=1e-6
     ),
     **slip_groups(
-        wk.Tangential, "relaxing", "shear", CONTROLS[1::2], name="ViscoelasticTangential", count=50, tolerance=1e-4
+        wk.Tangential, "relaxing", "shear", CONTROLS[1::2], name="ViscoelasticTangential", count=50, tolerance=1e-6
     ),
     **slip_groups(wk.Torsion, "half_space transverse coated stacked", "angle torque", STEADY),
     **slip_groups(wk.Torsion, "half_space coated", "angle torque", CONTROLS[3:]),

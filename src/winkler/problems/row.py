@@ -49,7 +49,7 @@ class Row(Protocol[Goal, State]):
     owner: str
     """Kind of the problem, for messages."""
     order: int | None = None
-    """With which power of its length work and loss of a halved step converge; None if no step is halved."""
+    """With which power of its length work and loss of a halved step converge; None if they are taken as they are."""
 
     def begin(self, goal: Goal) -> Reached[State]:
         """Return the row at the first point of a path: pressed straight down, and moved after.
@@ -125,22 +125,30 @@ def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reac
     """Return the row at the next point of a path, and work and loss since the last one."""
     done = Reached(state, 0.0, 0.0)
     ahead: list[tuple[Goal, int, Reached[State] | None]] = [(goal, 0, None)]
+    settled, error = 0, 0.0
     while ahead:
         goal, halvings, whole = ahead.pop()
         middle = row.halfway(done.state, start, goal)
+        if middle is not None and error * 8.0 ** (settled - halvings) > 1.0:
+            # steps of its length have just been too long: the error of half of one is a quarter at most
+            ahead += [(goal, halvings + 1, None), (middle, halvings + 1, None)]
+            continue
         if whole is None:
             whole = row.step(done.state, goal)
-        if middle is not None and row.order is not None:
+        if middle is not None:
             half = row.step(done.state, middle)
             two = half.then(row.step(half.state, goal))
-            if row.apart(whole, two) > 1.0:
+            error, settled = row.apart(whole, two), halvings
+            if error > 1.0:
                 if halvings == MOST_HALVINGS:
                     raise NotConverged("the step does not settle, however often it is halved; give points in between.")
                 ahead += [(goal, halvings + 1, None), (middle, halvings + 1, half)]
                 continue
-            # the errors of both fall with that power: the two extrapolate to a step without end of halves
-            rest = 2.0**row.order - 1.0
-            gain = (two.work - whole.work) / rest, (two.lost - whole.lost) / rest
-            whole = Reached(two.state, two.work + gain[0], max(two.lost + gain[1], 0.0))
+            if row.order is not None:
+                # the errors of both fall with that power: the two extrapolate to a step without end of halves
+                rest = 2.0**row.order - 1.0
+                gain = (two.work - whole.work) / rest, (two.lost - whole.lost) / rest
+                two = Reached(two.state, two.work + gain[0], max(two.lost + gain[1], 0.0))
+            whole = two
         done, start = done.then(whole), goal
     return done

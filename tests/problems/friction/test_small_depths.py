@@ -1,4 +1,4 @@
-"""Rings of a contact that has nearly parted bear what those of one bear that was never pressed deeper."""
+"""A contact that has nearly parted bears what one bears that was never pressed deeper: springs by gap, and rings."""
 
 from __future__ import annotations
 
@@ -12,6 +12,45 @@ HALF, COATED = wk.HalfSpace(STEEL), wk.CoatedHalfSpace([wk.Layer(SOFT, 1e-4)], o
 GRADED = wk.GradedHalfSpace(wk.PowerLawGraded(1e9, 1e-3, 0.4, 0.3), wk.Rigid())
 LAW, DEPTH = wk.Coulomb(0.3), 1e-6
 PARTS = np.array([1e-6, 1e-10, 1e-14, 1e-20, 1e-40])
+
+
+BY_GAP = [
+    wk.Foundation(profile, medium)
+    for profile, medium in (
+        (wk.Paraboloid(1e-2), HALF),
+        (wk.Cone(0.1), HALF),
+        (wk.FlatPunch(1e-3), HALF),
+        (wk.TruncatedCone(1e-4, 0.1), HALF),
+        (wk.PowerLaw(1e3, 4.0), HALF),
+        (wk.Paraboloid(1e-2), GRADED),
+    )
+]
+
+
+@pytest.mark.parametrize("bed", BY_GAP, ids=lambda bed: f"{type(bed.profile).__name__}-{type(bed.medium).__name__}")
+def test_all_springs_by_gap_slide_under_what_friction_bears(bed):
+    depths = DEPTH * np.array([1.0, *PARTS])
+    for shifts in (DEPTH * np.array([0.01, *(1.0 + np.arange(PARTS.size))]), np.full(depths.size, 0.01 * DEPTH)):
+        pushed = wk.Tangential(bed, LAW, wk.Path.through(wk.Depth(depths), wk.Shift(shifts))).solve()
+        assert pushed.shear_force[1:] == pytest.approx(0.3 * pushed.force[1:], rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("bed", BY_GAP, ids=lambda bed: f"{type(bed.profile).__name__}-{type(bed.medium).__name__}")
+def test_springs_by_gap_that_part_in_steps_obey_ciavarella_and_jaeger(bed):
+    """Pressed from apart at each small depth anew, the stick zone is the contact of F - F_x / mu."""
+    for part in PARTS:
+        depth = DEPTH * part
+        whole = wk.Indentation(bed, wk.Depth(depth)).solve()
+        shear = 0.5 * 0.3 * float(whole.force)
+        lateral = wk.ShearForce([0.0, 0.0, 0.0, shear])
+        path = wk.Path.through(wk.Depth([DEPTH, 0.0, depth, depth]), lateral)
+        pushed = wk.Tangential(bed, LAW, path).solve()
+        inner = wk.Indentation(bed, wk.Force(0.5 * float(whole.force))).solve()
+        ratio = pushed.states[-1].mindlin_ratio
+        assert pushed.shear_force[-1] == pytest.approx(shear, rel=1e-9)
+        assert pushed.shift[-1] - pushed.shift[-2] == pytest.approx(
+            0.3 / ratio * (depth - float(inner.depth)), rel=1e-9, abs=0.0
+        )
 
 
 def test_all_rings_slide_under_what_friction_bears():

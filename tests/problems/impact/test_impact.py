@@ -226,6 +226,20 @@ def test_energy_is_neither_made_nor_lost(shape, poisson, coefficient, part, iner
     assert hit.shear_force[-1] == hit.stored_energy[-1] == hit.energy[-1] == hit.force[-1] == 0.0
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("poisson", "coefficient", "part", "inertia"),
+    [(0.02437885536358403, 9.943249686656019, 2.1331675622318276, 1.3256489680151549),
+     (0.11532445186941914, 4.102429585568286, 0.07147354340520984, 3.6816513520102285)],
+)  # fmt: skip
+def test_a_flat_punch_does_not_part_by_rounding(poisson, coefficient, part, inertia):
+    """All its springs stick or slide at once, also where the depth at first touch is read as less than nothing."""
+    bed = wk.Foundation(wk.FlatPunch(0.1), half_space(poisson))
+    hit = ball(bed, coefficient, part * min(coefficient, 1.0) * SPEED, inertia=inertia).solve()
+    np.testing.assert_allclose(hit.balance, 1.0, atol=1e-10)
+    assert hit.restitution == pytest.approx(1.0, abs=1e-9)
+
+
 def test_a_graded_body_keeps_the_balance():
     medium = GradedHalfSpace(PowerLawGraded(young=1.0, depth_scale=0.1, exponent=0.4, poisson=0.25))
     for coefficient in (0.3, math.inf):

@@ -17,7 +17,7 @@ from winkler.loading import Depth, Shift
 from winkler.path import Path
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
-from winkler.problems.normal.force_curve import normal_curve
+from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, over
 
@@ -73,7 +73,7 @@ class SlipRow:
         self.driven = isinstance(path.lateral, Shift)
         self.pressed = isinstance(path.normal, Depth)
         deepest = max(0.0, *(goal.depth for goal in self.goals))
-        self.sums = SlipSums(normal_curve(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH))
+        self.sums = SlipSums(NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH))
         stiffness, _, _ = self.sums.at(deepest)
         greatest = float(np.max(np.abs(path.along)))
         size = greatest if self.driven or stiffness == 0.0 else greatest / (ratio * stiffness)

@@ -167,6 +167,7 @@ class EnteredSprings(NamedTuple):
         """Return what sticks when the level towards a side is reached."""
         time = self._when(sign, level)
         gap, shift, shear, stored = self.read(time)
+        gap = max(gap, 0.0)  # less than nothing, by rounding at first touch, would let go of a flat end at once
         stiffness, force, work = curve.at(gap)
         first = shear / self.ratio - shift * stiffness
         second = 2.0 * stored / self.ratio - shift * shift * stiffness - 2.0 * shift * first

@@ -33,10 +33,12 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
 
-__all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth"]
+__all__ = ["NormalCurve", "NormalCurves", "deepest", "normal_curve", "rough_depth"]
 
 DEPTH_MARGIN = 1e-3
 """How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
+SHALLOWER = 32.0
+"""A curve is read down to this part of its depth: F and W are known to the rounding of their greatest values."""
 SEARCH_FACTOR = 1.3
 SEARCH_START = 1e-3
 """Part of the radius at which a power profile would store the energy, where a search begins."""
@@ -109,6 +111,38 @@ class NormalCurve(NamedTuple):
 
 GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(10)
 """Exact for the panels' polynomials, times a straight line."""
+
+
+class NormalCurves:
+    """K, F and W of one bed, each to a small part of itself, however little of the greatest depth is left.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth : float
+        The greatest depth [m].
+    """
+
+    def __init__(self, bed: Bed, depth: float) -> None:
+        self.bed, self.depth = bed, depth
+        self._curves = {0: normal_curve(bed, depth)}
+
+    def _of(self, depth: float) -> NormalCurve:
+        """Return the curve that was made for a depth [m]."""
+        if depth * SHALLOWER >= self.depth or depth <= 0.0:
+            return self._curves[0]
+        level = int(math.log(self.depth / depth) / math.log(SHALLOWER))
+        if level not in self._curves:
+            self._curves[level] = normal_curve(self.bed, self.depth * SHALLOWER**-level)
+        return self._curves[level]
+
+    def at(self, depth: float) -> tuple[float, float, float]:
+        """Return as `NormalCurve.at`."""
+        return self._of(depth).at(depth)
+
+    def between(self, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
+        """Return as `NormalCurve.between`."""
+        return self._of(depth).between(gap, stiffness, depth)
 
 
 def normal_curve(bed: Bed, depth: float) -> NormalCurve:

@@ -30,16 +30,10 @@ from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
+from winkler.problems.row import follow
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
-from winkler.problems.viscoelastic.tangential_march import (
-    ErrorScales,
-    ShearedMarch,
-    StepTarget,
-    shear_relaxation,
-    sudden_step,
-    travel,
-)
+from winkler.problems.viscoelastic.tangential_march import DraggedRow, DragGoal, ErrorScales, shear_relaxation
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -144,30 +138,23 @@ def dragged_states(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: fl
     NotConverged
         If no step is short enough.
     """
-    row, scales = _start(bed, law, path, count, tolerance)
+    row = _row(bed, law, path, count, tolerance)
     density = row.row.springs.density(row.row.bed)
-    times = path.time.tolist()
-    goals = [StepTarget(*each) for each in zip(path.across.tolist(), path.along.tolist(), strict=True)]
-    pace = math.inf
-    for i, (time, goal) in enumerate(zip(times, goals, strict=True)):
-        if i and time > times[i - 1]:
-            row, pace = travel(row, goals[i - 1], goal, time - times[i - 1], pace, scales)
-        else:
-            row = sudden_step(row, goal, time, scales)
-        refuse_rings("Tangential", np.array([time]), np.array([row.turn.ring]))
-        turn, springs = row.turn, row.row
+    goals = map(DragGoal, path.time.tolist(), path.across.tolist(), path.along.tolist())
+    for state, work, lost in follow(row, goals):
+        time, springs = state.goal.time, state.row
+        refuse_rings("Tangential", np.array([time]), np.array([state.ring]))
         place = springs.springs.position
-        slack = row.bounds - np.abs(row.loads)
+        slack = state.bounds - np.abs(state.loads)
         yield DraggedState(
-            time, springs.depth, turn.force, turn.radius, row.shift, turn.shear_force,
-            stick_radius(place, row.stuck, slack, turn.radius), turn.work, turn.stored, turn.friction, turn.bulk,
-            turn.friction + turn.bulk, place, density * springs.loads(), density * row.loads, springs.place.copy(),
-            row.displaced.copy(), row.stuck,
+            time, springs.depth, state.force, state.radius, state.shift, state.shear_force,
+            stick_radius(place, state.stuck, slack, state.radius), work, state.stored, state.friction, state.bulk,
+            lost, place, density * springs.loads(), density * state.loads, springs.place, state.displaced, state.stuck,
         )  # fmt: skip
 
 
-def _start(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> tuple[ShearedMarch, ErrorScales]:
-    """Return the row before anything has happened, and what counts as little on this path."""
+def _row(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> DraggedRow:
+    """Return the row before anything has happened, which knows what counts as little on this path."""
     deepest = pressed_alone(bed, path, count, tolerance)._deepest
     if deepest == 0.0:
         raise OutsideValidity("Tangential: the bodies never touch along this path; press them.")
@@ -177,8 +164,6 @@ def _start(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> 
     springs = Springs.of(elastic, float(reach[0]), count)
     normal, shear = relaxation_of("", bed), shear_relaxation(medium, bed.footprint.shear_share)
     by_depth, by_shift = isinstance(path.normal, Depth), isinstance(path.lateral, Shift)
-    row = ShearedMarch(SpringRow(elastic, springs, normal), shear, law.coefficient, by_depth, by_shift)
-    row.row.motion[0] = min(float(path.across[0]), 0.0) if by_depth else row.row.depth
     # the greatest stiffness of the springs: glassy, or as they are within the time that the path takes
     quick = 1.0 / max(float(path.time[-1] - path.time[0]), 1e-300)
     hard, stiff = (
@@ -193,7 +178,8 @@ def _start(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> 
     borne = borne if borne > 0.0 else force
     slide_ = slide_ if slide_ > 0.0 else deepest
     little = tolerance
-    return row, ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
+    scales = ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
+    return DraggedRow(SpringRow(elastic, springs, normal), shear, law.coefficient, by_depth, by_shift, scales)
 
 
 def stick_radius(position: Array, stuck: Array, slack: Array, radius: float) -> float:

@@ -1,8 +1,11 @@
-"""The march of relaxing springs that are pressed and dragged along the surface, in steps chosen by their error."""
+"""Springs that relax in both directions as a row: pressed, and dragged along the surface.
+
+A sudden step is one step, however far it goes; one that takes time is halved until both halves bring the springs to
+where the whole did (`winkler.problems.row`).
+"""
 
 from __future__ import annotations
 
-import copy
 import math
 from typing import NamedTuple
 
@@ -16,10 +19,11 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.force_driven import RESTING_FORCE, SHORTEST_STEP
+from winkler.problems.row import Reached, Row, over
+from winkler.problems.viscoelastic.force_driven import RESTING_FORCE
 from winkler.problems.viscoelastic.march import SpringRow
 
-__all__ = ["ErrorScales", "ShearedMarch", "ShearedRowState", "StepTarget", "shear_relaxation", "sudden_step", "travel"]
+__all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation"]
 
 MOST_TRIALS = 200
 FORCE_TOLERANCE = 1e-12
@@ -44,15 +48,12 @@ def shear_relaxation(medium: ViscoelasticHalfSpace, share: float = 0.5) -> Relax
     return of_creep(total)
 
 
-class StepTarget(NamedTuple):
-    """What is prescribed: a depth [m] or force [N] across the surface, a shift [m] or shear force [N] along it."""
+class DragGoal(NamedTuple):
+    """What is prescribed at a time [s]: a depth [m] or force [N] across the surface, a shift [m] or force along it."""
 
+    time: float
     across: float
     along: float
-
-    def towards(self, other: StepTarget, part: float) -> StepTarget:
-        """Return what is prescribed at a part of the step to another one."""
-        return StepTarget(*(mine + (its - mine) * part for mine, its in zip(self, other, strict=True)))
 
 
 class ErrorScales(NamedTuple):
@@ -65,114 +66,209 @@ class ErrorScales(NamedTuple):
     force: float
 
 
-class ShearedRowState(NamedTuple):
-    """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost by friction, in bodies, work [J], a ring."""
+class DraggedSprings(NamedTuple):
+    """What springs remember that relax in both directions.
 
-    force: float
-    radius: float
-    shear_force: float
-    stored: float
-    friction: float
-    bulk: float
-    work: float
-    ring: bool
+    Parameters
+    ----------
+    goal
+        Where they are.
+    row
+        The springs across the surface.
+    displaced, memory
+        Along the surface [m], ``(n,)`` and ``(n, terms)``.
+    free, stuck
+        Which springs recover freely, and which stick, ``(n,)``.
+    loads, bounds
+        Along the surface and what friction bears, over the weights, ``(n,)``.
+    shift, rate, slide
+        U_x [m], and how fast depth and shift changed in the last step [m/s].
+    force, radius, shear_force, stored
+        F_N [N], a [m], F_x [N], and the energy of both directions [J].
+    friction, bulk
+        Lost to friction and in the bodies [J].
+    ring
+        Whether the contact is no disc.
+    """
+
+    goal: DragGoal
+    row: SpringRow
+    displaced: Array
+    memory: Array
+    free: Array
+    stuck: Array
+    loads: Array
+    bounds: Array
+    shift: float = 0.0
+    rate: float = 0.0
+    slide: float = 0.0
+    force: float = 0.0
+    radius: float = 0.0
+    shear_force: float = 0.0
+    stored: float = 0.0
+    friction: float = 0.0
+    bulk: float = 0.0
+    ring: bool = False
 
 
-AT_REST = ShearedRowState(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
-
-
-class ShearedMarch:
+class DraggedRow(Row[DragGoal, DraggedSprings]):
     """A row of springs that relax in both directions.
 
     Parameters
     ----------
     row : SpringRow
-        Across the surface.
+        Across the surface, before anything has happened.
     shear : RelaxationSeries
         G*(t).
     coefficient : float
         mu [-].
     by_depth, by_shift : bool
         What is prescribed.
+    scales : ErrorScales
     """
 
+    owner = "Tangential"
+
     def __init__(
-        self, row: SpringRow, shear: RelaxationSeries, coefficient: float, by_depth: bool, by_shift: bool
+        self,
+        row: SpringRow,
+        shear: RelaxationSeries,
+        coefficient: float,
+        by_depth: bool,
+        by_shift: bool,
+        scales: ErrorScales,
     ) -> None:
-        self.row, self.shear, self.coefficient = row, shear, coefficient
+        self.row, self.shear, self.coefficient, self.scales = row, shear, coefficient, scales
         self.by_depth, self.by_shift = by_depth, by_shift
-        count = row.springs.gap.size
-        recovery = Recovery.of(shear)
-        self.law = recovery.law(shear)
-        self.displaced, self.memory = np.zeros(count), np.zeros((count, recovery.rates.size))
-        self.free = np.zeros(count, dtype=bool)
-        self.loads, self.bounds, self.stuck = np.zeros(count), np.zeros(count), np.zeros(count, dtype=bool)
-        self.shift, self.rate, self.slide, self.turn = 0.0, 0.0, 0.0, AT_REST
-        self.pressing, self.shearing = 0.0, 0.0
+        self.recovery = Recovery.of(shear)
+        self.law = self.recovery.law(shear)
 
-    def copy(self) -> ShearedMarch:
-        """Return a row that may be carried on without this one."""
-        twin = copy.copy(self)
-        twin.row, twin.displaced, twin.memory = self.row.copy(), self.displaced.copy(), self.memory.copy()
-        twin.free = self.free.copy()
-        return twin
+    def begin(self, goal: DragGoal) -> Reached[DraggedSprings]:
+        """Return the springs at the first point, where what is not zero comes suddenly."""
+        count = self.row.springs.gap.size
+        row, none, never = self.row.copy(), np.zeros(count), np.zeros(count, dtype=bool)
+        row.motion[0] = min(goal.across, 0.0) if self.by_depth else row.depth
+        memory = np.zeros((count, self.recovery.rates.size))
+        return self._sudden(DraggedSprings(goal, row, none, memory, never, never, none, none), goal)
 
-    def _bounds(self) -> Array:
-        """How much every spring bears along the surface, over its weight."""
-        loads = np.maximum(self.row.loads(), 0.0)
-        return np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
+    def step(self, state: DraggedSprings, goal: DragGoal) -> Reached[DraggedSprings]:
+        """Return the springs after depth and shift have changed steadily, or suddenly."""
+        if goal.time == state.goal.time:
+            return self._sudden(state, goal)
+        # under a dashpot alongside forces jump with the rate: there the mean force of the step is prescribed
+        viscous = self.row.series.viscosity > 0.0
+        across = 0.5 * (state.goal.across + goal.across) if viscous else goal.across
+        return self._go(state, goal, max(across, RESTING_FORCE * self.scales.force))
 
-    def step(self, goal: StepTarget, dt: float, force: float, scales: ErrorScales) -> ShearedMarch:
-        """Return the row after a step to what is prescribed at its end.
+    def halfway(self, state: DraggedSprings, start: DragGoal, goal: DragGoal) -> DragGoal | None:
+        """Return what is prescribed in the middle of a step that takes time."""
+        middle = DragGoal(*(0.5 * (mine + its) for mine, its in zip(start, goal, strict=True)))
+        return middle if start.time < middle.time < goal.time else None
 
-        `force` is what the springs are to bear across the surface, at the end or in the mean as `Row.towards` has it.
+    def apart(self, one: Reached[DraggedSprings], two: Reached[DraggedSprings]) -> float:
+        """Return by how much forces, losses and motions differ, over what is allowed."""
+        (here, there), scales = (one.state, two.state), self.scales
+        return max(
+            over(abs(here.shear_force - there.shear_force), scales.shear_force),
+            over(abs(here.friction - there.friction), scales.energy),
+            over(abs(here.shift - there.shift), scales.shift),
+            0.0 if self.by_depth else over(abs(here.row.depth - there.row.depth), scales.depth),
+        )
+
+    def _sudden(self, state: DraggedSprings, goal: DragGoal) -> Reached[DraggedSprings]:
+        """Press and then move the bodies at once, as far as a dashpot lets them."""
+        stubborn = self.row.series.viscosity > 0.0
+        here = goal._replace(along=state.shift if self.by_shift else state.shear_force)
+        if stubborn and self.by_depth and goal.across > max(state.row.depth, 0.0):
+            raise OutsideValidity(
+                f"the depth rises suddenly to {goal.across:.6g} m at {goal.time:.6g} s, which a dashpot alongside "
+                "responds to with an infinite force; give the step some time."
+            )
+        reached = Reached(state._replace(goal=goal), 0.0, 0.0)
+        if self.by_depth or not stubborn:
+            reached = self._go(reached.state, here, max(goal.across, 0.0))
+        if self.shear.viscosity > 0.0:
+            if not self.by_shift:
+                return reached
+            if goal.along != state.shift and np.any(reached.state.row.pressed):
+                raise OutsideValidity(
+                    f"the bodies are moved suddenly along the surface at {goal.time:.6g} s, which a dashpot alongside "
+                    "responds to with an infinite force; give the step some time."
+                )
+        now = reached.state
+        still = DragGoal(goal.time, now.row.depth, goal.along)
+        moved = reached.then(self._go(now._replace(goal=goal), still, now.force))
+        return moved._replace(state=moved.state._replace(goal=goal))
+
+    def _go(self, state: DraggedSprings, goal: DragGoal, force: float) -> Reached[DraggedSprings]:
+        """Return the springs after a step, which bear a force at its end, or in the mean as `SpringRow.towards` has it.
+
+        A depth that is prescribed is that of the goal.
         """
-        new = self.copy()
-        row, was, depth, place = self.row, self.row.pressed, self.row.depth, self.row.place
-        change = goal.across - depth if self.by_depth else row.towards(force, dt, self.rate * dt, scales.force)
-        done = new.row.march(np.array([change]), np.array([dt]))
-        new.rate = change / dt if dt > 0.0 else self.rate
-        new.bounds = new._bounds()
+        dt, row = goal.time - state.goal.time, state.row.copy()
+        was, depth, place = row.pressed.copy(), row.depth, row.place.copy()
+        change = goal.across - depth if self.by_depth else row.towards(force, dt, state.rate * dt, self.scales.force)
+        pressed = row.march(np.array([change]), np.array([dt]))
+        loads = np.maximum(row.loads(), 0.0)
+        bounds = np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
         # a free spring is caught when the body has come down to where it stands
         share = np.ones(was.size)
-        caught = new.row.pressed & ~was
+        caught = row.pressed & ~was
         if change != 0.0 and np.any(caught):
             away = (row.springs.gap[caught] + place[caught] - depth) / change
             share[caught] = 1.0 - np.clip(away, 0.0, 1.0)
-        moved = goal.along - self.shift if self.by_shift else self._shift_under(new.bounds, share, dt, goal.along)
-        sums, new.loads, new.stuck = np.empty(6), np.empty(was.size), np.empty(was.size, dtype=bool)
+        moved = goal.along - state.shift if self.by_shift else self._shift_under(state, bounds, share, dt, goal.along)
+        new, sums = self._dragged(state, bounds, share, dt, moved)
+        shear_force, lost, work, stored, _, bulk = sums.tolist()
+        new = new._replace(
+            goal=goal,
+            row=row,
+            shift=state.shift + moved,
+            rate=change / dt if dt > 0.0 else state.rate,
+            slide=moved / dt if dt > 0.0 else state.slide,
+            force=float(pressed.force[0]),
+            radius=float(pressed.radius[0]),
+            shear_force=shear_force,
+            stored=float(pressed.stored[0]) + stored,
+            friction=state.friction + lost,
+            bulk=state.bulk + float(pressed.lost[0]) + bulk,
+            ring=bool(pressed.ring[0]),
+        )
+        lost_in_all = new.friction - state.friction + new.bulk - state.bulk
+        return Reached(new, float(pressed.work[0]) + work + lost, lost_in_all)
+
+    def _dragged(
+        self, state: DraggedSprings, bounds: Array, share: Array, dt: float, moved: float
+    ) -> tuple[DraggedSprings, Array]:
+        """Return the springs after the bodies have moved along the surface, and sums over them."""
+        sums, count = np.empty(6), share.size
+        new = state._replace(
+            displaced=state.displaced.copy(),
+            memory=state.memory.copy(),
+            free=state.free.copy(),
+            stuck=np.empty(count, dtype=bool),
+            loads=np.empty(count),
+            bounds=bounds,
+        )
         drag(
-            self.law, row.row[1], self.bounds, new.bounds, share, dt, moved, new.displaced, new.memory, new.free,
+            self.law, self.row.row[1], state.bounds, bounds, share, dt, moved, new.displaced, new.memory, new.free,
             new.loads, new.stuck, sums,
         )  # fmt: skip
-        shear_force, lost, work, stored, _, bulk = sums.tolist()
-        new.shift, new.slide = self.shift + moved, moved / dt if dt > 0.0 else self.slide
-        new.pressing = self.pressing + float(done.work[0])
-        new.shearing = self.shearing + work + lost
-        new.turn = ShearedRowState(
-            float(done.force[0]), float(done.radius[0]), shear_force, float(done.stored[0]) + stored,
-            self.turn.friction + lost, self.turn.bulk + float(done.lost[0]) + bulk, new.pressing + new.shearing,
-            bool(done.ring[0]),
-        )  # fmt: skip
-        return new
+        return new, sums
 
-    def _shift_under(self, bounds: Array, share: Array, dt: float, prescribed: float) -> float:
+    def _shift_under(self, state: DraggedSprings, bounds: Array, share: Array, dt: float, prescribed: float) -> float:
         """Return by how much the bodies move until the springs bear a shear force."""
-        weights = self.row.row[1]
-        most = float(weights @ np.where(np.isfinite(bounds), bounds, 0.0)) if math.isfinite(self.coefficient) else 0.0
+        weights, endless = self.row.row[1], math.isinf(self.coefficient)
+        most = 0.0 if endless else float(weights @ bounds)
         close = FORCE_TOLERANCE * max(most, abs(prescribed))
-        if math.isfinite(self.coefficient) and abs(prescribed) > most + close:
+        if not endless and abs(prescribed) > most + close:
             raise OutsideValidity(
-                f"Tangential: friction bears {most:.6g} N, less than the shear force of {prescribed:.6g} N "
-                "that is prescribed; the bodies slide away: press them harder, or prescribe a Shift."
+                f"a shear force of {prescribed:.6g} N is prescribed where friction bears {most:.6g} N at most, and the "
+                "bodies would slide away; press them harder, or give a Shift."
             )
-        sums, loads, stuck = np.empty(6), np.empty(weights.size), np.empty(weights.size, dtype=bool)
-        low, high, moved, stride = -math.inf, math.inf, self.slide * dt, 0.0
+        low, high, moved, stride = -math.inf, math.inf, state.slide * dt, 0.0
         for turn in range(MOST_TRIALS):
-            drag(
-                self.law, weights, self.bounds, bounds, share, dt, moved, self.displaced.copy(), self.memory.copy(),
-                self.free.copy(), loads, stuck, sums,
-            )  # fmt: skip
+            _, sums = self._dragged(state, bounds, share, dt, moved)
             short = prescribed - float(sums[0])
             if abs(short) <= close:
                 return moved
@@ -186,68 +282,6 @@ class ShearedMarch:
                     return middle
                 moved = middle
             else:
-                stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(self.displaced))), 1e-9 * self.row.depth)
+                stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(state.displaced))), 1e-9 * state.row.depth)
                 moved += math.copysign(stride, short)
-        raise NotConverged(f"The springs find no shift at which they bear the shear force {prescribed:.6g} N.")
-
-
-def sudden_step(row: ShearedMarch, goal: StepTarget, time: float, scales: ErrorScales) -> ShearedMarch:
-    """Press and then move the bodies at once, as far as a dashpot lets them."""
-    stubborn = row.row.series.viscosity > 0.0
-    here = StepTarget(goal.across, row.shift if row.by_shift else row.turn.shear_force)
-    rising = row.by_depth and goal.across > max(row.row.depth, 0.0)
-    if stubborn and rising:
-        raise OutsideValidity(
-            f"Tangential: at {time:.6g} s the depth rises suddenly to {goal.across:.6g} m, which a "
-            "dashpot alongside responds to with an infinite force; give the step some time."
-        )
-    if row.by_depth or not stubborn:
-        row = row.step(here, 0.0, max(goal.across, 0.0), scales)
-    if row.shear.viscosity > 0.0:
-        if not row.by_shift:
-            return row
-        if goal.along != row.shift and np.any(row.row.pressed):
-            raise OutsideValidity(
-                f"Tangential: at {time:.6g} s the bodies are moved suddenly along the surface, which a "
-                "dashpot alongside responds to with an infinite force; give the step some time."
-            )
-    return row.step(StepTarget(row.row.depth, goal.along), 0.0, row.turn.force, scales)
-
-
-def travel(
-    row: ShearedMarch, start: StepTarget, end: StepTarget, duration: float, pace: float, scales: ErrorScales
-) -> tuple[ShearedMarch, float]:
-    """Carry a row from one point of the path to the next, and return the pace at which it arrives.
-
-    Every step is made at once and in halves; the halves are used, and what both disagree by is its error.
-    """
-    mean = row.row.series.viscosity > 0.0
-    parts = (0.25, 0.75, 0.5) if mean else (0.5, 1.0, 1.0)
-    done, pace = 0.0, min(pace, duration)
-    while done < duration:
-        dt = min(pace, duration - done)
-        if duration - done - dt < 1e-9 * duration:
-            dt = duration - done
-        begin, step = done / duration, dt / duration
-        middle, last = (start.towards(end, begin + part * step) for part in (0.5, 1.0))
-        early, late, both = (
-            max(start.towards(end, begin + part * step).across, RESTING_FORCE * scales.force) for part in parts
-        )
-        half = row.step(middle, 0.5 * dt, early, scales)
-        two = half.step(last, 0.5 * dt, late, scales)
-        one = row.step(last, dt, both, scales)
-        error = max(
-            abs(one.turn.shear_force - two.turn.shear_force) / scales.shear_force,
-            abs(one.turn.friction - two.turn.friction) / scales.energy,
-            abs(one.shift - two.shift) / scales.shift,
-            0.0 if row.by_depth else abs(one.row.depth - two.row.depth) / scales.depth,
-        )
-        if error > 1.0:
-            if dt < SHORTEST_STEP * duration:
-                raise NotConverged("Tangential: the springs need ever shorter steps; allow a greater tolerance.")
-            pace = dt * max(0.2, 0.9 * error ** (-1.0 / 3.0))
-            continue
-        row = two
-        done = duration if dt == duration - done else done + dt
-        pace = dt * min(4.0, max(0.3, 0.9 * max(error, 1e-6) ** (-1.0 / 3.0)))
-    return row, pace
+        raise NotConverged(f"the springs find no shift at which they bear a shear force of {prescribed:.6g} N.")
