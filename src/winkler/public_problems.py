@@ -51,7 +51,7 @@ from winkler.problems.line_strips.periodic import PeriodicIndentation, PeriodicS
 from winkler.problems.line_strips.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
 from winkler.problems.line_viscoelastic.path import LineForcePath
-from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution
+from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution, ShiftedBy
 from winkler.problems.master_curves.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
 from winkler.problems.method import Method
 from winkler.problems.normal.design import design_for_pressure, design_profile
@@ -156,9 +156,9 @@ __all__ = [
     "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution",
     "RelaxationSpectrum", "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling",
     "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact", "RoughContactSolution",
-    "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "SimplifiedRolling",
-    "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear",
-    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion",
+    "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "ShiftedBy",
+    "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
+    "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion",
     "SurfaceAdhesionSolution", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceConstriction",
     "SurfaceConstrictionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating",
     "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
