@@ -28,13 +28,13 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve
-from winkler.io.swapped_columns import swap_note
+from winkler.io.swapped_columns import is_list, swap_note
 from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.units import scale
 
-__all__ = ["curves_of_test"]
+__all__ = ["curves_of_test", "is_results"]
 
 LARGEST_NUMBER = 1e100
 """Instruments write 1.8e308 for a number that they could not compute."""
@@ -45,6 +45,8 @@ ROLES = {
     "stiffness": (STIFFNESS_NAMES, "N/m"),
 }
 NEEDED = ("depth", "force")
+MOST_RESULTS = 50
+"""Rows with moduli and without times that are a list: a test has more."""
 
 
 def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> list[PlacedCurve]:
@@ -118,6 +120,21 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
             curve = ForceCurve(at, load, machine, clock, direction, name, reading=reading)
         curves.append(PlacedCurve(curve, test.x, test.y, continuous, _stated(test, at, usable, part)))
     return curves
+
+
+def is_results(test: InstrumentTest) -> bool:
+    """Return whether the columns of a test are a list of results, one row for each test, and no test itself.
+
+    Such a list has no time.  It has moduli or hardnesses in few rows, or rows of which none follows the one before.
+    """
+    found = {role: _column(test.columns, names, unit) for role, (names, unit) in ROLES.items()}
+    depth, force = found["depth"], found["force"]
+    if found["time"] is not None or depth is None or force is None:
+        return False
+    both = np.isfinite(depth.values) & np.isfinite(force.values)
+    results = any(_column(test.columns, names, "Pa") is not None for names in (YOUNG_NAMES, HARDNESS_NAMES))
+    few = results and np.count_nonzero(both) <= MOST_RESULTS
+    return bool(few or is_list(depth.values[both], force.values[both]))
 
 
 def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str) -> InstrumentColumn | None:

@@ -17,6 +17,7 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.tables.column import example_of
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, Table, read_table
+from winkler.io.tables.tests_of_table import of_one_test
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.numerics.types import Array
 
@@ -93,6 +94,9 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
     (TENSILE_COMPLEX, PHASE, True, _of_phase),
 )
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
+RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
+CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
+DYNAMIC_HEADERS = tuple((frequency, *one[:2]) for frequency in (ANGULAR, FREQUENCY) for one in MODULI)
 
 
 def dynamic_rows(
@@ -118,12 +122,17 @@ def dynamic_rows(
         If columns, units or numbers are missing.
     """
     head = [header] if header else None
-    frequency = ANGULAR if names_columns(path, (*further, ANGULAR), head=head) else FREQUENCY
-    first = (*further, frequency)
-    size, other, tensile, moduli = next(
-        (one for one in MODULI if names_columns(path, (*first, *one[:2]), head=head)),
-        next((one for one in MODULI if names_columns(path, one[:2], head=head)), MODULI[0]),
+    named = [one for one in MODULI if names_columns(path, one[:2], head=head)] or [MODULI[0]]
+    frequency, (size, other, tensile, moduli) = next(
+        (
+            (frequency, one)
+            for frequency in (ANGULAR, FREQUENCY)
+            for one in named
+            if names_columns(path, (*further, frequency, *one[:2]), head=head)
+        ),
+        (ANGULAR if names_columns(path, (*further, ANGULAR), head=head) else FREQUENCY, named[0]),
     )
+    first = (*further, frequency)
     try:
         table = moduli_table(path, (*first, size, other), header)
     except InvalidInput as reason:
@@ -148,7 +157,7 @@ def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], head
         If columns, units or numbers are missing.
     """
     try:
-        return read_table(path, columns, decimal_comma=True, stated=header)
+        return read_table(path, columns, stated=header)
     except InvalidInput as error:
         if header:
             raise
@@ -157,7 +166,9 @@ def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], head
 
 
 @reader("a relaxation")
-def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> RelaxationData:
+def read_relaxation(
+    path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0
+) -> RelaxationData:
     """Read a measured relaxation from a table with the columns time (t) and shear (g), or young (e).
 
     Parameters
@@ -168,6 +179,9 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5, heade
         nu [-], above -1 and at most 0.5.
     header : str, optional
         The names and units of all columns, where the file has none: ``"time [s], shear [Pa]"``.
+    test : int, optional
+        Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
+        again, or where the numbers of the points begin again.
 
     Returns
     -------
@@ -178,13 +192,17 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5, heade
     InvalidInput
         If the file cannot be read, or what it holds is no relaxation.
     """
-    table, tensile = _read(path, (TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS), header)
-    time, modulus = table.values.T
-    return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    def read(part: str | os.PathLike[str]) -> RelaxationData:
+        table, tensile = _read(part, *RELAXATION_HEADERS, header)
+        time, modulus = table.values.T
+        return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    return of_one_test(path, RELAXATION_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
 
 @reader("a creep")
-def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> CreepData:
+def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0) -> CreepData:
     """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
 
     Parameters
@@ -195,6 +213,9 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
         nu [-], above -1 and at most 0.5.
     header : str, optional
         The names and units of all columns, where the file has none: ``"time [s], compliance [1/Pa]"``.
+    test : int, optional
+        Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
+        again, or where the numbers of the points begin again.
 
     Returns
     -------
@@ -205,13 +226,17 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     InvalidInput
         If the file cannot be read, or what it holds is no creep.
     """
-    table, tensile = _read(path, (TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE), header)
-    time, compliance = table.values.T
-    return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    def read(part: str | os.PathLike[str]) -> CreepData:
+        table, tensile = _read(part, *CREEP_HEADERS, header)
+        time, compliance = table.values.T
+        return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    return of_one_test(path, CREEP_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
 
 @reader("storage and loss")
-def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> DynamicData:
+def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0) -> DynamicData:
     """Read measured storage and loss from a table over frequency (f) or angular_frequency (omega).
 
     Parameters
@@ -224,6 +249,9 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
         nu [-], above -1 and at most 0.5.
     header : str, optional
         The names and units of all columns, where the file has none: ``"omega [rad/s], g' [Pa], g'' [Pa]"``.
+    test : int, optional
+        Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
+        again, or where the numbers of the points begin again.
 
     Returns
     -------
@@ -234,8 +262,12 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     InvalidInput
         If the file cannot be read, or what it holds is no storage and loss.
     """
-    table, rows = dynamic_rows(path, (), poisson, header)
-    return _data(DynamicData, table, tuple(rows.T), poisson)
+
+    def read(part: str | os.PathLike[str]) -> DynamicData:
+        table, rows = dynamic_rows(part, (), poisson, header)
+        return _data(DynamicData, table, tuple(rows.T), poisson)
+
+    return of_one_test(path, DYNAMIC_HEADERS, test, read) if test or not header else read(path)
 
 
 def _read(
