@@ -20,7 +20,7 @@ from winkler.io.tables.relaxation_table import (
     young_over_shear,
 )
 from winkler.io.tables.table import Column
-from winkler.io.tables.tests_of_table import tests_of_table
+from winkler.io.tables.tests_of_table import parts_of_table
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.types import Array
 
@@ -115,12 +115,12 @@ def _rows(
     header: str,
 ) -> Array:
     """Return the rows of a table, temperature first; of tests side by side those of each, below each other."""
-    parts = [] if header else tests_of_table(file, headers, below=False)
+    parts = [] if header else parts_of_table(file, headers, below=False)
     if len(parts) < 2:
         try:
             return read(file, (temperature,))
         except InvalidInput:
-            parts = [] if header else tests_of_table(file, headers)
+            parts = [] if header else parts_of_table(file, headers)
             if len(parts) < 2:
                 raise
     rows = []

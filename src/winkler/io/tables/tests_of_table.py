@@ -20,7 +20,7 @@ from winkler.io.tables.table import read_table
 from winkler.io.tables.table_cells import cells_of, like_number, named
 from winkler.io.tables.table_lines import TablePart, table_head, table_lines
 
-__all__ = ["of_one_test", "tests_of_table"]
+__all__ = ["of_one_test", "parts_of_table"]
 
 R = TypeVar("R")
 
@@ -71,18 +71,18 @@ def of_one_test(
         If the table holds several tests and none is given, or fewer than that, or the time goes on from the one before.
     """
     if not test:
-        parts = tests_of_table(path, headers, below=False)  # one of them alone may have the usual names
+        parts = parts_of_table(path, headers, below=False)  # one of them alone may have the usual names
         if len(parts) < 2:
             try:
                 return read(path)
             except InvalidInput:
-                parts = tests_of_table(path, headers)
+                parts = parts_of_table(path, headers)
                 if len(parts) < 2:
                     raise
         listed = "; ".join(f"{number}: {part.label}" for number, part in enumerate(parts[:8], start=1))
         more = f"; and {len(parts) - 8} more" * (len(parts) > 8)
         raise InvalidInput(f"{path}: it holds {len(parts)} tests ({listed}{more}); give one, as in test = 1.")
-    parts = tests_of_table(path, headers)
+    parts = parts_of_table(path, headers)
     if not 0 < test <= len(parts):
         raise InvalidInput(f"{path}: test is {test}, and it holds {len(parts)}; give a number from 1 on.")
     part = parts[test - 1]
@@ -96,7 +96,7 @@ def of_one_test(
     return read(part)
 
 
-def tests_of_table(
+def parts_of_table(
     path: str | os.PathLike[str], headers: Sequence[Sequence[Column]], *, below: bool = True
 ) -> list[TablePart]:
     """Return the tests of a table; one if there is only one, or no header.
