@@ -1,7 +1,7 @@
 """Curves of older microscopes of Asylum Research: a wave of Igor for the deflection, and one for the position.
 
-``Line0000Point0000Defl.ibw`` lies beside ``Line0000Point0000ZSnsr.ibw`` (or ``LVDT``, ``Raw``), each with one number for
-each point of time.  The sensor's position grows towards the sample.
+``Line0000Point0000Defl.ibw`` lies beside ``Line0000Point0000ZSnsr.ibw`` (or ``LVDT``, ``Raw``), each with one number
+for each point of time.  The sensor's position grows towards the sample.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ def tests_of_asylum_pair(path: Path, given: GivenFacts) -> Iterator[InstrumentTe
     other = next((one for one in beside if one.is_file()), beside[0])
     if not other.is_file():
         raise InvalidInput(
-            f"{path}: these are the deflections of a curve, and its positions are missing; put '{other.name}' beside it."
+            f"{path}: these are deflections, and the positions of the curve are missing; put '{other.name}' beside it."
         )
     load, place = _wave(path), _wave(other)
     deflection, position = (_numbers(wave, one) for wave, one in ((load, path), (place, other)))
     if deflection.shape != position.shape:
         raise InvalidInput(
-            f"{path}: it has {deflection.size} deflections, and '{other.name}' {position.size} positions; give waves of "
-            "one curve."
+            f"{path}: it has {deflection.size} deflections, and '{other.name}' {position.size} positions; give "
+            "waves of one curve."
         )
     note = dict(NOTE.findall(load["note"].decode("latin-1", "replace")))
     stated = _number(note.get("SpringConstant", ""))
@@ -87,7 +87,9 @@ def _wave(path: Path) -> Any:
     try:
         from igor2 import binarywave
     except ImportError:
-        raise InvalidInput(f"{path}: waves of Igor need the extra afm; install it with pip install 'winkler[afm]'.") from None
+        raise InvalidInput(
+            f"{path}: waves of Igor need the extra afm; install it with pip install 'winkler[afm]'."
+        ) from None
     with sentence_of(path, "the wave cannot be read", remedy), quiet(), limited_memory(path):
         return binarywave.load(str(path))["wave"]
 
@@ -105,7 +107,8 @@ def _unit(wave: Any, path: Path, given: GivenFacts, word: str) -> str:
     unit = stated or given.units.get(word, "")
     if not measures(unit, "m"):
         raise InvalidInput(
-            f"{path}: the wave has the unit '{stated}', no length; give units = {{ position = \"m\", deflection = \"m\" }}."
+            f"{path}: the wave has the unit '{stated}', no length; "
+            'give units = { position = "m", deflection = "m" }.'
         )
     return unit
 
