@@ -27,8 +27,8 @@ from winkler.io.curve_columns import (
 )
 from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
-from winkler.io.placed_curves import PlacedCurve
-from winkler.io.swapped_columns import is_list, swap_note
+from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
+from winkler.io.swapped_columns import is_list
 from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
@@ -95,7 +95,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
     parts = parts_of_tests(depth, force, time, rows) if test.rows.size and not direction.size else [slice(None)]
     curves = []
     for number, part in enumerate(parts, start=1):
-        name = test.name if len(parts) == 1 else f"{test.name}, test {number}"
+        name = name_of_test(test.name, number, len(parts))
         at, load, clock = depth[part], force[part], time[part] if time.size else time
         continuous = None
         if "stiffness" in chosen:
@@ -112,10 +112,8 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
             f"{left_out} row{'s' * (left_out != 1)} without numbers left out" if left_out else "",
             f"spring constant {spring_constant:g} N/m {origin}" if spring_constant is not None else "",
             *test.notes,
-            f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
-            swap_note(at, load),
         ]
-        reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
+        reading = reading_of(test.instrument, facts, number, len(parts), at, load)
         with in_file(path):
             curve = ForceCurve(at, load, machine, clock, direction, name, reading=reading)
         curves.append(PlacedCurve(curve, test.x, test.y, continuous, _stated(test, at, usable, part)))

@@ -35,9 +35,9 @@ from winkler.io.curve_columns import (
     by_preference,
 )
 from winkler.io.foreign import in_file
-from winkler.io.placed_curves import PlacedCurve
+from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
 from winkler.io.segments import directions, segment_fact
-from winkler.io.swapped_columns import is_list, is_reversed, swap_note
+from winkler.io.swapped_columns import is_list, is_reversed
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
@@ -161,7 +161,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     results = _results(path, place, head, given) if measured and len(parts) == 1 else None
     curves = []
     for number, part in enumerate(parts, start=1):
-        name = Path(path).name if len(parts) == 1 else f"{Path(path).name}, test {number}"
+        name = name_of_test(Path(path).name, number, len(parts))
         at, load_at = position[part], force[part]
         time, segment = (found[word][part] if word in found else none for word in ("time", "segment"))
         with in_file(path):
@@ -177,10 +177,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
                 f"the {place.word} is taken as that of the tip, for no spring constant is stated" if rigid else "",
                 f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
                 f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
-                f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
-                swap_note(at, load_at),
             )
-            reading = f"{maker_in(stated)}: " + "; ".join(fact for fact in facts if fact)
+            reading = reading_of(maker_in(stated), facts, number, len(parts), at, load_at)
             directed = directions(at, load_at, segment)
             curve = ForceCurve(at, load_at, machine, time, directed, name, reading=reading)
             curves.append(PlacedCurve(curve, *where, continuous, results))

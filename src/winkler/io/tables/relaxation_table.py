@@ -94,6 +94,8 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
     (TENSILE_COMPLEX, PHASE, True, _of_phase),
 )
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
+SAME_MODULUS = 0.2
+"""Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater."""
 RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
 CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
 DYNAMIC_HEADERS = tuple((frequency, *one[:2]) for frequency in (ANGULAR, FREQUENCY) for one in MODULI)
@@ -138,8 +140,9 @@ def dynamic_rows(
     except InvalidInput as reason:
         try:  # instruments write a frequency in rad/s as well: the unit says which it is
             table = moduli_table(path, (*further, FREQUENCY_IN_RADIANS, size, other), header)
-        except InvalidInput:
-            raise reason from None
+        except InvalidInput as other:
+            in_radians = "is the unit of a quantity in rad/s, not of a frequency" in str(reason)
+            raise (other if in_radians else reason) from None
         frequency = FREQUENCY_IN_RADIANS
     values, place = np.array(table.values), len(further)
     values[:, place] *= 2.0 * math.pi if frequency is FREQUENCY else 1.0
@@ -174,7 +177,8 @@ def read_relaxation(
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.
+        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.  A row at
+        time zero is left out; rows of one time whose numbers agree within a fifth are averaged.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -208,7 +212,8 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.
+        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  A row
+        at time zero is left out; rows of one time whose numbers agree within a fifth are averaged.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -244,7 +249,8 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     path : str or path
         The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
         ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of the
-        loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).
+        loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).  Rows of one
+        frequency whose moduli agree within a fifth are averaged.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -287,6 +293,18 @@ def young_over_shear(poisson: float) -> float:
 
 
 def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
+    """Return the data of rows in the order of their times or frequencies; those that stand twice are averaged."""
     order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
+    sorted_rows = np.array([row[order] for row in rows])
+    if kind is not DynamicData and sorted_rows[0, 0] == 0.0:  # at the step itself
+        sorted_rows = sorted_rows[:, 1:]
+    begins = np.flatnonzero(np.diff(sorted_rows[0], prepend=-np.inf))
+    if 0 < begins.size < sorted_rows.shape[1]:
+        moduli = sorted_rows[1:]
+        highest, lowest = (of_each.reduceat(moduli, begins, axis=1) for of_each in (np.maximum, np.minimum))
+        if np.all(highest - lowest <= SAME_MODULUS * np.abs(highest)):
+            counts = np.diff(begins, append=sorted_rows.shape[1])
+            means = np.add.reduceat(moduli, begins, axis=1) / counts
+            sorted_rows = np.vstack([sorted_rows[0, begins], means])
     with in_file(table.path):
-        return kind(*(row[order] for row in rows), poisson=poisson)
+        return kind(*sorted_rows, poisson=poisson)
