@@ -218,9 +218,9 @@ def test_a_later_sheet_that_is_too_wide_does_not_hide_the_table(tmp_path):
 
 
 def test_many_tests_and_much_text_are_refused(tmp_path, monkeypatch):
-    rows = "".join(f"1,{n + 1},2,{n + 1}\n" for n in range(500))
+    rows, other = ("".join(f"1,{n + 1},2,{times * (n + 1)}\n" for n in range(500)) for times in (1, 3))
     file = tmp_path / "many.csv"
-    file.write_text("Meas. Pts.,Time [s],Stress [Pa],Creep Compliance [1/Pa]\n" + rows + rows, encoding="utf-8")
+    file.write_text("Meas. Pts.,Time [s],Stress [Pa],Creep Compliance [1/Pa]\n" + rows + other, encoding="utf-8")
     with pytest.raises(wk.InvalidInput, match="it holds 1000 tests, too many"):
         wk.read_creep(file)
     monkeypatch.setattr(tests_of_table, "MOST_LETTERS", 100)

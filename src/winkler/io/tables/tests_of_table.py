@@ -35,9 +35,9 @@ MOST_TESTS, MOST_LETTERS, MOST_LINES = 200, 20_000_000, 10_000_000
 
 
 class _Names(NamedTuple):
-    """The row of names: its index, separator, cells, and the places of each column asked for."""
+    """The row of names: its index among the lines, separator, cells, and the places of each column asked for."""
 
-    index: int
+    line: int
     separator: str | None
     cells: tuple[str, ...]
     places: tuple[tuple[int, ...], ...]
@@ -170,11 +170,11 @@ def _side_by_side(path: str | os.PathLike[str], lines: Sequence[str], names: _Na
     begins = [min(group) - lead for group in groups]
     ends = [*begins[1:], len(names.cells)]
     apart = all(max(group) < end for group, end in zip(groups, ends, strict=True))
-    first = max(names.index - ROWS_ABOVE, 0)
-    above = [cells_of(line.lstrip(COMMENT_MARKS), names.separator) for line in lines[first : names.index]]
-    own = cells_of(lines[names.index].lstrip(COMMENT_MARKS).rstrip("\r\n"), names.separator)
+    first = max(names.line - ROWS_ABOVE, 0)
+    above = [cells_of(line.lstrip(COMMENT_MARKS), names.separator) for line in lines[first : names.line]]
+    own = cells_of(lines[names.line].lstrip(COMMENT_MARKS).rstrip("\r\n"), names.separator)
     mark = names.separator or "\t"
-    rows = [cells_of(line, names.separator) if line.strip() else [] for line in lines[names.index + 1 :]]
+    rows = [cells_of(line, names.separator) if line.strip() else [] for line in lines[names.line + 1 :]]
     parts = []
     for group, begin, end in zip(groups, begins, ends, strict=True):
         chosen = [*shared, *(range(begin, end) if apart else group)]
@@ -184,7 +184,7 @@ def _side_by_side(path: str | os.PathLike[str], lines: Sequence[str], names: _Na
         taken = [mark.join(row[place] if place < len(row) else "" for place in chosen) for row in rows]
         header = mark.join(names.cells[place] for place in chosen)
         label = f"columns {min(group) + 1} to {max(group) + 1}" + f", {warm:g} K" * math.isfinite(warm)
-        parts.append(TablePart(str(path), (*[""] * names.index, header, *taken), label, warm))
+        parts.append(TablePart(str(path), (*[""] * names.line, header, *taken), label, warm))
     return parts
 
 
@@ -202,13 +202,13 @@ def _lead(cells: Sequence[str], groups: Sequence[Sequence[int]]) -> int:
 
 def _below_each_other(path: str | os.PathLike[str], lines: Sequence[str], names: _Names) -> list[TablePart]:
     """Return the tests below each other; none if there is one."""
-    head = lines[names.index].strip()
+    head = lines[names.line].strip()
     wanted = names.places[-1][0]
     counts = names.cells[0].lower() in COUNTERS or (len(names.cells) > 1 and names.cells[1].lower() in COUNTERS)
     counter = 0 if names.cells[0].lower() in COUNTERS else 1
     tests: list[list[int]] = [[]]
     before = math.inf
-    for index in range(names.index + 1, len(lines)):
+    for index in range(names.line + 1, len(lines)):
         if lines[index].strip() == head:
             tests.append([])
             before = math.inf
@@ -226,7 +226,7 @@ def _below_each_other(path: str | os.PathLike[str], lines: Sequence[str], names:
     if len(tests) < 2:
         return []
     _refuse_many(path, len(tests), len(tests) * len(lines) > MOST_LINES)
-    top = (*[""] * names.index, *lines[names.index : tests[0][0]])
+    top = (*[""] * names.line, *lines[names.line : tests[0][0]])
     return [
         TablePart(
             str(path),
