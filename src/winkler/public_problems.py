@@ -51,7 +51,7 @@ from winkler.problems.line_strips.periodic import PeriodicIndentation, PeriodicS
 from winkler.problems.line_strips.profile_contact import LineProfileContact, LineProfileSolution
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
 from winkler.problems.line_viscoelastic.path import LineForcePath
-from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution
+from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution, ShiftedBy
 from winkler.problems.master_curves.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
 from winkler.problems.method import Method
 from winkler.problems.normal.design import design_for_pressure, design_profile
@@ -156,19 +156,20 @@ __all__ = [
     "ReducedFrictionSolution", "Reduction", "ReductionSolution", "RelaxationDamper", "RelaxationDamperSolution",
     "RelaxationSpectrum", "RelaxationTest", "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling",
     "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact", "RoughContactSolution",
-    "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "SimplifiedRolling",
-    "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution", "SlidingWear",
-    "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution", "SpringMarch", "SpringTrace", "SurfaceAdhesion",
-    "SurfaceAdhesionSolution", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceConstriction",
-    "SurfaceConstrictionSolution", "SurfaceContact", "SurfaceContactSolution", "SurfaceFrictionHeating",
-    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
-    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
-    "SurfaceTangential", "SurfaceTangentialSolution", "SurfaceWear", "SurfaceWearSolution", "Tangential",
-    "TangentialSolution", "ThermalConstriction", "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution",
-    "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution",
-    "TwistedFields", "Uncalibrated", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact",
-    "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution", "YieldOnset", "YieldOnsetSolution",
-    "area_fraction", "creep_coefficients", "design_for_pressure", "design_profile", "flow_factors",
-    "linear_creep_coefficients", "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce",
-    "restore_conduction", "tabor_parameter", "which_model",
+    "RoughIndentation", "RoughIndentationSolution", "RoughLine", "Seal", "SealSolution", "ShiftedBy",
+    "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
+    "SlidingSolution", "SlidingWear", "SpectrumSolution", "Spin", "SpotCluster", "SpotClusterSolution",
+    "SpringMarch", "SpringTrace", "SurfaceAdhesion", "SurfaceAdhesionSolution", "SurfaceConduction",
+    "SurfaceConductionSolution", "SurfaceConstriction", "SurfaceConstrictionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution", "SurfaceLoad",
+    "SurfaceRolling", "SurfaceRollingHeating", "SurfaceRollingHeatingSolution", "SurfaceRollingSolution",
+    "SurfaceRollingStart", "SurfaceRollingStartSolution", "SurfaceTangential", "SurfaceTangentialSolution",
+    "SurfaceWear", "SurfaceWearSolution", "Tangential", "TangentialSolution", "ThermalConstriction",
+    "ThermalConstrictionSolution", "ThermalJoint", "ThermalJointSolution", "Torsion", "TorsionSolution",
+    "TransientHeating", "TransientHeatingSolution", "TrueArea", "TrueAreaSolution", "TwistedFields", "Uncalibrated",
+    "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticImpact", "ViscoelasticImpactSolution",
+    "ViscoelasticIndentation", "ViscoelasticSolution", "YieldOnset", "YieldOnsetSolution", "area_fraction",
+    "creep_coefficients", "design_for_pressure", "design_profile", "flow_factors", "linear_creep_coefficients",
+    "maugis_parameter", "mean_separation", "pyramid_layer_error", "reduce", "restore_conduction", "tabor_parameter",
+    "which_model",
 ]  # fmt: skip

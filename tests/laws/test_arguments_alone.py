@@ -57,6 +57,7 @@ GIVEN: dict[str, Any] = {
     "line_sliding_wear.layer_wears": True,
     "line_tangential.method": wk.Method.ELEMENTS,
     "line_yield_onset.friction": wk.Coulomb(0.2),
+    "master_curve.by": wk.ShiftedBy.STORAGE,
     "master_curve.entropic": True,
     "master_curve.fluid": True,
     "master_curve.vertical": True,

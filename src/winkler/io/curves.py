@@ -228,8 +228,10 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
         except (InvalidInput, MemoryError):
             raise
         except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise many types
+            group = _paused(path, overrides)
             hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else IMAGE_HINT
-            raise _no_table(path, f"afmformats cannot read this file ({reason_of(error)}){hint}") from None
+            if not group:
+                raise _no_table(path, f"afmformats cannot read this file ({reason_of(error)}){hint}") from None
     for number, data in enumerate(group):
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
@@ -243,6 +245,39 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
             yield UnreadCurve(name, str(error))
         else:
             yield placed
+
+
+class _PausedCurve:
+    """A curve of JPK with a pause, as the classes of afmformats have it."""
+
+    columns = (*HEIGHT_COLUMNS, "force", "segment", "time")
+
+    def __init__(self, reader: Any, index: int) -> None:
+        self._reader, self._index = reader, index
+        self.metadata = reader.get_metadata(index=index)
+
+    def __getitem__(self, column: str) -> Any:
+        return self._reader.get_data(column, self._index)
+
+
+def _paused(path: Path, overrides: dict[str, float]) -> list[_PausedCurve]:
+    """Return the curves of a file of JPK whose order of pauses afmformats does not name; empty if it is none."""
+    if not path.suffix.lower().startswith(".jpk"):
+        return []
+    from afmformats.formats.fmt_jpk.jpk_reader import JPKReader
+
+    class Reader(JPKReader):  # type: ignore[misc]
+        def get_imaging_mode(self) -> str:
+            return "force-distance"
+
+    try:
+        reader = Reader(path)
+        reader.set_metadata(overrides)
+        curves = [_PausedCurve(reader, index) for index in range(len(reader))]
+        curves[0]["force"]
+        return curves
+    except Exception:  # afmformats has said why it cannot be read
+        return []
 
 
 def _no_table(path: Path, reason: str) -> InvalidInput:

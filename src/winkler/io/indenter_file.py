@@ -102,7 +102,7 @@ def read_area(path: str | os.PathLike[str], header: str = "") -> CalibratedArea:
         if lines and lines[0].startswith(HYSITRON):
             return _hysitron_area(lines, path)
         try:
-            table = read_table(path, (DEPTH, AREA), decimal_comma=True, stated=header)
+            table = read_table(path, (DEPTH, AREA), stated=header)
         except InvalidInput as error:
             if header:
                 raise

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.io.continuous_loading import StatedResults
+from winkler.io.swapped_columns import swap_note
+from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["PlacedCurve", "UnreadCurve"]
+__all__ = ["PlacedCurve", "UnreadCurve", "name_of_test", "reading_of"]
 
 
 @value
@@ -46,3 +50,14 @@ class UnreadCurve:
 
     name: str
     reason: str
+
+
+def name_of_test(name: str, number: int, count: int) -> str:
+    """Return the name of a curve, with its number where the file holds several below each other."""
+    return name if count == 1 else f"{name}, test {number}"
+
+
+def reading_of(maker: str, facts: Iterable[str], number: int, count: int, position: Array, force: Array) -> str:
+    """Return what was taken for what in one of several tests, with a doubt where columns may be exchanged."""
+    several = f"test {number} of {count} below each other" if count > 1 else ""
+    return f"{maker}: " + "; ".join(fact for fact in (*facts, several, swap_note(position, force)) if fact)

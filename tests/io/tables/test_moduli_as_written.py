@@ -85,3 +85,31 @@ def test_a_sheet_of_heights_is_a_map(tmp_path):
     book.save(tmp_path / "map.xlsx")
     found = read_topography(tmp_path / "map.xlsx", unit="nm", lengths=(1e-6, 1e-6))
     assert found.heights == pytest.approx(1e-9 * np.outer(np.arange(5.0), np.arange(6.0)))
+
+
+def test_what_was_measured_twice_is_averaged_where_it_agrees(tmp_path):
+    """Master curves of public polymers have frequencies of two sweeps; an amplitude sweep at one frequency is none."""
+    rows = [f"{w},{a * f},{b * f}" for w, a, b in zip(OMEGA, STORAGE, LOSS, strict=True) for f in (0.95, 1.05)]
+    file = _file(tmp_path, "omega [rad/s],G' [Pa],G'' [Pa]\n" + "\n".join(rows))
+    _same(read_dynamic(file))
+    other = file.read_text() + f"\n{OMEGA[2]},{0.5 * STORAGE[2]},{LOSS[2]}\n"
+    with pytest.raises(InvalidInput, match="does not rise"):
+        read_dynamic(_file(tmp_path, other, "strained.txt"))
+
+
+def test_a_row_at_the_step_itself_is_left_out(tmp_path):
+    time = np.array([0.0, 0.1, 1.0, 10.0, 100.0])
+    table = "\n".join(f"{t},{2.0 + t}" for t in time)
+    found = read_relaxation(_file(tmp_path, "t [s],g [Pa]\n" + table))
+    assert found.time == pytest.approx(time[1:])
+    assert found.shear == pytest.approx(2.0 + time[1:])
+    crept = read_creep(_file(tmp_path, "t [s],j [1/Pa]\n" + table))
+    assert crept.compliance == pytest.approx(2.0 + time[1:])
+    with pytest.raises(InvalidInput, match="angular_frequency is 0"):
+        read_dynamic(_file(tmp_path, "omega [rad/s],G' [Pa],G'' [Pa]\n" + "\n".join(f"{t},1,1" for t in time)))
+
+
+def test_the_reason_is_that_of_the_unit_of_the_file(tmp_path):
+    file = _file(tmp_path, "Freq\tG'\tG\"\tTemp\nrad/s\tPa\tPa\tC\n 1 2 3\n 2 3 4\n")
+    with pytest.raises(InvalidInput, match=r"line 3: the line has 1 and the header 4 cells; or give header = "):
+        read_dynamic(file)

@@ -8,6 +8,7 @@ import pytest
 from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
 from winkler.io.tables.relaxation_table import read_dynamic, read_relaxation
+from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps
 from winkler.io.tables.table_cells import named
 from winkler.io.topography_file import read_topography
@@ -130,11 +131,15 @@ def test_a_refusal_shows_names_and_no_row_of_numbers(tmp_path):
 def test_a_second_table_is_named_where_it_begins(tmp_path):
     table = ["Time\tRelaxation Modulus", "[s]\t[Pa]", *(f"{t}\t{1e4 / t}" for t in (1, 2, 3, 4))]
     (tmp_path / "two.txt").write_text("\n".join([*table, "Result: second", *table]))
-    with pytest.raises(InvalidInput, match=r"line 7: .* stands again in line 8, give each table a file of its own"):
+    with pytest.raises(InvalidInput, match=r"it holds 2 tests \(1: lines 3 to 6; 2: lines 10 to 13\); give one"):
         read_relaxation(tmp_path / "two.txt")
     (tmp_path / "next.txt").write_text("\n".join([*table, *table]))
-    with pytest.raises(InvalidInput, match="line 7: the header stands again; give each table a file of its own"):
+    with pytest.raises(InvalidInput, match=r"it holds 2 tests \(1: lines 3 to 6; 2: lines 9 to 12\); give one"):
         read_relaxation(tmp_path / "next.txt")
+    rows = ["x [mm]\tz [um]", *(f"{t}\t{0.1 * t * t}" for t in range(9))]
+    (tmp_path / "scans.txt").write_text("\n".join([*rows, "Result: second", *rows]))
+    with pytest.raises(InvalidInput, match=r"line 11: .* stands again in line 12, give each table a file of its own"):
+        read_scan(tmp_path / "scans.txt")
 
 
 def test_a_refusal_shows_the_names_above_a_word_that_ends_the_header(tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
@@ -38,3 +39,15 @@ def sweeps(seed, law=ferry, *, scatter=0.02, factors=None, warmth=WARMTH, count=
     noise = np.exp(scatter * rng.standard_normal((2, at.size)))
     mixed = rng.permutation(at.size)  # rows may come in any order
     return DynamicSweeps(rows[mixed], at[mixed], (modulus.real * noise[0])[mixed], (modulus.imag * noise[1])[mixed])
+
+
+def slower_loss(warmth):
+    """Logarithm of the shift of the loss over that of the storage."""
+    return 0.6 * np.sin((warmth - REFERENCE) / 12.0)
+
+
+def contradicting(seed, scatter=0.02):
+    """Sweeps whose loss is shifted by more than their storage, as those of a body of two parts."""
+    own = sweeps(seed, scatter=scatter)
+    other = sweeps(seed, lambda warmth: ferry(warmth) + slower_loss(warmth), scatter=scatter)
+    return dataclasses.replace(own, loss_shear=other.loss_shear)

@@ -7,7 +7,19 @@ from importlib.resources import files
 
 import numpy as np
 import pytest
-from master_worlds import ENERGY, FIRST, REFERENCE, SECOND, WARMTH, arrhenius, ferry, moduli, sweeps
+from master_worlds import (
+    ENERGY,
+    FIRST,
+    REFERENCE,
+    SECOND,
+    WARMTH,
+    arrhenius,
+    contradicting,
+    ferry,
+    moduli,
+    slower_loss,
+    sweeps,
+)
 
 import winkler as wk
 
@@ -145,9 +157,49 @@ def test_a_gap_between_temperatures_is_stated():
     assert "233" in note.statement
 
 
+@pytest.mark.parametrize("seed", range(2))
+def test_storage_and_loss_that_contradict_each_other_are_said_to(seed):
+    found = wk.MasterCurve(contradicting(seed), REFERENCE).solve()
+    others = found.loss_over_storage_error > 0.0
+    wrong = np.log(found.loss_over_storage) - slower_loss(WARMTH)
+    assert np.all(np.abs(wrong[others]) < 4.0 * found.loss_over_storage_error[others])
+    said = [note.statement for note in found.validity if "contradict" in note.statement]
+    assert len(said) == 1
+    assert "by = 'storage' or by = 'loss'" in said[0]
+
+
+@pytest.mark.parametrize("by", [wk.ShiftedBy.STORAGE, wk.ShiftedBy.LOSS])
+def test_shifts_by_one_of_them_are_its_own(by):
+    """Together they give neither: the joint shifts are off by tens of errors of the storage alone."""
+    truth = ferry(WARMTH) + (slower_loss(WARMTH) if by is wk.ShiftedBy.LOSS else 0.0)
+    found = wk.MasterCurve(contradicting(3), REFERENCE, by=by).solve()
+    assert np.all(np.abs(judged(found, truth)) < 4.0)
+    assert any(f"those of the {by} alone" in note.statement for note in found.validity)
+    assert found.loss_over_storage.size == 0
+    assert found.residuals.size == 2 * 13 * WARMTH.size  # of both, with these shifts
+    own, other = found.scatter if by is wk.ShiftedBy.STORAGE else found.scatter[::-1]
+    assert other > 2.0 * own
+
+
+@pytest.mark.slow
+def test_one_body_contradicts_itself_as_rarely_as_it_says():
+    """Scores of 96 differences are those of a normal number: variance 1 +- 0.15, none beyond one in a thousand."""
+    scores = []
+    for seed in range(100, 100 + FEW):
+        found = wk.MasterCurve(sweeps(seed), REFERENCE).solve()
+        others = found.loss_over_storage_error > 0.0
+        scores.append(np.log(found.loss_over_storage[others]) / found.loss_over_storage_error[others])
+        assert not any("contradict" in note.statement for note in found.validity)
+    assert 0.6 <= np.mean(np.square(scores)) <= 1.5
+
+
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
+        (
+            {"sweeps": wk.RelaxationSweeps(WARMTH, np.ones(9), np.ones(9)), "by": wk.ShiftedBy.LOSS},
+            "by is 'loss', and the sweeps are relaxations",
+        ),
         ({"reference_temperature": 268.0}, "the nearest temperature is 263.15 K"),
         ({"vertical": True, "entropic": True}, "let one of them be false"),
         ({"temperature_step": 100.0}, "all rows have temperatures within"),

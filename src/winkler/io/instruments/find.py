@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
+from winkler.io.instruments.asylum_pair import is_asylum_half, tests_of_asylum_pair
 from winkler.io.instruments.femtotools import is_femtotools, tests_of_femtotools
 from winkler.io.instruments.fischerscope import is_fischerscope, tests_of_fischerscope
 from winkler.io.instruments.hysitron import is_hld, is_nano_dma, tests_of_hld, tests_of_nano_dma
@@ -47,6 +48,8 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
         return tests_of_archive(path)
     if is_nanoscope(path):
         return tests_of_nanoscope(path, given)
+    if is_asylum_half(path):
+        return tests_of_asylum_pair(path, given)
     if not is_text:
         return None
     head = head_of(path, "a force curve")

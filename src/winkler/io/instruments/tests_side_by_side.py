@@ -22,7 +22,8 @@ from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentT
 from winkler.io.instruments.number_block import is_row, rows_of
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.table_cells import like_number
-from winkler.io.tables.table_lines import table_head, table_lines
+from winkler.io.tables.table_lines import table_head, table_lines, table_sheets
+from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.numerics.types import Array
 
 __all__ = ["tests_side_by_side"]
@@ -63,6 +64,11 @@ def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Itera
         If the times of one test differ between its columns, there are no numbers, or a position needs the spring
         constant.
     """
+    parts = table_sheets(path) if is_workbook(Path(path)) else [path]
+    return next((tests for part in parts if (tests := _tests_of_part(part, given)) is not None), None)
+
+
+def _tests_of_part(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
     head = table_head(path, "a force curve")
     for index, line in enumerate(head[:-1]):
         for separator in SEPARATORS:
@@ -79,7 +85,7 @@ def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Itera
                         f"{path}: the table holds a position, and so the depth needs the bending of the cantilever; "
                         "give spring_constant in N/m, infinite where the position is the travel of the tip itself."
                     )
-                return _tests(Path(path), groups, index + 1 + has_units, len(cells), separator)
+                return _tests(path, groups, index + 1 + has_units, len(cells), separator)
     return None
 
 
@@ -136,9 +142,14 @@ def _named(place: int, cell: str, below: str) -> _Named | None:
 
 
 def _tests(
-    path: Path, groups: dict[tuple[str, ...], dict[str, list[_Named]]], first: int, count: int, separator: str
+    path: str | os.PathLike[str],
+    groups: dict[tuple[str, ...], dict[str, list[_Named]]],
+    first: int,
+    count: int,
+    separator: str,
 ) -> Iterator[InstrumentTest]:
     rows = rows_of(table_lines(path, "a force curve"), first, count, path, separator=separator)
+    path = Path(path)
     tests = [
         (label, {quantity: _columns(rows, columns, path) for quantity, columns in group.items()})
         for label, group in groups.items()

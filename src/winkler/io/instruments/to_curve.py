@@ -27,14 +27,14 @@ from winkler.io.curve_columns import (
 )
 from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
-from winkler.io.placed_curves import PlacedCurve
-from winkler.io.swapped_columns import swap_note
+from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
+from winkler.io.swapped_columns import is_list
 from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.units import scale
 
-__all__ = ["curves_of_test"]
+__all__ = ["curves_of_test", "is_results"]
 
 LARGEST_NUMBER = 1e100
 """Instruments write 1.8e308 for a number that they could not compute."""
@@ -45,6 +45,8 @@ ROLES = {
     "stiffness": (STIFFNESS_NAMES, "N/m"),
 }
 NEEDED = ("depth", "force")
+MOST_RESULTS = 50
+"""Rows with moduli and without times that are a list: a test has more."""
 
 
 def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> list[PlacedCurve]:
@@ -93,7 +95,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
     parts = parts_of_tests(depth, force, time, rows) if test.rows.size and not direction.size else [slice(None)]
     curves = []
     for number, part in enumerate(parts, start=1):
-        name = test.name if len(parts) == 1 else f"{test.name}, test {number}"
+        name = name_of_test(test.name, number, len(parts))
         at, load, clock = depth[part], force[part], time[part] if time.size else time
         continuous = None
         if "stiffness" in chosen:
@@ -110,14 +112,27 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
             f"{left_out} row{'s' * (left_out != 1)} without numbers left out" if left_out else "",
             f"spring constant {spring_constant:g} N/m {origin}" if spring_constant is not None else "",
             *test.notes,
-            f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
-            swap_note(at, load),
         ]
-        reading = f"{test.instrument}: " + "; ".join(fact for fact in facts if fact)
+        reading = reading_of(test.instrument, facts, number, len(parts), at, load)
         with in_file(path):
             curve = ForceCurve(at, load, machine, clock, direction, name, reading=reading)
         curves.append(PlacedCurve(curve, test.x, test.y, continuous, _stated(test, at, usable, part)))
     return curves
+
+
+def is_results(test: InstrumentTest) -> bool:
+    """Return whether the columns of a test are a list of results, one row for each test, and no test itself.
+
+    Such a list has no time.  It has moduli or hardnesses in few rows, or rows of which none follows the one before.
+    """
+    found = {role: _column(test.columns, names, unit) for role, (names, unit) in ROLES.items()}
+    depth, force = found["depth"], found["force"]
+    if found["time"] is not None or depth is None or force is None:
+        return False
+    both = np.isfinite(depth.values) & np.isfinite(force.values)
+    results = any(_column(test.columns, names, "Pa") is not None for names in (YOUNG_NAMES, HARDNESS_NAMES))
+    few = results and np.count_nonzero(both) <= MOST_RESULTS
+    return bool(few or is_list(depth.values[both], force.values[both]))
 
 
 def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str) -> InstrumentColumn | None:

@@ -18,6 +18,7 @@ from winkler.errors import InvalidInput
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, split_unit
+from winkler.io.instruments.to_curve import is_results
 from winkler.io.workbooks.workbook_cells import Cell, WorkbookSheet, sheets_of
 from winkler.numerics.types import Array
 
@@ -58,7 +59,7 @@ def tests_of_workbook(path: Path) -> Iterator[InstrumentTest]:
         raise InvalidInput(
             f"{path}: no sheet of the workbook has a row that names a depth and a force; there are {listed}."
         )
-    yield from tests
+    yield from [test for test in tests if not is_results(test)] or tests
 
 
 def _header_row(sheet: WorkbookSheet) -> int | None:

@@ -35,9 +35,9 @@ from winkler.io.curve_columns import (
     by_preference,
 )
 from winkler.io.foreign import in_file
-from winkler.io.placed_curves import PlacedCurve
+from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
 from winkler.io.segments import directions, segment_fact
-from winkler.io.swapped_columns import is_list, is_reversed, swap_note
+from winkler.io.swapped_columns import is_list, is_reversed
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
@@ -57,6 +57,9 @@ GAP = Column("gap", ("gap", "spalt"), "m", "mm")
 FORCE = Column("force", FORCE_NAMES, "N", "nN")
 DEFLECTION = Column("deflection", ("deflection", "cantilever", "defl"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection", "defl"), "V")
+ANY_PLACE = Column(DEPTH.word, (*DEPTH.names, *POSITION.names, *GAP.names), DEPTH.unit, DEPTH.usual)
+ANY_LOAD = Column(FORCE.word, (*FORCE.names, *DEFLECTION.names, *VOLTAGE.names), FORCE.unit, FORCE.usual)
+"""By which the sheet of a workbook is chosen."""
 TIME = Column("time", TIME_NAMES, "s")
 STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
@@ -79,7 +82,7 @@ def is_curve_table(path: str | os.PathLike[str]) -> bool:
     InvalidInput
         If the file cannot be read as text.
     """
-    return _is_curve(path, header_lines(path, (DEPTH, FORCE)))
+    return _is_curve(path, header_lines(path, (ANY_PLACE, ANY_LOAD)))
 
 
 def _is_curve(path: str | os.PathLike[str], head: Sequence[str]) -> bool:
@@ -111,7 +114,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
         If columns, units or numbers are missing; the message names the line.
     """
     spring_constant, sensitivity, units = given.spring_constant, given.sensitivity, given.units
-    stated = header_lines(path, (DEPTH, FORCE))
+    stated = header_lines(path, (ANY_PLACE, ANY_LOAD))
     head = ["\t".join(given.columns)] if given.columns else stated
     place, load = _place(path, head, prefer_position=spring_constant is not None), _load(path, head, given)
     if place is None or load is None or not _is_curve(path, head):
@@ -125,7 +128,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
         column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
     )
     wanted = [_narrowed(path, head, column) for column in (place, _beside(head, place, load), *further)]
-    table = read_table(path, wanted, units=units, decimal_comma=True, repeated=True, numbers=given.columns, gaps=GAPS)
+    table = read_table(path, wanted, units=units, repeated=True, numbers=given.columns, gaps=GAPS)
     found = {column.word: table.values[:, 2 + index] for index, column in enumerate(further)}
     stiffness = _stiffness(path, stated, spring_constant)
     position, force = table.values[:, 0] * (-1.0 if place is GAP else 1.0), table.values[:, 1]
@@ -158,7 +161,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     results = _results(path, place, head, given) if measured and len(parts) == 1 else None
     curves = []
     for number, part in enumerate(parts, start=1):
-        name = Path(path).name if len(parts) == 1 else f"{Path(path).name}, test {number}"
+        name = name_of_test(Path(path).name, number, len(parts))
         at, load_at = position[part], force[part]
         time, segment = (found[word][part] if word in found else none for word in ("time", "segment"))
         with in_file(path):
@@ -174,10 +177,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
                 f"the {place.word} is taken as that of the tip, for no spring constant is stated" if rigid else "",
                 f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
                 f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
-                f"test {number} of {len(parts)} below each other" if len(parts) > 1 else "",
-                swap_note(at, load_at),
             )
-            reading = f"{maker_in(stated)}: " + "; ".join(fact for fact in facts if fact)
+            reading = reading_of(maker_in(stated), facts, number, len(parts), at, load_at)
             directed = directions(at, load_at, segment)
             curve = ForceCurve(at, load_at, machine, time, directed, name, reading=reading)
             curves.append(PlacedCurve(curve, *where, continuous, results))
@@ -267,7 +268,7 @@ def _load(path: str | os.PathLike[str], head: Sequence[str], given: GivenFacts) 
     for column in (DEFLECTION, VOLTAGE):
         if names_columns(path, (column,), head=head):
             try:
-                read_table(path, (column,), units=given.units, decimal_comma=True, numbers=given.columns)
+                read_table(path, (column,), units=given.units, numbers=given.columns)
             except InvalidInput:
                 continue
             return column
@@ -309,7 +310,7 @@ def _results(
         return None
     try:
         units = {key: unit for key, unit in given.units.items() if key == "position"}
-        table = read_table(path, [place, *columns], units=units, decimal_comma=True, repeated=True)
+        table = read_table(path, [place, *columns], units=units, repeated=True)
     except InvalidInput:  # blank cells, or no unit: they are no part of the curve
         return None
     found = {one.word: table.values[:, 1 + index] for index, one in enumerate(columns)}

@@ -74,7 +74,7 @@ def names_columns(
     InvalidInput
         If the file cannot be read.
     """
-    lines = table_head(path, needs_of(columns)) if head is None else head
+    lines = table_head(path, needs_of(columns), columns) if head is None else head
     texts = [
         line.lstrip(COMMENT_MARKS).rstrip()
         for line in lines
@@ -92,7 +92,7 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
     InvalidInput
         If the file cannot be read.
     """
-    return [line for line in table_head(path, needs_of(columns)) if NO_NUMBERS.search(line)]
+    return [line for line in table_head(path, needs_of(columns), columns) if NO_NUMBERS.search(line)]
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -284,7 +284,7 @@ def names_seen(path: str | os.PathLike[str], columns: Sequence[Column]) -> str:
     InvalidInput
         If the file cannot be read.
     """
-    above, _ = _names_above(table_head(path, needs_of(columns)))
+    above, _ = _names_above(table_head(path, needs_of(columns), columns))
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
     return f", whose columns are {listed}" if listed else ""
 

@@ -17,6 +17,7 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.tables.column import example_of
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, Table, read_table
+from winkler.io.tables.tests_of_table import of_one_test
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.numerics.types import Array
 
@@ -93,6 +94,11 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
     (TENSILE_COMPLEX, PHASE, True, _of_phase),
 )
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
+SAME_MODULUS = 0.2
+"""Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater."""
+RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
+CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
+DYNAMIC_HEADERS = tuple((frequency, *one[:2]) for frequency in (ANGULAR, FREQUENCY) for one in MODULI)
 
 
 def dynamic_rows(
@@ -118,19 +124,25 @@ def dynamic_rows(
         If columns, units or numbers are missing.
     """
     head = [header] if header else None
-    frequency = ANGULAR if names_columns(path, (*further, ANGULAR), head=head) else FREQUENCY
-    first = (*further, frequency)
-    size, other, tensile, moduli = next(
-        (one for one in MODULI if names_columns(path, (*first, *one[:2]), head=head)),
-        next((one for one in MODULI if names_columns(path, one[:2], head=head)), MODULI[0]),
+    named = [one for one in MODULI if names_columns(path, one[:2], head=head)] or [MODULI[0]]
+    frequency, (size, other, tensile, moduli) = next(
+        (
+            (frequency, one)
+            for frequency in (ANGULAR, FREQUENCY)
+            for one in named
+            if names_columns(path, (*further, frequency, *one[:2]), head=head)
+        ),
+        (ANGULAR if names_columns(path, (*further, ANGULAR), head=head) else FREQUENCY, named[0]),
     )
+    first = (*further, frequency)
     try:
         table = moduli_table(path, (*first, size, other), header)
     except InvalidInput as reason:
         try:  # instruments write a frequency in rad/s as well: the unit says which it is
             table = moduli_table(path, (*further, FREQUENCY_IN_RADIANS, size, other), header)
-        except InvalidInput:
-            raise reason from None
+        except InvalidInput as other:
+            in_radians = "is the unit of a quantity in rad/s, not of a frequency" in str(reason)
+            raise (other if in_radians else reason) from None
         frequency = FREQUENCY_IN_RADIANS
     values, place = np.array(table.values), len(further)
     values[:, place] *= 2.0 * math.pi if frequency is FREQUENCY else 1.0
@@ -148,7 +160,7 @@ def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], head
         If columns, units or numbers are missing.
     """
     try:
-        return read_table(path, columns, decimal_comma=True, stated=header)
+        return read_table(path, columns, stated=header)
     except InvalidInput as error:
         if header:
             raise
@@ -157,17 +169,23 @@ def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], head
 
 
 @reader("a relaxation")
-def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> RelaxationData:
+def read_relaxation(
+    path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0
+) -> RelaxationData:
     """Read a measured relaxation from a table with the columns time (t) and shear (g), or young (e).
 
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.
+        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.  A row at
+        time zero is left out; rows of one time whose numbers agree within a fifth are averaged.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
         The names and units of all columns, where the file has none: ``"time [s], shear [Pa]"``.
+    test : int, optional
+        Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
+        again, or where the numbers of the points begin again.
 
     Returns
     -------
@@ -178,23 +196,31 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5, heade
     InvalidInput
         If the file cannot be read, or what it holds is no relaxation.
     """
-    table, tensile = _read(path, (TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS), header)
-    time, modulus = table.values.T
-    return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    def read(part: str | os.PathLike[str]) -> RelaxationData:
+        table, tensile = _read(part, *RELAXATION_HEADERS, header)
+        time, modulus = table.values.T
+        return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    return of_one_test(path, RELAXATION_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
 
 @reader("a creep")
-def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> CreepData:
+def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0) -> CreepData:
     """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
 
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.
+        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  A row
+        at time zero is left out; rows of one time whose numbers agree within a fifth are averaged.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
         The names and units of all columns, where the file has none: ``"time [s], compliance [1/Pa]"``.
+    test : int, optional
+        Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
+        again, or where the numbers of the points begin again.
 
     Returns
     -------
@@ -205,13 +231,17 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     InvalidInput
         If the file cannot be read, or what it holds is no creep.
     """
-    table, tensile = _read(path, (TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE), header)
-    time, compliance = table.values.T
-    return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    def read(part: str | os.PathLike[str]) -> CreepData:
+        table, tensile = _read(part, *CREEP_HEADERS, header)
+        time, compliance = table.values.T
+        return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
+
+    return of_one_test(path, CREEP_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
 
 @reader("storage and loss")
-def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "") -> DynamicData:
+def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0) -> DynamicData:
     """Read measured storage and loss from a table over frequency (f) or angular_frequency (omega).
 
     Parameters
@@ -219,11 +249,15 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     path : str or path
         The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
         ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of the
-        loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).
+        loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).  Rows of one
+        frequency whose moduli agree within a fifth are averaged.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
         The names and units of all columns, where the file has none: ``"omega [rad/s], g' [Pa], g'' [Pa]"``.
+    test : int, optional
+        Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
+        again, or where the numbers of the points begin again.
 
     Returns
     -------
@@ -234,8 +268,12 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     InvalidInput
         If the file cannot be read, or what it holds is no storage and loss.
     """
-    table, rows = dynamic_rows(path, (), poisson, header)
-    return _data(DynamicData, table, tuple(rows.T), poisson)
+
+    def read(part: str | os.PathLike[str]) -> DynamicData:
+        table, rows = dynamic_rows(part, (), poisson, header)
+        return _data(DynamicData, table, tuple(rows.T), poisson)
+
+    return of_one_test(path, DYNAMIC_HEADERS, test, read) if test or not header else read(path)
 
 
 def _read(
@@ -255,6 +293,18 @@ def young_over_shear(poisson: float) -> float:
 
 
 def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
+    """Return the data of rows in the order of their times or frequencies; those that stand twice are averaged."""
     order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
+    sorted_rows = np.array([row[order] for row in rows])
+    if kind is not DynamicData and sorted_rows[0, 0] == 0.0:  # at the step itself
+        sorted_rows = sorted_rows[:, 1:]
+    begins = np.flatnonzero(np.diff(sorted_rows[0], prepend=-np.inf))
+    if 0 < begins.size < sorted_rows.shape[1]:
+        moduli = sorted_rows[1:]
+        highest, lowest = (of_each.reduceat(moduli, begins, axis=1) for of_each in (np.maximum, np.minimum))
+        if np.all(highest - lowest <= SAME_MODULUS * np.abs(highest)):
+            counts = np.diff(begins, append=sorted_rows.shape[1])
+            means = np.add.reduceat(moduli, begins, axis=1) / counts
+            sorted_rows = np.vstack([sorted_rows[0, begins], means])
     with in_file(table.path):
-        return kind(*(row[order] for row in rows), poisson=poisson)
+        return kind(*sorted_rows, poisson=poisson)

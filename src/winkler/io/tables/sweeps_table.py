@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import glob
+import math
 import os
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -11,14 +13,14 @@ from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.relaxation_table import (
-    SHEAR_MODULUS,
-    TIME,
-    YOUNG_MODULUS,
+    DYNAMIC_HEADERS,
+    RELAXATION_HEADERS,
     dynamic_rows,
     moduli_table,
     young_over_shear,
 )
 from winkler.io.tables.table import Column
+from winkler.io.tables.tests_of_table import parts_of_table
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.types import Array
 
@@ -40,7 +42,8 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, h
     path : str or path
         A table with the columns temperature, frequency (f) or angular_frequency (omega), and storage and loss of shear
         (g', g'') or of tension (tensile_storage, tensile_loss, e', e''), as in ``temperature [degC], frequency [Hz],
-        storage [MPa], loss [MPa]``; or a pattern such as ``"rubber_*.csv"`` of several such tables.
+        storage [MPa], loss [MPa]``; or one with a group of columns for each temperature, which stands above their names
+        or in them, as ``G' (20 °C)``; or a pattern such as ``"rubber_*.csv"`` of several such tables.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -55,9 +58,11 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, h
     InvalidInput
         If a file cannot be read, or its rows are no sweeps.
     """
-    rows = []
-    for file in _files(path):
-        rows.append(dynamic_rows(file, (TEMPERATURE_OR_T,), poisson, header)[1])
+
+    def read(part: str | os.PathLike[str], first: tuple[Column, ...]) -> Array:
+        return dynamic_rows(part, first, poisson, header)[1]
+
+    rows = [_rows(file, DYNAMIC_HEADERS, read, TEMPERATURE_OR_T, header) for file in _files(path)]
     with in_file(str(path)):
         temperature, angular, storage, loss = np.concatenate(rows).T
         if np.ptp(temperature) < LEAST_RANGE and np.ptp(angular) <= SAME_FREQUENCY * angular.max():
@@ -76,7 +81,8 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
     ----------
     path : str or path
         A table with the columns temperature, time (t), and shear (g) or young (e), as in ``temperature [degC], time
-        [s], shear [kPa]``; or a pattern such as ``"gel_*.csv"`` of several such tables.
+        [s], shear [kPa]``; or one with a group of columns for each temperature; or a pattern such as
+        ``"gel_*.csv"`` of several such tables.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -91,22 +97,50 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
     InvalidInput
         If a file cannot be read, or its rows are no sweeps.
     """
-    rows = [
-        _moduli(file, (TEMPERATURE, TIME, SHEAR_MODULUS), (TEMPERATURE, TIME, YOUNG_MODULUS), poisson, header)
-        for file in _files(path)
-    ]
+
+    def read(part: str | os.PathLike[str], first: tuple[Column, ...]) -> Array:
+        return _moduli(part, first, poisson, header)
+
+    rows = [_rows(file, RELAXATION_HEADERS, read, TEMPERATURE, header) for file in _files(path)]
     with in_file(str(path)):
         temperature, time, shear = np.concatenate(rows).T
         return RelaxationSweeps(temperature, time, shear, poisson=poisson)
 
 
-def _moduli(file: str, sheared: tuple[Column, ...], tensile: tuple[Column, ...], poisson: float, header: str) -> Array:
+def _rows(
+    file: str,
+    headers: Sequence[tuple[Column, ...]],
+    read: Callable[[str | os.PathLike[str], tuple[Column, ...]], Array],
+    temperature: Column,
+    header: str,
+) -> Array:
+    """Return the rows of a table, temperature first; of tests side by side those of each, below each other."""
+    parts = [] if header else parts_of_table(file, headers, below=False)
+    if len(parts) < 2:
+        try:
+            return read(file, (temperature,))
+        except InvalidInput:
+            parts = [] if header else parts_of_table(file, headers)
+            if len(parts) < 2:
+                raise
+    rows = []
+    for part in parts:
+        if math.isnan(part.temperature) or any(names_columns(part, (TEMPERATURE, *columns)) for columns in headers):
+            rows.append(read(part, (temperature,)))
+        else:  # it stands above the names or in them
+            found = read(part, ())
+            rows.append(np.column_stack([np.full(found.shape[0], part.temperature), found]))
+    return np.concatenate(rows)
+
+
+def _moduli(file: str | os.PathLike[str], first: tuple[Column, ...], poisson: float, header: str) -> Array:
     """Return the rows of a table with moduli in shear."""
     head = [header] if header else None
+    sheared, tensile = ((*first, *columns) for columns in RELAXATION_HEADERS)
     tension = names_columns(file, tensile, head=head) and not names_columns(file, sheared, head=head)
     values = np.array(moduli_table(file, tensile if tension else sheared, header).values)
     if tension:
-        values[:, 2:] /= young_over_shear(poisson)
+        values[:, -1] /= young_over_shear(poisson)
     return values
 
 

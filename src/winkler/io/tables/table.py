@@ -75,7 +75,6 @@ def read_table(
     columns: Sequence[Column],
     *,
     units: Mapping[str, str] | None = None,
-    decimal_comma: bool = True,
     repeated: bool = False,
     numbers: Mapping[str, int] | None = None,
     stated: str = "",
@@ -91,8 +90,6 @@ def read_table(
         The columns to read; each must stand in the header once, with a unit that fits.
     units : mapping of str to str, optional
         Units of columns that have none in the header, by the word of the column; see `winkler.io.tables.given_units`.
-    decimal_comma : bool, optional
-        Whether ``1,5`` is read as 1.5 where it can mean nothing else.
     repeated : bool, optional
         Whether the header may stand again between rows; it is passed over, and the numbers of the lines show it.
     numbers : mapping of str to int, optional
@@ -112,7 +109,7 @@ def read_table(
         If the file cannot be read; the message names the line.
     """
     file = str(path)
-    lines = table_lines(path, needs_of(columns))
+    lines = table_lines(path, needs_of(columns), columns)
     head = headed(lines, file)
     if stated:
         header = stated_header(head, columns, stated, file)
@@ -121,7 +118,7 @@ def read_table(
     else:
         header = header_of(head, columns, file, units)
     separator = separator_of(lines, header)
-    commas = DecimalCommas(file) if decimal_comma and separator != "," else None
+    commas = DecimalCommas(file) if separator != "," else None
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
     again = above if repeated else frozenset[str]()
     repeats = list[int]()

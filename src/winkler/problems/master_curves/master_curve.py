@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import functools
 import math
+from enum import StrEnum
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -19,22 +20,34 @@ from winkler.errors import InvalidInput
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import SpectrumEstimate, estimate_spectrum
-from winkler.numerics.springs.spectrum_response import Measurements
+from winkler.numerics.springs.shifts_apart import shifts_apart
+from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
-from winkler.problems.master_curves.master_curve_notes import master_curve_notes
+from winkler.problems.master_curves.master_curve_notes import contradiction_notes, master_curve_notes, shifted_by_note
 from winkler.problems.master_curves.shifted_solid import ShiftedSolid
 from winkler.problems.master_curves.spectrum_solid import Covariances
 from winkler.problems.master_curves.temperature_groups import grouped, in_own_units, spread_times
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
-__all__ = ["MasterCurve", "MasterCurveSolution"]
+__all__ = ["MasterCurve", "MasterCurveSolution", "ShiftedBy"]
 
 MOST_TEMPERATURES = 200
 ROUNDS = 5
 """Times that the grid of relaxation times is laid anew."""
 NEW_GRID = 0.5
 """Greatest change of a shift that needs no new grid [-]."""
+
+
+class ShiftedBy(StrEnum):
+    """The moduli from which the shifts of a master curve follow."""
+
+    BOTH = "both"
+    """All that were measured."""
+    STORAGE = "storage"
+    """Storage alone: the loss takes its shifts."""
+    LOSS = "loss"
+    """Loss alone: the storage takes its shifts."""
 
 
 @value
@@ -58,12 +71,15 @@ class MasterCurve:
         Relaxation times in each decade, 2 to 12.
     temperature_step : float, optional
         Rows whose temperatures differ by less [K] belong to one temperature.
+    by : ShiftedBy, optional
+        From which moduli the shifts follow, where storage and loss contradict each other.  The spectrum is that of
+        both, with these shifts; its errors do not contain theirs.
 
     Raises
     ------
     InvalidInput
-        If a number is outside its range, there is one temperature only, none is the reference temperature, or the
-        moduli are to have both factors.
+        If a number is outside its range, there is one temperature only, none is the reference temperature, the
+        moduli are to have both factors, or a relaxation is to be shifted by storage or loss.
 
     References
     ----------
@@ -89,6 +105,7 @@ class MasterCurve:
         per_decade=("", "", "relaxation times in each decade"),
         measured=("", None, "measurements with the index of their temperature"),
         temperature_step=("", "K", "difference below which rows belong to one temperature"),
+        by=("", None, "moduli from which the shifts follow: both, storage or loss"),
     )
 
     sweeps: DynamicSweeps | RelaxationSweeps
@@ -98,8 +115,11 @@ class MasterCurve:
     fluid: bool = False
     per_decade: Annotated[int, Whole(2, 12)] = 4
     temperature_step: Positive = 1.0
+    by: ShiftedBy = ShiftedBy.BOTH
 
-    references: ClassVar[tuple[str, ...]] = ("williams_landel_ferry_1955", "honerkamp_weese_1993", "mackay_1992")
+    references: ClassVar[tuple[str, ...]] = (
+        "williams_landel_ferry_1955", "honerkamp_weese_1993", "mackay_1992", "rao_1948",
+    )  # fmt: skip
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
         (Assumption.RESPONSE, Assumption.KNOWN_TIMES, Assumption.CURVE)
     )
@@ -107,6 +127,8 @@ class MasterCurve:
     def __post_init__(self) -> None:
         if self.vertical and self.entropic:
             raise InvalidInput("MasterCurve: vertical and entropic are both true; let one of them be false.")
+        if self.by is not ShiftedBy.BOTH and isinstance(self.sweeps, RelaxationSweeps):
+            raise InvalidInput(f"MasterCurve: by is '{self.by}', and the sweeps are relaxations; leave by out.")
         centres, _ = self._groups
         if centres.size < 2:
             raise InvalidInput(
@@ -142,45 +164,74 @@ class MasterCurve:
         """
         centres, group = self._groups
         measured, abscissa, modulus = in_own_units(self.sweeps.measured(group))
-        shifts = pairwise_shifts(measured, centres.size, self._reference)
+        both = self.by is ShiftedBy.BOTH
+        shifted = measured if both else tuple(one for one in measured if one.response.value == self.by)
+        relaxes = not self.fluid and any(one.response is not Response.LOSS for one in shifted)
+        shifts = pairwise_shifts(shifted, centres.size, self._reference)
         factors = np.log(centres / centres[self._reference]) if self.entropic else None
         for _ in range(ROUNDS):
-            found = estimate_spectrum(
-                measured,
-                spread_times(measured, shifts, self.per_decade),
+            first = estimate_spectrum(
+                shifted,
+                spread_times(shifted, shifts, self.per_decade),
                 shifts,
                 reference=self._reference,
                 free_factors=self.vertical,
                 fixed_factors=factors,
-                relaxes=not self.fluid,
+                relaxes=relaxes,
             )
-            moved = float(np.max(np.abs(found.shifts - shifts)))
-            shifts = found.shifts
+            moved = float(np.max(np.abs(first.shifts - shifts)))
+            shifts = first.shifts
             if moved < NEW_GRID:
                 break
+        found = (
+            first
+            if both
+            else estimate_spectrum(
+                measured,
+                spread_times(measured, shifts, self.per_decade),
+                shifts,
+                reference=self._reference,
+                free_shifts=False,
+                fixed_factors=first.factors,
+                relaxes=not self.fluid,
+            )
+        )
         time = abscissa if isinstance(self.sweeps, RelaxationSweeps) else 1.0 / abscissa
-        return self._solution(centres, found, time, modulus)
+        return self._solution(centres, first, found, measured, time, modulus)
 
-    def _solution(self, centres: Array, found: SpectrumEstimate, time: float, modulus: float) -> MasterCurveSolution:
-        k, m = found.times.size, centres.size
-        error = np.sqrt(np.maximum(np.diag(found.covariance), 0.0))
-        start = k + 1
+    def _solution(
+        self,
+        centres: Array,
+        first: SpectrumEstimate,
+        found: SpectrumEstimate,
+        measured: tuple[Measurements, ...],
+        time: float,
+        modulus: float,
+    ) -> MasterCurveSolution:
+        """Return the solution with the shifts of the first estimate and the spectrum of the other."""
+        end, start, m = found.times.size + 1, first.times.size + 1, centres.size
+        error = np.sqrt(np.maximum(np.diag(first.covariance), 0.0))
+        compared = first is found and isinstance(self.sweeps, DynamicSweeps)
+        none = np.zeros(0)
+        apart, apart_error = shifts_apart(measured, found, self._reference) if compared else (none, none)
         return MasterCurveSolution(
             problem=self,
             temperature=centres,
-            shift_factor=np.exp(found.shifts),
+            shift_factor=np.exp(first.shifts),
             shift_error=error[start : start + m],
-            vertical_factor=np.exp(found.factors),
+            vertical_factor=np.exp(first.factors),
             vertical_error=error[start + m :],
             relaxation_times=time * found.times,
             shears=modulus * np.exp(found.strengths),
             relaxed_shear=modulus * math.exp(found.level) if not self.fluid else 0.0,
             covariances=Covariances(
-                found.covariance[:start, :start], found.covariance[start : start + m, start : start + m]
+                found.covariance[:end, :end], first.covariance[start : start + m, start : start + m]
             ),
             scatter=found.scatter,
-            freedom=found.freedom,
+            freedom=first.freedom,
             residuals=np.concatenate(found.residuals),
+            loss_over_storage=np.exp(apart),
+            loss_over_storage_error=apart_error,
         )
 
     @functools.cached_property
@@ -229,6 +280,10 @@ class MasterCurveSolution(ShiftedSolid):
         Number of measurements less that of the numbers they determine.
     residuals : ndarray
         Logarithms of measured over fitted moduli, G' before G'' [-].
+    loss_over_storage, loss_over_storage_error : ndarray, (m,) or (0,)
+        Shift factor that the loss asks for over that of the storage [-], and the standard error of its natural
+        logarithm: one step of Newton from the common shifts; nan where a temperature does not tell.  Empty without
+        common shifts of storage and loss.
     """
 
     __words__ = words(
@@ -241,6 +296,8 @@ class MasterCurveSolution(ShiftedSolid):
         covariances=("", None, "covariances of the logarithms of moduli and shifts"),
         freedom=("", "", "number of measurements less that of the numbers they determine"),
         residuals=("", "", "logarithms of measured over fitted moduli"),
+        loss_over_storage=("", "", "shift factor that the loss asks for over that of the storage"),
+        loss_over_storage_error=("", "", "standard error of the natural logarithm of that ratio"),
     )
 
     problem: MasterCurve
@@ -256,10 +313,15 @@ class MasterCurveSolution(ShiftedSolid):
     scatter: Array
     freedom: float
     residuals: Array
+    loss_over_storage: Array
+    loss_over_storage_error: Array
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         shifts = np.log(self.shift_factor)
         notes = master_curve_notes(self.problem.measured, self.temperature, shifts, self.residuals, self.determined)
-        return (self._law_note, *notes)
+        if self.problem.by is not ShiftedBy.BOTH:
+            return (self._law_note, shifted_by_note(str(self.problem.by), self.scatter), *notes)
+        apart = contradiction_notes(self.temperature, np.log(self.loss_over_storage), self.loss_over_storage_error)
+        return (self._law_note, *apart, *notes)

@@ -11,12 +11,14 @@ from winkler.numerics.types import Array
 from winkler.problems.master_curves.temperature_groups import reached_times
 from winkler.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["determined_note", "master_curve_notes"]
+__all__ = ["contradiction_notes", "determined_note", "master_curve_notes", "shifted_by_note"]
 
 SIGNIFICANT = 3.0
 """Standard errors by which the correlation of neighbouring residuals differs from zero."""
 NOTICED = 0.5
 """Correlation of neighbours from which the intervals are markedly too narrow."""
+FALSE_ALARM = 1e-3
+"""Probability at which storage and loss of one body are said to contradict each other."""
 DECADES_APART = 0.3
 """Gap between neighbouring temperatures, in decades, from which their shift rests on the smoothness of the spectrum."""
 
@@ -64,6 +66,43 @@ def master_curve_notes(
         "correlation of the residuals",
     )
     return (superposed, _overlap(measured, temperature, shifts), determined_note(determined))
+
+
+def contradiction_notes(temperature: Array, differences: Array, errors: Array) -> tuple[Note, ...]:
+    """Return a note where storage and loss ask for other shifts; none where they do not or were not compared.
+
+    Parameters
+    ----------
+    temperature : ndarray, (m,)
+        T [K].
+    differences, errors : ndarray, (m,) or (0,)
+        Logarithms of the shifts of the loss over those of the storage [-], and their standard errors.
+    """
+    from scipy.special import ndtri
+
+    known = errors > 0.0
+    if not np.any(known):
+        return ()
+    apart = np.where(known, np.abs(differences) / np.where(known, errors, 1.0), 0.0)
+    worst = int(np.argmax(apart))
+    if apart[worst] < -float(ndtri(0.5 * FALSE_ALARM / np.count_nonzero(known))):
+        return ()
+    decades, error = differences[worst] / math.log(10.0), errors[worst] / math.log(10.0)
+    text = (
+        f"Storage and loss contradict each other: at {temperature[worst]:.4g} K log10 of the shift of the loss is that "
+        f"of the storage {decades:+.2g} +- {error:.1g}; by = 'storage' or by = 'loss' shifts by one of them alone."
+    )
+    return (Note(Assumption.RESPONSE, Standing.APPROXIMATE, text, "score of a shift of the loss alone"),)
+
+
+def shifted_by_note(kind: str, scatter: Array) -> Note:
+    """Return by which moduli the sweeps were shifted, and what is left of both."""
+    storage, loss = (100.0 * scatter).tolist()
+    text = (
+        f"The shifts are those of the {kind} alone, the spectrum is that of storage and loss with these shifts: "
+        f"{storage:.2g} % and {loss:.2g} % of scatter are left."
+    )
+    return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, text, "shifts of one kind of modulus")
 
 
 def _overlap(measured: tuple[Measurements, ...], temperature: Array, shifts: Array) -> Note:

@@ -82,7 +82,7 @@ class HeldTable:
 
 def _area(path: str | os.PathLike[str]) -> AreaTable:
     read_area(path)
-    return AreaTable(*read_table(path, (CONTACT_DEPTH, AREA), decimal_comma=True).values.T)
+    return AreaTable(*read_table(path, (CONTACT_DEPTH, AREA)).values.T)
 
 
 def _held(path: str | os.PathLike[str]) -> HeldTable:

@@ -1,0 +1,124 @@
+"""Curves of older microscopes of Asylum Research: a wave of Igor for the deflection, and one for the position.
+
+``Line0000Point0000Defl.ibw`` lies beside ``Line0000Point0000ZSnsr.ibw`` (or ``LVDT``, ``Raw``), each with one number
+for each point of time.  The sensor's position grows towards the sample.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import quiet, sentence_of
+from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
+from winkler.io.memory import limited_memory
+from winkler.io.tables.given_units import GivenFacts
+from winkler.units import scale
+
+__all__ = ["is_asylum_half", "tests_of_asylum_pair"]
+
+ENDING, DEFLECTION, POSITIONS = ".ibw", "Defl", ("ZSnsr", "LVDT", "Raw")
+NOTE = re.compile(r"(?:\A|[\r\n])\s*(SpringConstant|XLVDT|YLVDT)\s*:\s*([-+0-9.eE]{1,40})\s*(?=[\r\n]|\Z)")
+"""Lines of the note of a wave."""
+
+
+def is_asylum_half(path: Path) -> bool:
+    """Return whether a file is named as one of the two waves of a curve."""
+    return path.suffix.lower() == ENDING and path.stem.endswith((DEFLECTION, *POSITIONS))
+
+
+def tests_of_asylum_pair(path: Path, given: GivenFacts) -> Iterator[InstrumentTest]:
+    """Yield the curve of a wave of deflections and of the wave of positions beside it.
+
+    Raises
+    ------
+    InvalidInput
+        If the other wave is missing or of another length, a unit is missing, or the spring constant is.
+    """
+    for word in POSITIONS:
+        if path.stem.endswith(word):
+            other = path.with_name(f"{path.stem.removesuffix(word)}{DEFLECTION}{path.suffix}")
+            raise InvalidInput(f"{path}: these are the positions of a curve; give its deflections, '{other.name}'.")
+    start = path.stem.removesuffix(DEFLECTION)
+    beside = [path.with_name(f"{start}{word}{path.suffix}") for word in POSITIONS]
+    other = next((one for one in beside if one.is_file()), beside[0])
+    if not other.is_file():
+        raise InvalidInput(
+            f"{path}: these are deflections, and the positions of the curve are missing; put '{other.name}' beside it."
+        )
+    load, place = _wave(path), _wave(other)
+    deflection, position = (_numbers(wave, one) for wave, one in ((load, path), (place, other)))
+    if deflection.shape != position.shape:
+        raise InvalidInput(
+            f"{path}: it has {deflection.size} deflections, and '{other.name}' {position.size} positions; give "
+            "waves of one curve."
+        )
+    note = dict(NOTE.findall(load["note"].decode("latin-1", "replace")))
+    stated = _number(note.get("SpringConstant", ""))
+    spring = given.spring_constant or (stated if stated > 0.0 else None)
+    if spring is None:
+        raise InvalidInput(f"{path}: the file does not state the spring constant; give spring_constant in N/m.")
+    per_metre = scale(_unit(load, path, given, "deflection"), "m")
+    step = float(load["wave_header"]["sfA"][0])
+    timed = measures(_text(load["wave_header"]["dimUnits"][0]), "s") and step > 0.0
+    yield InstrumentTest(
+        "Asylum Research, a pair of waves",
+        path.name,
+        (
+            InstrumentColumn("position", _unit(place, other, given, "position"), position),
+            InstrumentColumn("force", "N", deflection * per_metre * spring),
+            *([InstrumentColumn("time", "s", step * np.arange(deflection.size))] if timed else []),
+        ),
+        (f"deflection from '{path.name}', position from '{other.name}'",),
+        _number(note.get("XLVDT", "")),
+        _number(note.get("YLVDT", "")),
+        spring_constant=spring,
+    )
+
+
+def _wave(path: Path) -> Any:
+    remedy = "export the curve as text"
+    try:
+        from igor2 import binarywave
+    except ImportError:
+        raise InvalidInput(
+            f"{path}: waves of Igor need the extra afm; install it with pip install 'winkler[afm]'."
+        ) from None
+    with sentence_of(path, "the wave cannot be read", remedy), quiet(), limited_memory(path):
+        return binarywave.load(str(path))["wave"]
+
+
+def _numbers(wave: Any, path: Path) -> np.ndarray:
+    numbers = np.asarray(wave["wData"])
+    if numbers.ndim != 1 or numbers.dtype.kind not in "fiu":
+        raise InvalidInput(f"{path}: the wave has the shape {numbers.shape}; a curve is a row of numbers.")
+    return numbers.astype(float)
+
+
+def _unit(wave: Any, path: Path, given: GivenFacts, word: str) -> str:
+    """Return the unit of a wave, as it states it or as it is given."""
+    stated = _text(wave["wave_header"]["dataUnits"])
+    unit = stated or given.units.get(word, "")
+    if not measures(unit, "m"):
+        raise InvalidInput(
+            f"{path}: the wave has the unit '{stated}', no length; "
+            'give units = { position = "m", deflection = "m" }.'
+        )
+    return unit
+
+
+def _text(content: Any) -> str:
+    return b"".join(np.atleast_1d(content).tolist()).split(b"\0")[0].decode("latin-1").strip()
+
+
+def _number(word: str) -> float:
+    try:
+        return float(word)
+    except ValueError:
+        return math.nan
