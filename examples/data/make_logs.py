@@ -2,8 +2,8 @@
 
 The logs are not real ones.  What they should give is known, so that what comes out of winkler can be checked.
 
-- fretting_loops.csv: a steel ball (radius 5 mm, E = 210 GPa, nu = 0.3) on a steel plate under 20 N, moved to and fro
-  by a drive behind a frame of 50 nm/N; the coefficient of friction runs in from 0.3 to 0.62.  The contact follows Mindlin's
+- fretting_loops.csv: a steel ball (radius 5 mm, E = 210 GPa, nu = 0.3) on a steel plate under 20 N, moved to
+  and fro by a drive behind a frame of 50 nm/N; the coefficient runs in from 0.3 to 0.62.  The contact follows Mindlin's
   closed form.  Force and displacement scatter by 0.05 N and 5 nm.
 - contact_resistance.csv: a ball of gold (radius 2 mm, E = 79 GPa, nu = 0.42) on a plate of the same, 24 nohm m,
   leads of 0.2 mohm; pressed up to 1 N.  Resistances scatter by 1 %.

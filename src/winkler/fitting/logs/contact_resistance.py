@@ -2,9 +2,9 @@ r"""Measured contact resistance over the force: resistivity, film, and what lies
 
 .. math:: R(F) = \frac{\rho_1+\rho_2}{4a(F)}\,H + \frac{\sigma_f}{\pi a(F)^2} + R_0
 
-with the spreading :math:`H` by the film that `Constriction` has is fitted to the logarithms of the resistances, as
-their scatter is relative.  The three parts go with different powers of the force (-1/3, -2/3 and 0 of a ball); a narrow range
-of forces cannot part them, and their errors say so.
+with the spreading :math:`H` by the film that `Constriction` has is fitted to logarithms, as the scatter is relative.
+The three parts go with different powers of the force (-1/3, -2/3 and 0 of a ball); a narrow range of forces cannot part
+them, and their errors say so.
 """
 
 from __future__ import annotations
@@ -220,7 +220,7 @@ class MeasuredConstriction:
         )
         numbers, errors = np.array([known, 0.0, 0.0]), np.zeros(3)
         estimates = _estimates(found.jac, found.fun, found.x)
-        numbers[free] = np.where(found.x > NOTHING, scale[free] * found.x, 0.0)
+        numbers[free] = np.where((found.x > NOTHING) | (free == 0), scale[free] * found.x, 0.0)
         errors[free] = scale[free] * np.array([one.error for one in estimates])
         return MeasuredConstrictionSolution(
             problem=self,

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -118,10 +118,10 @@ class FrictionLoops:
     references: ClassVar[tuple[str, ...]] = ("mindlin_deresiewicz_1953", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.CURVE}
 
-    @functools.cached_property
+    @property
     def curve(self) -> FirstWay:
         """The shear force of the contact on its first way, with a coefficient of one."""
-        return FirstWay(self)
+        return _first_way(self.bed, self.normal)
 
     def solve(self) -> FrictionLoopsSolution:
         """Return what the loops say of friction, stiffness, loss and slip.
@@ -179,18 +179,18 @@ class FrictionLoops:
 class FirstWay:
     """The first way of the contact of a coefficient of one, and fits of cycles by it."""
 
-    def __init__(self, problem: FrictionLoops) -> None:
+    def __init__(self, bed: Bed, normal: Any) -> None:
         """Follow the contact up to sliding."""
-        stuck = FrictionDamping(problem.bed, Coulomb(1.0), problem.normal, Shift(0.0)).solve()
+        stuck = FrictionDamping(bed, Coulomb(1.0), normal, Shift(0.0)).solve()
         self.force, self.stiffness = float(stuck.contact.force), float(stuck.secant_stiffness)
         reach = self.force / self.stiffness
         while (
-            float(FrictionDamping(problem.bed, Coulomb(1.0), problem.normal, Shift(reach)).solve().shear_force)
+            float(FrictionDamping(bed, Coulomb(1.0), normal, Shift(reach)).solve().shear_force)
             < (1.0 - 1e-9) * self.force
         ):
             reach *= 1.3
         self.shift = np.append(reach * np.linspace(0.0, 1.0, CURVE_POINTS), 1e6 * reach)
-        swing = FrictionDamping(problem.bed, Coulomb(1.0), problem.normal, Shift(self.shift)).solve()
+        swing = FrictionDamping(bed, Coulomb(1.0), normal, Shift(self.shift)).solve()
         self.shear = np.asarray(swing.shear_force)
 
     def branch(self, numbers: Array, half: Array) -> Array:
@@ -257,6 +257,11 @@ class FirstWay:
             2.0 * most,
             float(numbers[2]),
         )
+
+
+@functools.lru_cache(maxsize=16)
+def _first_way(bed: Bed, normal: Any) -> FirstWay:
+    return FirstWay(bed, normal)
 
 
 def _together(loops: list[Loop], place: int) -> Estimate:
