@@ -18,7 +18,7 @@ from winkler.plot import draw
 data = Path("../data")
 steel = wk.Elastic(young=210e9, poisson=0.3)
 bed = wk.Foundation(wk.Paraboloid(curvature_radius=5e-3), wk.HalfSpace.between(steel, steel))
-log = wk.read_friction_log(data / "fretting_loops.csv")
+log = wk.read_friction_log(data / "logs/fretting_loops.csv")
 loops = wk.FrictionLoops(bed, wk.Force(20.0), log, frame_compliance=50e-9).solve()
 
 figure, axes = plt.subplots(1, 2, figsize=(9.5, 3.6), layout="constrained")
@@ -39,7 +39,7 @@ print(f"contact {loops.contact_stiffness / 1e6:.1f} MN/m, of the bed {loops.expe
 
 gold = wk.Elastic(young=79e9, poisson=0.42)
 ball = wk.Foundation(wk.Paraboloid(curvature_radius=2e-3), wk.HalfSpace.between(gold, gold))
-found = wk.MeasuredConstriction(ball, wk.read_resistance_log(data / "contact_resistance.csv")).solve()
+found = wk.MeasuredConstriction(ball, wk.read_resistance_log(data / "logs/contact_resistance.csv")).solve()
 draw(found)
 low, high = found.interval("resistivity")
 print(f"resistivity {1e9 * low:.1f} to {1e9 * high:.1f} nohm m, made with 24")

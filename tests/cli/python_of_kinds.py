@@ -69,12 +69,10 @@ LOOP_WAY = (
     "-1.11 -1.56 -2.00 -1.00 0.00 "
 )
 LOOP_FORCE = (
-    "-0.00 -32.63 -50.00 -34.27 -19.17 -4.76 8.82 21.41 32.76 42.42 49.26 50.00 34.27 19.17 4.76 -8.82 "
+    "0.00 -32.63 -50.00 -34.27 -19.17 -4.76 8.82 21.41 32.76 42.42 49.26 50.00 34.27 19.17 4.76 -8.82 "
     "-21.41 -32.76 -42.42 -49.26 -50.00 -15.49 15.25 "
 )
-OHMS = (
-    "589.06 474.08 364.60 298.16 248.02 196.39 165.37 141.44 117.95 103.59 "
-)
+OHMS = "589.06 474.08 364.60 298.16 248.02 196.39 165.37 141.44 117.95 103.59 "
 SWEEPS = wk.DynamicSweeps(
     SWEPT,
     np.tile([0.1, 1.0, 10.0, 100.0, 1000.0], 4),
@@ -161,7 +159,7 @@ CONDUCTING = {
         kind: wk.MeasuredConstriction(
             BED,
             wk.ResistanceLog(
-                [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0], np.array(OHMS.split(), dtype=float) * 1e-6
+                [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0], [float(f"{one}e-6") for one in OHMS.split()]
             ),
         )
         for kind in ("resistance_log", "measured_constriction")
@@ -170,7 +168,9 @@ CONDUCTING = {
         kind: wk.FrictionLoops(
             BED,
             wk.Force(100.0),
-            wk.FrictionLog(np.array(LOOP_WAY.split(), dtype=float) * 1e-6, np.array(LOOP_FORCE.split(), dtype=float)),
+            wk.FrictionLog(
+                [float(f"{one}e-6") for one in LOOP_WAY.split()], [float(one) for one in LOOP_FORCE.split()]
+            ),
         )
         for kind in ("friction_log", "friction_loops")
     },

@@ -26,6 +26,7 @@ from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import CONDUCTING
+from winkler.problems.conduction.constriction import Constriction
 from winkler.problems.conduction.disc import resistances_of
 from winkler.problems.normal.indentation import Indentation
 from winkler.readable import with_unit
@@ -94,7 +95,7 @@ def _linear(rows: Array, samples: Array) -> list[Estimate]:
 
 def _estimates(rows: Array, rest: Array, numbers: Array) -> list[Estimate]:
     """Return numbers with errors from the rows of derivatives and the residuals."""
-    freedom, wide = rest.size - rows.shape[1], inflation(rest)
+    freedom, wide = rest.size - rows.shape[1], inflation(rest, rows.shape[1])
     variance = np.diag(np.linalg.inv(rows.T @ rows)) * float(rest @ rest) / freedom * wide
     return [
         Estimate(float(number), math.sqrt(float(spread)), max(freedom / wide, 1.0))
@@ -317,7 +318,7 @@ class MeasuredConstrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What the numbers rest on, and what speaks against them."""
+        """What the numbers rest on, and what speaks against them; then what the contact itself rests on."""
         notes = [self._numbers()]
         turned = self.turned
         if turned is not None and abs(turned.value) > SURE * turned.error:
@@ -331,7 +332,9 @@ class MeasuredConstrictionSolution:
                     SOURCE,
                 )
             )
-        return tuple(notes)
+        body, force = ElectricalConductor(self.resistivity), Force(float(np.max(self.problem.log.force)))
+        between = ElectricalConductors(body, body, SurfaceFilm(self.film))
+        return (*notes, *Constriction(self.problem.bed, between, force).solve().validity)
 
     def _numbers(self) -> Note:
         free = [name for name in PARTS if name != "resistivity" or self.problem.resistivity == 0.0]

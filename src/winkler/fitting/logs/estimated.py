@@ -32,11 +32,19 @@ class Estimate(NamedTuple):
         return self.value - half, self.value + half
 
 
-def inflation(rest: Array) -> float:
-    """Return by which factor the correlation of neighbours widens the variance of a mean of residuals."""
+def inflation(rest: Array, fitted: int) -> float:
+    """Return by which factor the correlation of neighbours widens the variance of a mean of residuals.
+
+    Parameters
+    ----------
+    rest : ndarray, (n,)
+        Residuals in their order.
+    fitted : int
+        Numbers that were fitted, each of which makes the correlation too small by about 1/n.
+    """
     square = float(rest @ rest)
     correlation = float(rest[:-1] @ rest[1:]) / square if square > 0.0 else 0.0
-    held = min(max(correlation + 1.0 / rest.size, 0.0), 0.99)  # that of few samples is too small by about 1/n
+    held = min(max(correlation + fitted / rest.size, 0.0), 0.99)
     return (1.0 + held) / (1.0 - held)
 
 
@@ -53,7 +61,7 @@ def last_of_line(rows: Array, samples: Array) -> Estimate:
     numbers, *_ = np.linalg.lstsq(rows, samples, rcond=None)
     rest = samples - rows @ numbers
     freedom = samples.size - rows.shape[1]
-    factor = inflation(rest)
+    factor = inflation(rest, rows.shape[1])
     variance = float(np.linalg.inv(rows.T @ rows)[-1, -1]) * float(rest @ rest) / freedom * factor
     return Estimate(float(numbers[-1]), math.sqrt(variance), max(freedom / factor, 1.0))
 

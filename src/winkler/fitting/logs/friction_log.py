@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import math
 from typing import Annotated
 
 import numpy as np
@@ -19,7 +20,7 @@ from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["FEWEST_POINTS", "Cycle", "FrictionLog"]
+__all__ = ["FEWEST_POINTS", "Cycle", "FrictionLog", "noise_of"]
 
 TURN_SHARE, TURN_NOISES = 0.1, 12.0
 """Least way back behind a turning point, over the range of the displacement, and over its noise."""
@@ -158,6 +159,12 @@ class FrictionLog:
         return mean_of(late)
 
 
+def noise_of(samples: Array) -> float:
+    """Return the standard deviation of white noise of samples ``(n,)`` that change slowly beside it."""
+    fourth = np.diff(samples, 4)  # of a sinusoid of 16 points a period 0.4 % of its amplitude are left
+    return 1.4826 * float(np.median(np.abs(fourth))) / math.sqrt(70.0) if fourth.size else 0.0
+
+
 def _paired(lows: list[int], highs: list[int]) -> tuple[Cycle, ...]:
     """Return the cycles between neighbouring lows."""
     places = np.searchsorted(highs, lows[:-1], side="right")  # of the first high behind each low
@@ -170,9 +177,7 @@ def _paired(lows: list[int], highs: list[int]) -> tuple[Cycle, ...]:
 
 def _turns(displacement: Array) -> list[tuple[int, bool]]:
     """Return the turning points in their order, and whether they are low ones, without those of the ends."""
-    second = np.diff(displacement, 2)
-    noise = 1.4826 * float(np.median(np.abs(second))) / np.sqrt(6.0) if second.size else 0.0
-    span = float(np.ptp(displacement))
+    noise, span = noise_of(displacement), float(np.ptp(displacement))
     least = max(TURN_SHARE * span, min(TURN_NOISES * noise, 0.5 * span))
     found: list[tuple[int, bool]] = []
     low = high = 0

@@ -20,7 +20,7 @@ import numpy as np
 from winkler.checks.number_checks import NonNegative
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.logs.estimated import Estimate, inflation, mean_of
-from winkler.fitting.logs.friction_log import FrictionLog
+from winkler.fitting.logs.friction_log import FrictionLog, noise_of
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Shift
@@ -42,7 +42,11 @@ FEWEST_SCATTERED = 6
 """Cycles from which on their scatter, and not the residuals of each, tells the error of their mean."""
 SMALL_MISFIT, LARGE_MISFIT = 0.02, 0.1
 """Residuals over the amplitude of the force."""
+MOST_LEVER = 0.9
+"""Most of a residual that its own point is taken to have fitted away."""
 NEAR_NORMAL = 0.05
+TURN_BLUR = 3.0
+"""How far turning points may lie from the outermost points of noise, over that noise."""
 SOURCE = (
     "least squares of each cycle; scatter between cycles with the correlation of neighbours, Student's distribution"
 )
@@ -209,50 +213,50 @@ class FirstWay:
         from scipy.optimize import least_squares
 
         low, high, end = log.cycles[place]
+        there, back = slice(low, high + 1), slice(high, end + 1)
         x, f = log.displacement, log.force
-        ways = [
-            (x[low : high + 1] - x[low], f[low : high + 1], 1.0),
-            (x[high] - x[high : end + 1], f[high : end + 1], -1.0),
-        ]
-        half = [np.clip(0.5 * way, 0.0, None) for way, _, _ in ways]
-        most = 0.5 * float(ways[0][0][-1])
-        amplitude = 0.5 * float(np.ptp(f[low : end + 1]))
+        most, amplitude = 0.5 * float(x[high] - x[low]), 0.5 * float(np.ptp(f[low : end + 1]))
         if not (amplitude > 0.0 and most > 0.0):
             return None
         slope = log.slope_of(log.cycles[place])
         start = max(1.0 / slope - 1.0 / self.stiffness, 0.0) if slope > 0.0 else 0.0
         unit = np.array([amplitude / self.force, 1.0 / self.stiffness + start, amplitude])
         middle = 0.5 * float(np.max(f[low : end + 1]) + np.min(f[low : end + 1]))
+        blurred, noise = noise_of(x[low : end + 1]), noise_of(f[low : end + 1]) / amplitude
 
         def left(scaled: Array) -> Array:
-            numbers = scaled * unit
-            top = float(self.branch(numbers, np.array([most]))[0])
-            parts = [
-                numbers[2] + sign * (2.0 * self.branch(numbers, along) - top) - measured
-                for along, (_, measured, sign) in zip(half, ways, strict=True)
-            ]
-            return np.asarray(np.concatenate(parts) / amplitude)
+            numbers, moved = scaled[:3] * unit, TURN_BLUR * blurred * scaled[3:]
+            least, greatest = x[low] + moved[0], x[high] + moved[1]
+            top = float(self.branch(numbers, np.array([max(0.5 * (greatest - least), 0.0)]))[0])
+            up = self.branch(numbers, np.clip(0.5 * (x[there] - least), 0.0, None))
+            down = self.branch(numbers, np.clip(0.5 * (greatest - x[back]), 0.0, None))
+            parts = [numbers[2] + (2.0 * up - top) - f[there], numbers[2] - (2.0 * down - top) - f[back]]
+            return np.concatenate([*(part / amplitude for part in parts), noise * scaled[3:]])
 
-        least = np.array([1e-3, -0.9 / self.stiffness / unit[1], -10.0])
-        found = least_squares(
-            left,
-            np.clip([1.0, start / unit[1], middle / amplitude], least + 1e-6, None),
-            bounds=(least, [1e3, 1e3, 10.0]),
-            x_scale=[1.0, 1.0, 1.0],
-            xtol=1e-12,
+        bounds = (
+            np.array([1e-3, -0.9 / self.stiffness / unit[1], -10.0, -10.0, -10.0]),
+            np.array([1e3, 1e3, *3 * [10.0]]),
         )
-        rest, count = found.fun, found.fun.size
-        square = found.jac.T @ found.jac
+        begun = np.array([1.0, start / unit[1], middle / amplitude, 0.0, 0.0])
+        found = least_squares(left, np.maximum(begun, bounds[0] + 1e-6), bounds=bounds, xtol=1e-12)
+        rest, count = found.fun[:-2], found.fun.size - 2
+        slopes = found.jac if noise > 0.0 and blurred > 0.0 else found.jac[:, :3]
+        square = slopes.T @ slopes
         if not found.success or not np.linalg.cond(square) < 1e12:
             return None
-        wide, spread = inflation(rest), 2.0 * found.cost / (count - 3)
-        error = np.sqrt(np.diag(np.linalg.inv(square)) * spread * wide) * unit
-        lost = 4.0 * most * amplitude * math.sqrt(spread * wide / count)  # the sum of noise times steps of the way
-        numbers = found.x * unit
+        wide, inverse = inflation(rest, 3), np.linalg.inv(square)
+        lever = np.sum((slopes[:-2] @ inverse) * slopes[:-2], axis=1)
+        left_out = np.append(rest / (1.0 - np.minimum(lever, MOST_LEVER)), [noise, noise])  # larger on steep parts
+        variance = inverse @ ((slopes.T * left_out**2) @ slopes) @ inverse * wide
+        error = np.sqrt(np.diag(variance)[:3]) * unit
+        spread = amplitude**2 * float(rest @ rest) / (count - 3) * wide
+        steps = [float(np.sum(np.gradient(part[low : end + 1]) ** 2)) for part in (x, f)]
+        lost = math.sqrt(spread * steps[0] + blurred**2 * steps[1])
+        numbers = found.x[:3] * unit
         return Loop(
             np.array([numbers[0], numbers[1], log.loss_per_cycle[place]]),
             np.array([error[0], error[1], lost]),
-            math.sqrt(2.0 * found.cost / count),
+            math.sqrt(float(rest @ rest) / count),
             max((count - 3) / wide, 1.0),
             2.0 * most,
             float(numbers[2]),
@@ -357,8 +361,10 @@ class FrictionLoopsSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What the numbers rest on, and what speaks against them."""
-        return tuple(self._notes())
+        """What the numbers rest on, and what speaks against them; then what the contact itself rests on."""
+        problem = self.problem
+        law, swing = Coulomb(self.coefficient), Shift(0.5 * max(self.contact_stroke, 0.0))
+        return (*self._notes(), *FrictionDamping(problem.bed, law, problem.normal, swing).solve().validity)
 
     def _notes(self) -> list[Note]:
         low, high = self.interval

@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 SEED = 1953
-HEADER = "# NOT a real measurement: made by examples/data/make_logs.py from known numbers, with seeded scatter.\n"
+HEADER = "# NOT a real measurement: made by examples/data/logs/make_logs.py from known numbers, with seeded scatter.\n"
 
 
 def write(name: str, header: str, columns: list[np.ndarray], formats: list[str]) -> None:
