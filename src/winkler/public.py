@@ -20,6 +20,10 @@ from winkler.fitting.holds.depth_scaling import DepthScaling, depth_scaling
 from winkler.fitting.holds.held_contacts import HeldContacts, HeldContactsSolution
 from winkler.fitting.holds.held_force import HeldForce
 from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
+from winkler.fitting.logs.contact_resistance import MeasuredConstriction, MeasuredConstrictionSolution, ResistanceLog
+from winkler.fitting.logs.friction_log import FrictionLog
+from winkler.fitting.logs.friction_loops import FrictionLoops, FrictionLoopsSolution
+from winkler.fitting.logs.runs import BounceTimes, PinOnDisc
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.continuous import ContinuousIndentation, ContinuousIndentationSolution
@@ -62,6 +66,7 @@ from winkler.io.contact_state import read_contacts, write_contacts
 from winkler.io.curves import PlacedCurve, read_curve, read_curves
 from winkler.io.indenter_file import read_indenter, write_indenter
 from winkler.io.surface_interaction import write_surface_interaction
+from winkler.io.logs.log_tables import read_bounces, read_friction_log, read_pin, read_resistance_log
 from winkler.io.tables.bed_table import read_bed
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.io.tables.grading_table import read_grading
@@ -180,28 +185,30 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = [
     "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
-    "BodyFields", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
-    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactArray", "ContactEllipse",
-    "ContactReading", "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness",
-    "CorrelationLengths", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current",
-    "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth",
-    "DepthGradedHalfSpace", "DepthScaling", "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale",
+    "BodyFields", "BounceTimes", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares",
+    "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactArray",
+    "ContactEllipse", "ContactReading", "ContinuousIndentation", "ContinuousIndentationSolution",
+    "ContinuousStiffness", "CorrelationLengths", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds",
+    "CubeCorner", "Current", "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
+    "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale",
     "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors", "Ellipsoid",
     "EllipticFoundation", "EqualMaximum", "EqualMean", "EventKind", "ExponentialAttraction", "ExponentialGrading",
     "ExponentialSlipWeakening", "ExportedLaw", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch",
-    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "GeneralisedKelvin",
-    "GradedHalfSpace", "GroupRatio", "HalfSpace", "HalfWidth", "HeatConductors", "HeldContacts", "HeldContactsSolution",
-    "HeldForce", "Hold", "Hyperboloid", "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit",
-    "KelvinVoigt", "Layer", "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction",
-    "LineScan", "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure",
-    "Measured", "MeasuredBed", "MeasuredSection", "MirroredSection", "Moment", "NamedElastic",
-    "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution",
-    "NominalPressure", "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity",
-    "PairWear", "Paraboloid", "Path", "PeakStress", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated",
-    "PopInStatistics", "Population", "PoroelasticFilm", "PoroelasticFit", "PowerLaw", "PowerLawGraded",
-    "PowerLawLineFoundation", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
-    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReferenceSample", "RelaxationData",
-    "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "Rigid", "Rod", "RoughProfile", "RoundedCone",
+    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "FrictionLog",
+    "FrictionLoops", "FrictionLoopsSolution", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio", "HalfSpace",
+    "HalfWidth", "HeatConductors", "HeldContacts", "HeldContactsSolution", "HeldForce", "Hold", "Hyperboloid",
+    "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
+    "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction", "LineScan",
+    "LineShearForce", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell", "MeanPressure",
+    "Measured", "MeasuredBed", "MeasuredConstriction", "MeasuredConstrictionSolution", "MeasuredSection",
+    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
+    "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note", "OliverPharr",
+    "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path", "PeakStress",
+    "PinOnDisc", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics", "Population",
+    "PoroelasticFilm", "PoroelasticFit", "PowerLaw", "PowerLawGraded", "PowerLawLineFoundation", "PowerLawSolid",
+    "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp",
+    "RandomTopography", "RateDependentWork", "ReferenceSample", "RelaxationData", "RelaxationSweeps",
+    "RelaxingInProportion", "RepeatedMean", "ResistanceLog", "Rigid", "Rod", "RoughProfile", "RoundedCone",
     "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment", "SegmentKind",
     "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
     "SlidingFilm", "Sphere", "SpheroConical", "Spikes", "Springs", "StackLayer", "StackedHalfSpace", "Staircase",
@@ -221,4 +228,11 @@ __all__ = [
     "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray",
     "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_surface_interaction",
     "write_trace", "write_vtk",
+    "ratio_of", "read_bed", "read_bounces", "read_contacts", "read_creep", "read_cross_profile", "read_curve",
+    "read_curves", "read_dynamic", "read_dynamic_sweeps", "read_friction_log", "read_grading", "read_held_force",
+    "read_indenter", "read_path", "read_pin", "read_profile", "read_profile_pair", "read_relaxation",
+    "read_relaxation_sweeps", "read_resistance_log", "read_scan", "read_section", "read_spectrum",
+    "read_surface_load", "read_topography", "relaxation_band", "repeated_mean", "restore", "restore_body",
+    "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas", "to_xarray", "widget",
+    "write_contacts", "write_export", "write_indenter", "write_law", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -64,6 +64,15 @@ HOLDS = [
         (40e-6, [213e-6, 211e-6, 209e-6, 202e-6, 189e-6, 174e-6, 164e-6, 159e-6]),
     )
 ]
+LOOP_WAY = (
+    "0.00 -1.00 -2.00 -1.56 -1.11 -0.67 -0.22 0.22 0.67 1.11 1.56 2.00 1.56 1.11 0.67 0.22 -0.22 -0.67 "
+    "-1.11 -1.56 -2.00 -1.00 0.00 "
+)
+LOOP_FORCE = (
+    "0.00 -32.63 -50.00 -34.27 -19.17 -4.76 8.82 21.41 32.76 42.42 49.26 50.00 34.27 19.17 4.76 -8.82 "
+    "-21.41 -32.76 -42.42 -49.26 -50.00 -15.49 15.25 "
+)
+OHMS = "589.06 474.08 364.60 298.16 248.02 196.39 165.37 141.44 117.95 103.59 "
 SWEEPS = wk.DynamicSweeps(
     SWEPT,
     np.tile([0.1, 1.0, 10.0, 100.0, 1000.0], 4),
@@ -146,6 +155,25 @@ SPOTS = wk.SpotCluster(
 )
 CONDUCTING = {
     **{kind: resistance() for kind in ("constriction", "electrical_conductors")},
+    **{
+        kind: wk.MeasuredConstriction(
+            BED,
+            wk.ResistanceLog(
+                [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0], [float(f"{one}e-6") for one in OHMS.split()]
+            ),
+        )
+        for kind in ("resistance_log", "measured_constriction")
+    },
+    **{
+        kind: wk.FrictionLoops(
+            BED,
+            wk.Force(100.0),
+            wk.FrictionLog(
+                [float(f"{one}e-6") for one in LOOP_WAY.split()], [float(one) for one in LOOP_FORCE.split()]
+            ),
+        )
+        for kind in ("friction_log", "friction_loops")
+    },
     "plated": resistance(wk.ElectricalConductors(wk.Plated(SILVER, thickness=5e-6, on=COPPER), SILVER)),
     "rod": resistance(wk.ElectricalConductors(wk.Rod(SILVER, radius=1e-3, length=10e-3), SILVER)),
     "surface_film": resistance(wk.ElectricalConductors(SILVER, SILVER, wk.SurfaceFilm(1e-12))),

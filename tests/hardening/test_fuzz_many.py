@@ -91,7 +91,7 @@ SOLVED = {
         *("viscoelastic_indentation", "creep_test", "relaxation_test", "harmonic_indentation", "sliding_resistance"),
         *("viscoelastic_impact", "tangential", "torsion", "rolling", "rolling_start"),
         *("simplified_rolling", "oscillating_rolling", "elastomer_friction", "master_curve", "poroelastic_relaxation"),
-        *("held_contacts",),
+        *("held_contacts", "friction_loops", "measured_constriction"),
         *("line_rolling", "line_rolling_start", "line_rolling_resistance", "line_viscoelastic_indentation"),
     ),
     "warm and rough": (

@@ -9,7 +9,7 @@ from winkler.study.language.reading import parsed, read_text
 
 __all__ = ["MEASURED_PROBLEMS", "is_measured_problem"]
 
-MEASURED_PROBLEMS = ("held_contacts", "master_curve")
+MEASURED_PROBLEMS = ("friction_loops", "held_contacts", "master_curve", "measured_constriction")
 """Kinds whose numbers are fitted by the problem itself."""
 
 

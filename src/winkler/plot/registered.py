@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from winkler.plot import beds, restored, sheets  # noqa: F401
-from winkler.plot.conduction import constriction, fields, spot_maps, spots  # noqa: F401
+from winkler.plot.conduction import constriction, fields, measured, spot_maps, spots  # noqa: F401
 from winkler.plot.conduction import line as line_conduction  # noqa: F401
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.drawing import draw
 from winkler.plot.fitting import curve_events, nanoindentation, unloading  # noqa: F401
 from winkler.plot.fitting import examined as examined_fits  # noqa: F401
 from winkler.plot.fitting import fits as elastic_fits  # noqa: F401
-from winkler.plot.friction import damping  # noqa: F401
+from winkler.plot.friction import damping, loops  # noqa: F401
 from winkler.plot.friction import sheets as friction_sheets  # noqa: F401
 from winkler.plot.heating import ellipses, heating, strips  # noqa: F401
 from winkler.plot.heating import surfaces as heated_surfaces  # noqa: F401

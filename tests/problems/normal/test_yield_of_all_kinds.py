@@ -39,6 +39,8 @@ WITHOUT = {
     "master_curve": "measurements of a solid, no contact",
     "poroelastic_relaxation": "a wet gel, whose network has no strength",
     "held_contacts": "measurements of a body that relaxes",
+    "friction_loops": "measurements",
+    "measured_constriction": "measurements",
     "spot_cluster": "no elastic bodies",
     "surface_friction_heating": "a map of loads without elastic bodies",
     "yield_onset": "the onset is its answer",

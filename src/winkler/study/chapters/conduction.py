@@ -16,6 +16,11 @@ STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity
 COPPER = {"kind": "electrical_conductor", "resistivity": "16.8 nohm m"}
 SILVER_PAIR: dict[str, Any] = {"first": SILVER, "second": SILVER}
 STEEL_PAIR: dict[str, Any] = {"first": STEEL, "second": STEEL}
+MEASURED_FORCE = ["0.1 N", "0.2 N", "0.5 N", "1 N", "2 N", "5 N", "10 N", "20 N", "50 N", "100 N"]
+MEASURED_RESISTANCE = [
+    *("589.06 uohm", "474.08 uohm", "364.60 uohm", "298.16 uohm", "248.02 uohm"),
+    *("196.39 uohm", "165.37 uohm", "141.44 uohm", "117.95 uohm", "103.59 uohm"),
+]
 
 ANALOGY = Equation(
     "Every spring in contact conducts alike, so conductance and stiffness are in proportion (after Barber)",
@@ -25,6 +30,7 @@ DISC = Equation(
     "Current squeezes through the disc of the contact (after Holm), whatever the elastic medium",
     r"R_c = \frac{\rho_1+\rho_2}{4a}",
 )
+IN_SERIES = Equation("Leads lie in series", r"R(F_N) = R_c + R_f + R_0")
 HEAT = Equation(
     "Heat flows like a current, with temperature for voltage and λ for 1/ρ",
     r"Q = \frac{\Delta T}{R}, \quad R_c = \frac{1}{4a}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)",
@@ -134,6 +140,15 @@ CONDUCTION = Chapter(
             "surface_film": kind("winkler.laws.film:SurfaceFilm", area_resistance="1e-12 ohm m^2"),
             "thermal_interface": kind("winkler.laws.film:ThermalInterface", interface_conductance="1e7 W/(m^2 K)"),
         },
+        "log": {
+            "resistance_log": kind(
+                "winkler.fitting.logs.contact_resistance:ResistanceLog",
+                reader="winkler.io.logs.log_tables:read_resistance_log",
+                problem="measured_constriction",
+                force=MEASURED_FORCE,
+                resistance=MEASURED_RESISTANCE,
+            ),
+        },
         "drive": {
             "voltage": kind("winkler.laws.current:Voltage", voltage="20 mV"),
             "current": kind("winkler.laws.current:Current", current="5 A"),
@@ -155,6 +170,18 @@ CONDUCTION = Chapter(
                 "Over the force, and its parts: the constriction, a film, the length of rods.",
             ),
             formulas=electric_formulas,
+        ),
+        "measured_constriction": answer(
+            "winkler.fitting.logs.contact_resistance:MeasuredConstriction",
+            headline=("resistivity", "film", "series", "exponent"),
+            log={"kind": "resistance_log", "force": MEASURED_FORCE, "resistance": MEASURED_RESISTANCE},
+            picture=Caption(
+                "measured_resistance",
+                "The measured contact resistance",
+                "Resistances over the force with the fitted ones, and what is left.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(DISC, FILM, IN_SERIES),
         ),
         "line_constriction": answer(
             "winkler.problems.conduction.line_constriction:LineConstriction",

@@ -23,6 +23,18 @@ TWIST = [
     {**NORMAL_START, "lateral": {"kind": "angle", "angle": "0 rad"}},
     {"kind": "oscillate", "lateral": {"kind": "angle", "angle": "2 mrad"}, "cycles": 1.25},
 ]
+LOOP_WAY = [
+    *("0.00 um", "-1.00 um", "-2.00 um", "-1.56 um", "-1.11 um", "-0.67 um", "-0.22 um"),
+    *("0.22 um", "0.67 um", "1.11 um", "1.56 um", "2.00 um", "1.56 um", "1.11 um"),
+    *("0.67 um", "0.22 um", "-0.22 um", "-0.67 um", "-1.11 um", "-1.56 um", "-2.00 um"),
+    *("-1.00 um", "0.00 um"),
+]
+LOOP_FORCE = [
+    *("0.00 N", "-32.63 N", "-50.00 N", "-34.27 N", "-19.17 N", "-4.76 N", "8.82 N"),
+    *("21.41 N", "32.76 N", "42.42 N", "49.26 N", "50.00 N", "34.27 N", "19.17 N"),
+    *("4.76 N", "-8.82 N", "-21.41 N", "-32.76 N", "-42.42 N", "-49.26 N", "-50.00 N"),
+    *("-15.49 N", "15.25 N"),
+]
 
 TANGENTIAL_SPRINGS = Equation(
     "Along the surface every spring follows the body until it slides; it slides where its load reaches μ times that "
@@ -40,6 +52,14 @@ TWIST_BOUND = Equation(
 TORQUE = Equation("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
 TANGENTIAL_FORCE = Equation("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
 LOSS = Equation("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
+MASING = Equation(
+    "Behind a turning point ways and forces are doubled; a compliance C lies in series (after Masing)",
+    r"|F_x-F_t| = 2f(s), \quad |x-x_t| = 2s + 2C\,f(s)",
+)
+SLIDING_SCALE = Equation(
+    "The first way of the contact scales with the coefficient of friction",
+    r"f(s) = \mu\,g\left(\frac{s}{\mu}\right)",
+)
 COMMON_OSCILLATION = Equation(
     "Depth and shift swing together",
     r"d = d_0 + A_z\cos(n\theta), \quad u_x = A_x\cos(m\theta+\varphi)",
@@ -101,6 +121,15 @@ FRICTION = Chapter(
             "shear_force": kind("winkler.loading:ShearForce", problem="adhesive_shear", shear_force="1 mN"),
             "angle": kind("winkler.loading:Angle", problem="torsion", angle="1 mrad"),
             "torque": kind("winkler.loading:Torque", problem="torsion", torque="1 mN m"),
+        },
+        "log": {
+            "friction_log": kind(
+                "winkler.fitting.logs.friction_log:FrictionLog",
+                reader="winkler.io.logs.log_tables:read_friction_log",
+                problem="friction_loops",
+                displacement=LOOP_WAY,
+                shear_force=LOOP_FORCE,
+            ),
         },
         "path": {
             "path": kind(
@@ -192,6 +221,19 @@ FRICTION = Chapter(
             picture=Caption("damping", "Damping by relaxation", "Damper and spring, as the depth oscillates."),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
             formulas=followed_by(normal_formulas, RELAXED),
+        ),
+        "friction_loops": answer(
+            "winkler.fitting.logs.friction_loops:FrictionLoops",
+            headline=("coefficient", "contact_stiffness", "series_compliance", "loss_per_cycle"),
+            normal={"kind": "force", "force": "100 N"},
+            log={"kind": "friction_log", "displacement": LOOP_WAY, "shear_force": LOOP_FORCE},
+            picture=Caption(
+                "loops",
+                "Measured loops",
+                "Loops of the second half of the cycles with the fitted last one, and the loss of each cycle.",
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=(MASING, SLIDING_SCALE),
         ),
     },
 )

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from winkler.io.indenter_file import AREA, read_area
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
+from winkler.io.logs import log_tables as logs
 from winkler.io.tables import (
     bed_table,
     cross_profile_file,
@@ -29,7 +30,6 @@ from winkler.io.tables.relaxation_table import TIME
 from winkler.io.tables.table import read_table
 from winkler.materials.depth_grading import TabulatedGrading
 from winkler.numerics.types import Array
-from winkler.study.inspection import logs
 from winkler.values import value, words
 
 __all__ = ["ASSUMED_POISSON", "GENERAL", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
@@ -147,6 +147,13 @@ SPECIFIC = (
         ((bed_table.RADIUS, bed_table.STIFFNESS, bed_table.DEPTH),),
         bed_table.read_bed,
         "bed",
+    ),
+    TableKind("loops of friction", ((logs.DISPLACEMENT, logs.SHEAR),), logs.read_friction_log, "friction_loops"),
+    TableKind(
+        "contact resistance over force",
+        ((logs.FORCE, logs.RESISTANCE),),
+        logs.read_resistance_log,
+        "measured_constriction",
     ),
     TableKind("path", _headers(((path_table.TIME,),), NORMALS, LATERALS), path_table.read_path, "path"),
     TableKind("bounces by their times", ((logs.BOUNCE,),), logs.read_bounces, ""),

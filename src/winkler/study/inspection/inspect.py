@@ -34,7 +34,7 @@ from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
 from winkler.study.inspection.file_kinds import GENERAL, SPECIFIC, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
-from winkler.study.inspection.logs import log_lines
+from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
 from winkler.study.inspection.surfaces import SurfaceOptions, read_surface_file
 
@@ -207,7 +207,8 @@ def _tried(file: Path, kind: TableKind, why: str) -> Inspection | None:
 def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
     content = kind.read(file)
     done = (TWO_HOLDS,) if isinstance(content, HeldTable) else log_lines(content)
-    found = Inspection(str(file), kind.name, why, 1, columns_of(content), (), done, content=content)
+    columns = columns_of(content)
+    found = Inspection(str(file), kind.name, why, 1, columns, (), done, log_doubts(content), content=content)
     twisted = {column.word for angle in (Angle, Torque) for column in LATERAL_COLUMNS[angle]}
     study = kind.study
     if study == "path" and any(word in why for word in twisted):

@@ -8,8 +8,8 @@ from made_files import table
 from scipy.stats import t as student
 
 from winkler.errors import InvalidInput
+from winkler.fitting.logs.runs import BounceTimes, PinOnDisc
 from winkler.study.inspection.inspect import inspect_file
-from winkler.study.inspection.logs import BounceTimes, PinOnDisc
 
 WORLDS = 800
 

@@ -1,0 +1,1 @@
+"""Logs of tests as tables: loops of friction, contact resistance, pins on discs, bounces."""
