@@ -114,8 +114,10 @@ def needs_of(columns: Sequence[Column]) -> str:
 def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given: Mapping[str, str] | None) -> Header:
     """Return the first line in which every column is named; one behind a comment mark only if there is no other."""
     for index, line in sorted(enumerate(lines), key=lambda numbered: numbered[1].lstrip()[:1] in ("#", "%")):
+        if not NAME_LETTER.search(line) or not _may_name(line.lower(), columns):
+            continue
         text = line.lstrip(COMMENT_MARKS).rstrip()
-        for separator in SEPARATORS_TRIED if text else ():
+        for separator in SEPARATORS_TRIED:
             cells = cells_of(text, separator)
             candidates = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
             if not all(candidates):
