@@ -42,6 +42,22 @@ READERS = {
             "angular frequency [rad/s],storage modulus [MPa],loss modulus [MPa]", T, 1.0 + T / (1.0 + T), 0.1 + 0.0 * T
         ),
     ),
+    "sweeps side by side": (
+        wk.read_dynamic_sweeps,
+        rows(
+            "280 K,,,300 K,,\n" + ",".join(["omega [rad/s],G' [MPa],G'' [MPa]"] * 2),
+            *(T, 2.0 + T, 0.2 + 0.0 * T, T, 1.0 + T, 0.1 + 0.0 * T),
+        ),
+    ),
+    "creep and recovery": (
+        lambda path: wk.read_creep(path, test=1),
+        rows(
+            "Meas. Pts.,time [s],J [1/MPa]",
+            np.tile(np.arange(1.0, 13.0), 2),
+            np.append(T, 10.0 + T),
+            np.append(1.0 + T / (1.0 + T), 0.0 * T),
+        ),
+    ),
     "spectrum": (wk.read_spectrum, rows("wave_number [1/um],density [um^4]", T, 1e-3 / T**3)),
     "scan": (wk.read_scan, rows("x [um],z [nm]", X, Z)),
     "topography": (

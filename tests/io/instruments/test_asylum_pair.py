@@ -90,6 +90,21 @@ def test_a_wave_that_is_cut_or_lies_is_one_sentence(tmp_path, cut):
             wk.read_curve(file, spring_constant=1.0)
 
 
+def test_a_damaged_head_gives_a_curve_or_one_sentence(tmp_path):
+    file = pair(tmp_path)
+    whole, rng, refused = file.read_bytes(), np.random.default_rng(0), 0
+    for _ in range(60):
+        content = bytearray(whole)
+        for place in rng.integers(0, 384, 3):
+            content[place] = rng.integers(0, 256)
+        file.write_bytes(bytes(content))
+        try:
+            wk.read_curve(file, spring_constant=1.0)
+        except wk.InvalidInput:
+            refused += 1
+    assert refused > 20
+
+
 def test_a_pause_at_constant_height_is_read_as_any_other(tmp_path, shared_data):
     """The kind of the pause, which afmformats expects in some orders alone, changes no number of the curve."""
     source = shared_data / "force_curves" / "fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force"

@@ -88,3 +88,10 @@ def test_dynamic_data(tmp_path):
     np.testing.assert_allclose(continuous.stiffness, [2e3, 4e3, 8e3])
     np.testing.assert_allclose(continuous.time, [0.1, 0.2, 0.4])
     assert "continuous stiffness from 'Storage Stiff.' [µN/nm]: 3 points of the loading" in placed.curve.reading
+
+
+@pytest.mark.parametrize("name", ["test.tdm", "test.tdx"])
+def test_files_of_tdm_are_refused_by_name(tmp_path, name):
+    (tmp_path / name).write_bytes(b"<usi:tdm/>" if name.endswith("m") else bytes(64))
+    with pytest.raises(wk.InvalidInput, match=r"files of TDM .* export the test"):
+        wk.read_curve(tmp_path / name)

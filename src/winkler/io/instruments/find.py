@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from winkler.errors import InvalidInput
 from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
 from winkler.io.instruments.asylum_pair import is_asylum_half, tests_of_asylum_pair
 from winkler.io.instruments.femtotools import is_femtotools, tests_of_femtotools
@@ -22,6 +23,8 @@ from winkler.io.workbooks.workbook_cells import is_workbook
 
 __all__ = ["instrument_tests"]
 
+UNREAD = (".tdm", ".tdx")
+"""Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
 Tests = Iterator[InstrumentTest]
 
 
@@ -42,6 +45,11 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
     InvalidInput
         If it cannot be read.
     """
+    if path.suffix.lower() in UNREAD:
+        raise InvalidInput(
+            f"{path}: files of TDM (an index .tdm, and numbers in .tdx) are not read; export the test from the "
+            "indenter's software as text (.txt) or as .hld."
+        )
     if is_workbook(path):
         return tests_of_workbook(path)
     if is_archive_of_tests(path):

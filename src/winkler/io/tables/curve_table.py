@@ -44,7 +44,6 @@ from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.table_cells import cells_of, named
-from winkler.io.tables.table_makers import maker_in
 from winkler.numerics.types import Array
 from winkler.units import comma_hint
 
@@ -65,6 +64,17 @@ STIFFNESS = Column("stiffness", STIFFNESS_NAMES, "N/m")
 SEGMENT = Column("segment", ("segment",), "")
 GAPS = (STIFFNESS.word,)
 """Measured in parts of a test alone."""
+MAKERS = {
+    "Number of Points =": "Hysitron, text export",
+    "Anton Paar": "Anton Paar, text export",
+    "CSM Instruments": "CSM Instruments, text export",
+    "NanoTest": "Micro Materials, text export",
+    "Piuma": "Optics11, text export",
+    "Chiaro": "Optics11, text export",
+    "iMicro": "KLA, text export",
+}
+"""What stands above a table that its header makes readable, and who writes it."""
+HEAD_LINES = 60
 NOTHING = GivenFacts()
 GAP_OR_DEPTH = re.compile(r"h(?![^\W_])", re.IGNORECASE)
 """A name that is the gap of a rheometer, or the depth of an indenter."""
@@ -178,7 +188,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
                 f"sensitivity {sensitivity:g} m/V given" if load is VOLTAGE else "",
                 f"given units: {', '.join(f'{key} {unit}' for key, unit in units.items())}" if units else "",
             )
-            reading = reading_of(maker_in(stated), facts, number, len(parts), at, load_at)
+            reading = reading_of(_maker(stated), facts, number, len(parts), at, load_at)
             directed = directions(at, load_at, segment)
             curve = ForceCurve(at, load_at, machine, time, directed, name, reading=reading)
             curves.append(PlacedCurve(curve, *where, continuous, results))
@@ -213,6 +223,12 @@ def _refuse_unparted(path: str | os.PathLike[str], table: Table, parts: Sequence
                 f"{path}, line {line}: the header with the {place.word} stands again, but the force does not end low "
                 "before it and pass a peak on both sides, as of two tests; give each test a file, or delete the line."
             )
+
+
+def _maker(head: Sequence[str]) -> str:
+    """Return who has written a text table, by a word in the lines above it; "text table" if none is known."""
+    above = "\n".join(head[:HEAD_LINES])
+    return next((maker for word, maker in MAKERS.items() if word in above), "text table")
 
 
 def _origin_of_spring(stiffness: float | None, given: float | None) -> str:
