@@ -16,11 +16,11 @@ import numpy as np
 
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.io.indenter_file import indenter_text
+from winkler.io.workbooks.table_workbook import workbook_file
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.nanoindentation.running import NanoindentationOutcome
 from winkler.study.report.archive import table_file
 from winkler.study.report.page_parts import page_files
-from winkler.study.report.workbook import workbook_file
 from winkler.study.report.writing import with_provenance
 from winkler.vocabulary import Word
 

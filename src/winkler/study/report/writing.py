@@ -81,7 +81,7 @@ def outcome_files(outcome: Outcome | FitOutcome, *, pages: int = 0) -> dict[str,
             files |= curve_pages(outcome, pages)
         text, left = outcome.study.text, outcome.left
     if outcome.study.output.workbook:
-        from winkler.study.report.workbook import workbook_file
+        from winkler.io.workbooks.table_workbook import workbook_file
 
         files |= workbook_file(files)
     if text:

@@ -10,10 +10,10 @@ import sys
 import pytest
 
 import winkler as wk
+from winkler.io.workbooks import table_workbook as workbook
 from winkler.io.workbooks.workbook_cells import sheets_of
 from winkler.study.batch.run import run
 from winkler.study.language.reading import read_study
-from winkler.study.report import workbook
 from winkler.study.report.writing import outcome_files
 
 openpyxl = pytest.importorskip("openpyxl")
