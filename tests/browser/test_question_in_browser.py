@@ -44,13 +44,19 @@ def test_another_question_for_the_same_bodies(fresh):
 
 def test_the_worst_doubt_says_what_to_do(fresh):
     app_page = fresh()
+    head = app_page.page.locator(".head")
+    assert head.locator(".standing-line").inner_text().startswith("good to about")
+    assert head.locator(".card.sought").count() == 1
     app_page.type(FORCE, "100 kN")
     doubt = app_page.page.locator(".head .doubt", has_text="What to do: press less")
     doubt.wait_for(timeout=30_000)
     assert "use at most" in doubt.inner_text()
+    assert head.locator(".standing-line").inner_text().startswith("an estimate: ±")
     app_page.type("problem.bed.medium.first.strength", "700 MPa")
     card = app_page.page.locator(".head .beside .card", has_text="load at which it yields")
     card.get_by_text("of the first body, by von Mises' criterion").wait_for(timeout=30_000)
+    assert head.locator(".standing-line").inner_text() == "do not use"
+    assert head.locator(".card.sought").count() == 0
     app_page.shot("doubt")
 
 

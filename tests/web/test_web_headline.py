@@ -18,6 +18,7 @@ from winkler.study.language.explain import keys_of
 from winkler.study.language.reading import parse_study
 from winkler.study.report.describe import inputs
 from winkler.study.report.report import page
+from winkler.validity import Standing, worst
 from winkler.vocabulary import GLOSSARY, word
 from winkler.web.form.form import initial_table
 from winkler.web.pictures.answer import answer_text
@@ -31,9 +32,9 @@ LONG = {
     "reduction", "surface_tangential", "profile_pair_rolling", "surface_adhesion",
 }  # fmt: skip
 """Kinds that take more than a second, most of it for compiling."""
-MARK = r'(?: <span class="standing outside">outside</span>)?'
-CARD = re.compile(rf'<div class="card sought"><div class="value">(.*?){MARK}</div>')
-LEAD = re.compile(rf'<p class="lead sought-line">(.*?){MARK}</p>')
+MARK = r'(?: <span class="standing outside">do not use</span>)?'
+CARD = re.compile(rf'<div class="card(?: sought)?"><div class="value">(.*?){MARK}</div>')
+LEAD = re.compile(rf'<p class="(?:lead )?sought-line">(.*?){MARK}</p>')
 
 
 def first_of(text):
@@ -43,7 +44,10 @@ def first_of(text):
 
 def check(kind):
     outcome = run(parse_study(tomli_w.dumps(initial_table(kind))))
-    large, sentence = first_of(answer_text(outcome, "", Moments(), 0).answers)
+    text = answer_text(outcome, "", Moments(), 0).answers
+    large, sentence = first_of(text)
+    to_be_used = worst(outcome.validity) is not Standing.OUTSIDE or kind == "held_contacts"
+    assert ('class="card sought"' in text) == to_be_used
     point = outcome.points[0]
     given = {one.name for one in inputs(outcome.study)}
     headline = [name for name in answer_of(point.problem).headline if name in point.answers]

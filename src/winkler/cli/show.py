@@ -166,7 +166,7 @@ def _search(text: str, *, as_json: bool) -> None:
             return
         found = find(text)
         if not found.hits:
-            near = suggest(text, [*_names(), *material_names()])
+            near = suggest(text, list(_names())) or suggest(text, material_names())
             raise InvalidInput(f"'{text}' is not known{near}; `winkler show` lists every kind.") from None
         if as_json:
             write_json(found.table())
