@@ -230,7 +230,7 @@ def _rough_start(seed):
 
 @pytest.mark.long
 def test_intervals_hold_whatever_comes_before_the_contact():
-    """Of 180 worlds without dust 95 % intervals of E and of H hold at least 0.92, and not all; all 60 dusty are doubted.
+    """Of 180 worlds without dust 95 % intervals of E and of H hold 0.92 or more, not all; 60 dusty ones are doubted.
 
     Of intervals that hold 0.98 no one misses in 3 % of such series.  A share that small tells little of intervals that
     are too wide, so the deviations from the truth are compared with the standard errors, too.
