@@ -169,9 +169,13 @@ def headed(lines: list[str], where: str) -> list[str]:
     InvalidInput
         If one of them is too long for a header.
     """
+    first = lines[:HEADER_LINES]
+    sizes = list(map(len, first))
+    if sizes and max(sizes) <= LINE_LETTERS and sum(sizes) + len(sizes) <= HEADER_LETTERS:
+        return first
     head: list[str] = []
     size = 0
-    for number, line in enumerate(lines[:HEADER_LINES], 1):
+    for number, line in enumerate(first, 1):
         size += len(line) + 1
         if len(line) > LINE_LETTERS and line.lstrip()[:1] in ("#", "%"):
             line = ""

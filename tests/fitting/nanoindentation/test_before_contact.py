@@ -230,14 +230,25 @@ def _rough_start(seed):
 
 @pytest.mark.long
 def test_intervals_hold_whatever_comes_before_the_contact():
-    """Of 24 worlds at most three intervals of E and of H miss the truth; a test on dust is doubted, or held."""
+    """Of 180 worlds without dust 95 % intervals of E and of H hold 0.92 or more, not all; 60 dusty ones are doubted.
+
+    Of intervals that hold 0.98 no one misses in 3 % of such series.  A share that small tells little of intervals that
+    are too wide, so the deviations from the truth are compared with the standard errors, too.
+    """
     machine = Machine(rate=8.0)
     indenter = CalibratedIndenter(CalibratedArea(machine.coefficients), machine.compliance)
-    missed = {"young": 0, "hardness": 0}
-    for seed in range(24):
+    held, off, undoubted = {"young": [], "hardness": []}, {"young": [], "hardness": []}, []
+    for seed in range(240):
         curve, truth, dusty = _rough_start(seed)
         found = Nanoindentation(curve, indenter, SILICA.poisson).solve()
+        if dusty:
+            undoubted += [seed] * (not found.doubts)
+            continue
         for name, true in (("young", SILICA.young), ("hardness", float(truth.hardness[-1]))):
             low, high = (float(end[found.deepest]) for end in found.interval(name))
-            missed[name] += not (low < true < high) and not (dusty and found.doubts)
-    assert max(missed.values()) <= 3, missed
+            held[name].append(low < true < high)
+            off[name].append(np.log(true / np.sqrt(low * high)) / (0.25 * np.log(high / low)))
+    assert undoubted == []
+    for name in held:
+        assert 0.92 * 180 <= sum(held[name]) < 180, (name, sum(held[name]))
+        assert 0.8 <= np.std(off[name]) <= 1.2, (name, np.std(off[name]))
