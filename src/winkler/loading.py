@@ -15,8 +15,6 @@ from winkler.checks.number_checks import (
     FINITE_QUANTITY,
     NON_NEGATIVE_QUANTITY,
     Finite,
-    FiniteQuantity,
-    NonNegativeQuantity,
     between,
 )
 from winkler.numerics.types import PerLoad, Q
@@ -99,7 +97,7 @@ class LineForce(PerLoad[Q]):
 
 
 @value
-class LineShearForce:
+class LineShearForce(PerLoad[Q]):
     """A prescribed force per length of a line contact, along the surface and across the line.
 
     Parameters
@@ -108,7 +106,7 @@ class LineShearForce:
         Q [N/m].
     """
 
-    shear_force_per_length: FiniteQuantity
+    shear_force_per_length: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
@@ -125,7 +123,7 @@ class HalfWidth(PerLoad[Q]):
 
 
 @value
-class MeanPressure:
+class MeanPressure(PerLoad[Q]):
     """A prescribed mean pressure of a line contact, over its whole width.
 
     Parameters
@@ -134,7 +132,7 @@ class MeanPressure:
         p_m = P/(2 a) [Pa], not negative.
     """
 
-    mean_pressure: NonNegativeQuantity
+    mean_pressure: Annotated[Q, NON_NEGATIVE_QUANTITY]
 
 
 @value
@@ -181,7 +179,7 @@ class LineOfAction:
 
 
 @value
-class NominalPressure:
+class NominalPressure(PerLoad[Q]):
     """A prescribed pressure over the whole of a wavy surface, in contact or not.
 
     Parameters
@@ -190,11 +188,11 @@ class NominalPressure:
         P/pitch [Pa], not negative.
     """
 
-    nominal_pressure: NonNegativeQuantity
+    nominal_pressure: Annotated[Q, NON_NEGATIVE_QUANTITY]
 
 
 @value
-class Shift:
+class Shift(PerLoad[Q]):
     """A prescribed sideways displacement of the bodies against each other.
 
     Parameters
@@ -203,11 +201,11 @@ class Shift:
         u_x [m]; on a path in the plane one row ``(u_x, u_y)`` for every point.
     """
 
-    shift: FiniteQuantity
+    shift: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
-class ShearForce:
+class ShearForce(PerLoad[Q]):
     """A prescribed sideways force.
 
     Parameters
@@ -216,11 +214,11 @@ class ShearForce:
         F_x [N]; on a path in the plane one row ``(F_x, F_y)`` for every point.
     """
 
-    shear_force: FiniteQuantity
+    shear_force: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
-class Angle:
+class Angle(PerLoad[Q]):
     """A prescribed twist of the bodies against each other, about the axis of the contact.
 
     Parameters
@@ -229,11 +227,11 @@ class Angle:
         phi [rad].
     """
 
-    angle: FiniteQuantity
+    angle: Annotated[Q, FINITE_QUANTITY]
 
 
 @value
-class Torque:
+class Torque(PerLoad[Q]):
     """A prescribed torque about the axis of the contact.
 
     Parameters
@@ -242,7 +240,7 @@ class Torque:
         M_z [N m].
     """
 
-    torque: FiniteQuantity
+    torque: Annotated[Q, FINITE_QUANTITY]
 
 
 Load = Force | Depth | Radius

@@ -36,6 +36,7 @@ from winkler.numerics.types import Array, Quantity
 from winkler.values import frozen_array, value
 
 __all__ = [
+    "SWING",
     "OneLoad",
     "OneNormal",
     "OnePositiveLineForce",
@@ -43,7 +44,6 @@ __all__ = [
     "OnePositiveNormal",
     "OnePositiveSwing",
     "Path",
-    "Swing",
     "load_number",
     "numbers_of",
 ]
@@ -236,27 +236,26 @@ def _positive(load: Normal | Lateral) -> bool:
 
 
 OneLoad: TypeAlias = Annotated[
-    Load, Condition(_one, "give Force, Depth or Radius with one number, and sweep over several")
+    Force[float] | Depth[float] | Radius[float],
+    Condition(_one, "give Force, Depth or Radius with one number, and sweep over several"),
 ]
 OneNormal: TypeAlias = Annotated[
-    Normal, Condition(_one, "give Depth(d) or Force(F) with one number, and sweep over several")
+    Depth[float] | Force[float], Condition(_one, "give Depth(d) or Force(F) with one number, and sweep over several")
 ]
 OnePositiveNormal: TypeAlias = Annotated[
-    Normal, Condition(_positive, "give Depth(d) or Force(F) with one positive number, and sweep over several")
+    Depth[float] | Force[float],
+    Condition(_positive, "give Depth(d) or Force(F) with one positive number, and sweep over several"),
 ]
-Swing: TypeAlias = Annotated[
-    Shift | ShearForce,
-    Condition(
-        lambda load: bool(np.all(numbers_of(load) >= 0.0)),
-        "give Shift(U) in m or ShearForce(F_x) in N, how far to each side, zero or more",
-    ),
-]
+SWING = Condition(
+    lambda load: bool(np.all(numbers_of(load) >= 0.0)),
+    "give Shift(U) in m or ShearForce(F_x) in N, how far to each side, zero or more",
+)
 OnePositiveSwing: TypeAlias = Annotated[
-    Shift | ShearForce,
+    Shift[float] | ShearForce[float],
     Condition(_positive, "give Shift(U) in m or ShearForce(F_x) in N with one positive number, how far to each side"),
 ]
 OnePositiveLineForce: TypeAlias = Annotated[
-    LineForce,
+    LineForce[float],
     Condition(_positive_per_length, "give LineForce(P) in N/m with one positive number, and sweep over several"),
 ]
 OnePositiveLineSwing: TypeAlias = Annotated[

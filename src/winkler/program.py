@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 
@@ -62,10 +63,11 @@ class Program(Path):
             if rows.seconds.size:
                 parts.append(rows._replace(seconds=time + rows.seconds))
                 time, across, along = float(parts[-1].seconds[-1]), float(rows.across[-1]), rows.along[-1]
+        kind: type[Any] = type(begun.normal)
         plane = np.concatenate([part.along for part in parts])
         content = {
             "time": np.concatenate([part.seconds for part in parts]),
-            "normal": type(begun.normal)(np.concatenate([part.across for part in parts])),
+            "normal": kind(np.concatenate([part.across for part in parts])),
             "lateral": lateral(plane if any(map(_in_plane, self.steps)) else plane[:, 0]),
         }
         for word, row in content.items():

@@ -28,12 +28,11 @@ from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.continuous import ContinuousIndentation, ContinuousIndentationSolution
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
-from winkler.fitting.nanoindentation.measurement import Nanoindentation
+from winkler.fitting.nanoindentation.measurement import Nanoindentation, NanoindentationSolution
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics, first_yield_stress, pop_in_statistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.nanoindentation.repetition import RepeatedMean, repeated_mean
-from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit

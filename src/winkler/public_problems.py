@@ -99,8 +99,7 @@ from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
 from winkler.problems.surface_current.constriction import SurfaceConstriction, SurfaceConstrictionSolution
-from winkler.problems.surface_friction.joint import JointStiffness
-from winkler.problems.surface_friction.joint_solution import JointStiffnessSolution
+from winkler.problems.surface_friction.joint import JointStiffness, JointStiffnessSolution
 from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution

@@ -29,6 +29,7 @@ __all__ = [
     "POISSON",
     "POSITIVE",
     "POSITIVE_OR_INFINITE",
+    "POSITIVE_QUANTITY",
     "Advice",
     "Check",
     "ComplexNumbers",
@@ -285,9 +286,10 @@ Seed: TypeAlias = Annotated[int, Whole(0)]
 FiniteRow: TypeAlias = Annotated[NDArray[Any], Numbers()]
 PositiveRow: TypeAlias = Annotated[NDArray[Any], Numbers(POSITIVE)]
 FINITE_QUANTITY = Numbers(any_shape=True)
+POSITIVE_QUANTITY = Numbers(POSITIVE, any_shape=True)
 NON_NEGATIVE_QUANTITY = Numbers(NON_NEGATIVE, any_shape=True)
 FiniteQuantity: TypeAlias = Annotated[float | NDArray[Any], FINITE_QUANTITY]
-PositiveQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(POSITIVE, any_shape=True)]
+PositiveQuantity: TypeAlias = Annotated[float | NDArray[Any], POSITIVE_QUANTITY]
 NonNegativeQuantity: TypeAlias = Annotated[float | NDArray[Any], NON_NEGATIVE_QUANTITY]
 
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from winkler.checks.number_checks import ComplexNumbers
 
-__all__ = ["Array", "ArrayLike", "ComplexArray", "Curve", "PerLoad", "Q", "Quantity", "like", "shaped"]
+__all__ = ["ZERO", "Array", "ArrayLike", "ComplexArray", "Curve", "N", "PerLoad", "Q", "Quantity", "like", "shaped"]
 
 Array = NDArray[Any]
 """Floating-point numbers (or truth values derived from them) of any shape."""
@@ -35,13 +35,15 @@ else:
         def __class_getitem__(cls, _: Any) -> type:
             return cls
 
-    Q = Quantity
+    N = Q = Quantity
+ZERO: Any = 0.0
+"""The default of what may be an array: type checkers see what is given only."""
 Curve = Callable[[Array], Array]
 """A function of one real variable, evaluated element by element."""
 
 
-def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> Quantity:
-    """Return a result as a number for one argument, as an array for many.
+def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> N:  # type: ignore[type-var]
+    """Return a result as a number for one argument, as an array for many; type checkers take the one that is expected.
 
     Parameters
     ----------
@@ -51,9 +53,9 @@ def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> Quantity:
         That of the question.
     """
     numbers = np.asarray(result) if shape is None else np.reshape(result, shape)
-    return float(numbers) if numbers.ndim == 0 else numbers
+    return float(numbers) if numbers.ndim == 0 else numbers  # type: ignore[return-value]
 
 
 def like(result: Quantity, given: N) -> N:
     """Return a result of as many numbers as `given` has as a number, or as an array of its shape."""
-    return shaped(result, np.shape(given))  # type: ignore[return-value]
+    return shaped(result, np.shape(given))

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, N, Quantity, shaped
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["Cycled", "LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of", "loss_factor", "per_unit"]
@@ -144,13 +144,13 @@ def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
     return (Note(Assumption.SLIP, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
 
 
-def per_unit(loss: Quantity, whole: Quantity) -> Quantity:
+def per_unit(loss: N, whole: Quantity) -> N:
     """Return losses over what is positive where the bodies move, and zero where they do not."""
     moving = np.asarray(whole) > 0.0
     return shaped(np.where(moving, loss / np.where(moving, whole, 1.0), 0.0))
 
 
-def loss_factor(loss: Quantity, motion: Quantity, load: Quantity) -> Quantity:
+def loss_factor(loss: N, motion: Quantity, load: Quantity) -> N:
     """Return W / (pi F U) of closed cycles [-], twice the damping ratio; zero where nothing moves."""
     return per_unit(loss, np.pi * np.asarray(motion) * np.asarray(load))
 

@@ -29,9 +29,8 @@ import numpy as np
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
-from winkler.fitting.nanoindentation.measurement import Nanoindentation
+from winkler.fitting.nanoindentation.measurement import Nanoindentation, NanoindentationSolution
 from winkler.fitting.nanoindentation.readings import area_of, factors_of
-from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.touch import white_noise
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint

@@ -23,7 +23,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.nanoindentation.solution import COMMON_SOURCES, NanoindentationSolution
+from winkler.fitting.nanoindentation.measurement import COMMON_SOURCES, NanoindentationSolution
 from winkler.fitting.several.standing_out import BatchQuantity
 from winkler.numerics.types import Array
 from winkler.values import value, words

@@ -8,9 +8,9 @@ import numpy as np
 
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
 from winkler.fitting.nanoindentation.continuous import ContinuousIndentationSolution
+from winkler.fitting.nanoindentation.measurement import NanoindentationSolution
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.fitting.nanoindentation.readings import area_of
-from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent

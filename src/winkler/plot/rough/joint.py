@@ -11,7 +11,7 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled, zero
 from winkler.plot.rough.roughness import map_panel, models_panel
 from winkler.plot.series import row_of, scale_of, series, series_of, with_unit
-from winkler.problems.surface_friction.joint_solution import JointStiffnessSolution
+from winkler.problems.surface_friction.joint import JointStiffnessSolution
 
 __all__ = ["joint_sheet"]
 

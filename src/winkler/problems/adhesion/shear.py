@@ -25,7 +25,7 @@ from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine
@@ -69,7 +69,7 @@ class ShearLimit:
 
 
 @value
-class AdhesiveShear:
+class AdhesiveShear(PerLoad[Q]):
     """A contact with attraction of short range that is pressed or pulled, then sheared without slip.  Approximate.
 
     Parameters
@@ -108,8 +108,8 @@ class AdhesiveShear:
 
     bed: Bed
     law: ShortRange
-    normal: Force | Depth
-    lateral: Shift | ShearForce
+    normal: Force[float] | Depth[float]
+    lateral: Shift[Q] | ShearForce[Q]
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "savkoor_briggs_1977")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.UNCOUPLED}
@@ -123,7 +123,7 @@ class AdhesiveShear:
                 "as the lateral load."
             )
 
-    def solve(self) -> AdhesiveShearSolution:
+    def solve(self) -> AdhesiveShearSolution[Q]:
         """Return contact radius, shift and shear force, and the greatest that can be borne.
 
         Raises
@@ -157,13 +157,13 @@ class AdhesiveShear:
         depth, force = states.depth_and_force(radius)
         stiffness = tangential_stiffness(self.bed, radius)
         shift, shear = (signed, stiffness * signed) if isinstance(self.lateral, Shift) else (signed / stiffness, signed)
-        shape = prescribed.shape
-        d, f, a, u, q = (shaped(each, shape) for each in (depth, force, radius, shift, shear))
+        columns: list[Q] = [shaped(each, prescribed.shape) for each in (depth, force, radius, shift, shear)]
+        d, f, a, u, q = columns
         return AdhesiveShearSolution(self, d, f, a, u, q, states.limit(least))
 
 
 @value
-class AdhesiveShearSolution:
+class AdhesiveShearSolution(PerLoad[Q]):
     """The solution of an `AdhesiveShear`; every quantity has the shape of the lateral load.
 
     Parameters
@@ -180,12 +180,12 @@ class AdhesiveShearSolution:
         Where the contact loses its hold when it is sheared on.
     """
 
-    problem: AdhesiveShear
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
-    shift: Quantity
-    shear_force: Quantity
+    problem: AdhesiveShear[Q]
+    depth: Q
+    force: Q
+    radius: Q
+    shift: Q
+    shear_force: Q
     limit: ShearLimit
 
     @property

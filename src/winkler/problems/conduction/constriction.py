@@ -17,9 +17,9 @@ import numpy as np
 
 from winkler.checks.number_checks import NonNegative
 from winkler.foundation.bed import Bed
-from winkler.loading import Load
+from winkler.loading import Depth, Force, Radius
 from winkler.media.conduction.conductors import ElectricalConductors
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc, mean_free_path_note
 from winkler.problems.conduction.solution import ConductingSolution
@@ -30,7 +30,7 @@ __all__ = ["Constriction", "ConstrictionSolution"]
 
 
 @value
-class Constriction:
+class Constriction(PerLoad[Q]):
     """Two conductors pressed together: their contact resistance.
 
     Parameters
@@ -73,13 +73,13 @@ class Constriction:
 
     bed: Bed
     conductors: ElectricalConductors
-    load: Load
+    load: Force[Q] | Depth[Q] | Radius[Q]
     mean_free_path: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING
 
-    def solve(self) -> ConstrictionSolution:
+    def solve(self) -> ConstrictionSolution[Q]:
         """Return the resistance and its parts.
 
         Returns
@@ -108,7 +108,7 @@ class Constriction:
 
 
 @value
-class ConstrictionSolution(ConductingSolution):
+class ConstrictionSolution(ConductingSolution["ConstrictionSolution[float]", Q]):
     """The solution of a `Constriction`; every quantity has the shape of the load.
 
     Parameters
@@ -127,21 +127,21 @@ class ConstrictionSolution(ConductingSolution):
         Of the lengths of rods [ohm]; zero without rods.
     """
 
-    problem: Constriction
-    first_constriction: Quantity
-    second_constriction: Quantity
-    film_resistance: Quantity
+    problem: Constriction[Q]
+    first_constriction: Q
+    second_constriction: Q
+    film_resistance: Q
     bulk_resistance: float
 
     @property
-    def conductance(self) -> Quantity:
+    def conductance(self) -> Q:
         """1 / R [S]; zero without contact."""
         return shaped(1.0 / np.asarray(self.resistance))
 
     @property
-    def constriction(self) -> Quantity:
+    def constriction(self) -> Q:
         """What the constriction costs in both bodies [ohm]."""
-        return self.first_constriction + self.second_constriction
+        return shaped(np.asarray(self.first_constriction) + self.second_constriction)
 
     @property
     def validity(self) -> tuple[Note, ...]:

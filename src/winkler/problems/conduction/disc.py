@@ -11,12 +11,12 @@ from winkler.errors import OutsideValidity
 from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
-from winkler.loading import Load
+from winkler.loading import Depth, Force, Radius
 from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Q
 from winkler.problems.conduction.stiffness_analogy import plain
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.validity import shape_notes
@@ -52,8 +52,8 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
 
 
 def conducting_disc(
-    bed: Bed, conductors: ElectricalConductors | HeatConductors, load: Load
-) -> tuple[IndentationSolution, Resistances]:
+    bed: Bed, conductors: ElectricalConductors | HeatConductors, load: Force[Q] | Depth[Q] | Radius[Q]
+) -> tuple[IndentationSolution[Q], Resistances]:
     """Return the contact under loads, and the resistances `(m,)` of its disc."""
     contact = Indentation(bed, load).solve()
     return contact, resistances_of(bed, conductors, np.ravel(np.asarray(contact.radius, dtype=float)))

@@ -14,12 +14,12 @@ from winkler.checks.number_checks import Advice, Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
-from winkler.loading import Load
+from winkler.loading import Depth, Force, Radius
 from winkler.materials.conducting_body import ConductingBody, Rod, parts_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import Resistances
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.heated_contact import (
@@ -41,7 +41,7 @@ KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13
 
 
 @value
-class JouleHeating:
+class JouleHeating(PerLoad[Q]):
     """A current through two conductors pressed together.
 
     Parameters
@@ -90,7 +90,7 @@ class JouleHeating:
 
     bed: Bed
     conductors: ElectricalConductors
-    load: Load
+    load: Force[Q] | Depth[Q] | Radius[Q]
     drive: Drive
     law: WiedemannFranz = DEFAULT_LAW
     temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM_TEMPERATURE
@@ -98,7 +98,7 @@ class JouleHeating:
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
 
-    def solve(self) -> JouleHeatingSolution:
+    def solve(self) -> JouleHeatingSolution[Q]:
         """Return voltage, current, heat and temperatures in the steady state.
 
         Returns
@@ -213,7 +213,7 @@ def _coefficient(body: ConductingBody) -> float:
 
 
 @value
-class JouleHeatingSolution(ConductingSolution):
+class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q]):
     """The solution of a `JouleHeating`; every quantity has the shape of the load.
 
     Parameters
@@ -244,21 +244,21 @@ class JouleHeatingSolution(ConductingSolution):
         edge_temperature=("T_{c,a}", "K", "temperature of the contact at its edge"),
     )
 
-    problem: JouleHeating
-    cold_resistance: Quantity
-    current: Quantity
-    voltage: Quantity
-    film_voltage: Quantity
-    heat_rate: Quantity
-    contact_temperature: Quantity
-    middle_temperature: Quantity
-    edge_temperature: Quantity
-    max_temperature: Quantity
+    problem: JouleHeating[Q]
+    cold_resistance: Q
+    current: Q
+    voltage: Q
+    film_voltage: Q
+    heat_rate: Q
+    contact_temperature: Q
+    middle_temperature: Q
+    edge_temperature: Q
+    max_temperature: Q
 
     @property
-    def rise(self) -> Quantity:
+    def rise(self) -> Q:
         """Supertemperature: by how much the hottest place is hotter than the bodies [K]."""
-        return self.max_temperature - self.problem.temperature
+        return shaped(self.max_temperature - self.problem.temperature)
 
     @property
     def validity(self) -> tuple[Note, ...]:

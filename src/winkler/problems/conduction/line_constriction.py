@@ -12,7 +12,6 @@ current, from that of a strip of one voltage towards an even one, which costs at
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import ClassVar
 
@@ -27,7 +26,7 @@ from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import HOLM
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.validity import Assumption, Note, Standing
@@ -40,7 +39,7 @@ MOST_SPREADING = (1.5 - 2.0 * math.log(2.0)) / math.pi
 
 
 @value
-class LineConstriction:
+class LineConstriction(PerLoad[Q]):
     """Two conductors in line contact: their contact resistance, per length, against points that are stated.
 
     Parameters
@@ -85,7 +84,7 @@ class LineConstriction:
 
     bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     conductors: ElectricalConductors
-    load: LineForce | HalfWidth | MeanPressure
+    load: LineForce[Q] | HalfWidth[Q] | MeanPressure[Q]
     first_depth: Positive
     second_depth: Positive
 
@@ -105,7 +104,7 @@ class LineConstriction:
             )
         return first.resistivity, second.resistivity
 
-    def solve(self) -> LineConstrictionSolution:
+    def solve(self) -> LineConstrictionSolution[Q]:
         """Return the resistance and its parts.
 
         Raises
@@ -127,7 +126,7 @@ class LineConstriction:
 
 
 @value
-class LineConstrictionSolution:
+class LineConstrictionSolution(PerLoad[Q]):
     """The solution of a `LineConstriction`; every quantity has the shape of the load.
 
     Parameters
@@ -150,26 +149,26 @@ class LineConstrictionSolution:
         film_resistance_per_length=("R'_f", "ohm m", "resistance of the film, times length"),
     )
 
-    problem: LineConstriction
-    contact: LineSolution
-    resistance_per_length: Quantity
-    first_constriction_per_length: Quantity
-    second_constriction_per_length: Quantity
-    film_resistance_per_length: Quantity
+    problem: LineConstriction[Q]
+    contact: LineSolution[Q]
+    resistance_per_length: Q
+    first_constriction_per_length: Q
+    second_constriction_per_length: Q
+    film_resistance_per_length: Q
 
     per_load: ClassVar[str] = "resistance_per_length"
 
     @property
-    def force_per_length(self) -> Quantity:
+    def force_per_length(self) -> Q:
         """P [N/m]."""
         return self.contact.force_per_length
 
     @property
-    def half_width(self) -> Quantity:
+    def half_width(self) -> Q:
         """Half-width of the strip a [m]."""
         return self.contact.half_width
 
-    def at(self, index: int | tuple[int, ...]) -> LineConstrictionSolution:
+    def at(self, index: int | tuple[int, ...]) -> LineConstrictionSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters
@@ -182,7 +181,8 @@ class LineConstrictionSolution:
         InvalidInput
             If there is no such load.
         """
-        return dataclasses.replace(self.problem, load=self.contact.at(index).problem.load).solve()
+        given, load = self.problem, self.contact.at(index).problem.load
+        return LineConstriction(given.bed, given.conductors, load, given.first_depth, given.second_depth).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
 from winkler.foundation.bed import PressedSprings
-from winkler.numerics.types import Quantity
+from winkler.numerics.types import PerLoad, Q
 from winkler.problems.conduction.disc import scope_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.yield_statement import yield_notes_of_bed
@@ -19,8 +19,12 @@ from winkler.values import value
 __all__ = ["ConductingSolution"]
 
 
+One = TypeVar("One", covariant=True)
+"""The solution of one load."""
+
+
 @value
-class ConductingSolution:
+class ConductingSolution(PerLoad[One, Q]):
     """The contact through which something flows; every quantity has the shape of the load.
 
     Parameters
@@ -34,10 +38,10 @@ class ConductingSolution:
     """
 
     problem: Any
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
-    resistance: Quantity
+    depth: Q
+    force: Q
+    radius: Q
+    resistance: Q
 
     per_load: ClassVar[str] = "depth"
 
@@ -54,7 +58,7 @@ class ConductingSolution:
         yielding = yield_notes_of_bed(bed, depth, radius) if strong_parts(bed.medium) else ()
         return (*scope_notes(bed, conductors, radius), *yielding, *conductors.notes)
 
-    def at(self, index: int | tuple[int, ...]) -> Self:
+    def at(self, index: int | tuple[int, ...]) -> One:
         """Return the solution of one load of an array.
 
         Raises
@@ -63,5 +67,5 @@ class ConductingSolution:
             If there is no such load.
         """
         load, *_ = picked(self.problem.load, index, self.depth, self.force, self.radius)
-        one: Self = dataclasses.replace(self.problem, load=load).solve()
+        one: One = dataclasses.replace(self.problem, load=load).solve()
         return one

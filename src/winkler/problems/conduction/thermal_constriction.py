@@ -14,11 +14,11 @@ import numpy as np
 
 from winkler.checks.number_checks import Finite
 from winkler.foundation.bed import Bed
-from winkler.loading import Load
+from winkler.loading import Depth, Force, Radius
 from winkler.materials.conducting_body import parts_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.solution import ConductingSolution
@@ -29,7 +29,7 @@ __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
 
 
 @value
-class ThermalConstriction:
+class ThermalConstriction(PerLoad[Q]):
     """Two bodies of different temperature pressed together: the heat that flows.
 
     Parameters
@@ -69,13 +69,13 @@ class ThermalConstriction:
 
     bed: Bed
     conductors: HeatConductors
-    load: Load
+    load: Force[Q] | Depth[Q] | Radius[Q]
     temperature_drop: Finite
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
 
-    def solve(self) -> ThermalConstrictionSolution:
+    def solve(self) -> ThermalConstrictionSolution[Q]:
         """Return the heat rate and its resistances.
 
         Returns
@@ -112,7 +112,7 @@ def _drop(heat: Array, constriction: Array, bulk: float) -> Array:
 
 
 @value
-class ThermalConstrictionSolution(ConductingSolution):
+class ThermalConstrictionSolution(ConductingSolution["ThermalConstrictionSolution[float]", Q]):
     """The solution of a `ThermalConstriction`; every quantity has the shape of the load.
 
     Parameters
@@ -143,16 +143,16 @@ class ThermalConstrictionSolution(ConductingSolution):
         heat_rate=("Q", "W", "heat per time, from the first body to the second"),
     )
 
-    problem: ThermalConstriction
-    constriction: Quantity
-    interface_resistance: Quantity
+    problem: ThermalConstriction[Q]
+    constriction: Q
+    interface_resistance: Q
     bulk_resistance: float
-    heat_rate: Quantity
-    first_drop: Quantity
-    second_drop: Quantity
+    heat_rate: Q
+    first_drop: Q
+    second_drop: Q
 
     @property
-    def conductance(self) -> Quantity:
+    def conductance(self) -> Q:
         """Heat rate per drop of temperature [W/K]; zero without contact."""
         return shaped(1.0 / np.asarray(self.resistance))
 

@@ -24,12 +24,12 @@ import numpy as np
 
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import (
+    FINITE_QUANTITY,
+    NON_NEGATIVE_QUANTITY,
     Advice,
     Count,
     Finite,
-    FiniteQuantity,
     NonNegative,
-    NonNegativeQuantity,
     affordable,
 )
 from winkler.errors import InvalidInput
@@ -38,7 +38,7 @@ from winkler.laws.friction import Coulomb
 from winkler.limits import MOST_SPRINGS
 from winkler.loading import Depth, Shift
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import Path
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping import DampingSolution
@@ -47,7 +47,6 @@ from winkler.problems.friction.damping_validity import STEADY, damping_notes
 from winkler.problems.friction.spring_cycle import SpringCycle
 from winkler.problems.last_cycle import per_unit
 from winkler.problems.method import Method, refuse_method
-from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.ring_slip.moving_notes import IN_CYCLES, moving_ring_notes
 from winkler.problems.ring_slip.push_bound import pushed_body
@@ -72,7 +71,7 @@ AMPLITUDE_ADVICE = Advice("how far to each side; turn the phase by pi instead of
 
 
 @value
-class BimodalDamping:
+class BimodalDamping(PerLoad[Q]):
     """A contact that is pressed and pushed along the surface in harmonic motion, d_0 + A_z cos, A_x cos(. + phase).
 
     Parameters
@@ -127,8 +126,8 @@ class BimodalDamping:
     law: Annotated[Coulomb, WITH_FRICTION]
     depth: Finite
     depth_amplitude: Annotated[NonNegative, AMPLITUDE_ADVICE]
-    shift_amplitude: Annotated[NonNegativeQuantity, AMPLITUDE_ADVICE]
-    phase: FiniteQuantity = 0.0
+    shift_amplitude: Annotated[Q, NON_NEGATIVE_QUANTITY, AMPLITUDE_ADVICE]
+    phase: Annotated[Q | float, FINITE_QUANTITY] = 0.0
     normal_cycles: Count = 1
     lateral_cycles: Count = 1
     method: Method = Method.AUTO
@@ -155,7 +154,7 @@ class BimodalDamping:
                 f"{np.shape(self.phase)}; give shapes that go together."
             ) from None
 
-    def solve(self) -> BimodalDampingSolution:
+    def solve(self) -> BimodalDampingSolution[Q]:
         """Return the loss of every closed cycle, in the steady state.
 
         Returns
@@ -260,7 +259,7 @@ class BimodalDamping:
 
 
 @value
-class BimodalDampingSolution(DampingSolution):
+class BimodalDampingSolution(DampingSolution[Q]):
     """The solution of a `BimodalDamping`; arrays have the shape of amplitude and phase together.
 
     Parameters
@@ -273,12 +272,11 @@ class BimodalDampingSolution(DampingSolution):
         Energy lost in every closed cycle [J].
     """
 
-    problem: BimodalDamping
-    contact: IndentationSolution
-    loss_per_cycle: Quantity
+    problem: BimodalDamping[Q]
+    loss_per_cycle: Q
 
     @property
-    def loss_stiffness(self) -> Quantity:
+    def loss_stiffness(self) -> Q:
         """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper."""
         moved = np.broadcast_to(self.problem.shift_amplitude, np.shape(self.loss_per_cycle))
         return per_unit(self.loss_per_cycle, np.pi * moved**2 * self.problem.lateral_cycles)

@@ -15,16 +15,16 @@ as the whole does not slide away: the loop depends on the amplitude alone.
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.loading import ShearForce
-from winkler.numerics.types import Array, Quantity, shaped
-from winkler.path import OneNormal, Swing, numbers_of
+from winkler.loading import ShearForce, Shift
+from winkler.numerics.types import Array, PerLoad, Q, shaped
+from winkler.path import SWING, OneNormal, numbers_of
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
@@ -44,7 +44,7 @@ FORCE_ROUNDING = 1e-12
 
 
 @value
-class FrictionDamping:
+class FrictionDamping(PerLoad[Q]):
     """A contact pushed to and fro along the surface, under a steady normal load.
 
     Parameters
@@ -99,7 +99,7 @@ class FrictionDamping:
     bed: Bed
     law: Sliding
     normal: OneNormal
-    amplitude: Swing
+    amplitude: Annotated[Shift[Q] | ShearForce[Q], SWING]
     method: Method = Method.AUTO
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
@@ -109,7 +109,7 @@ class FrictionDamping:
         if self.method is Method.RINGS:
             pushed_body(self.bed, "FrictionDamping")
 
-    def solve(self) -> FrictionDampingSolution:
+    def solve(self) -> FrictionDampingSolution[Q]:
         """Return the loss per cycle with the stiffness and the loss factor that belong to it.
 
         Returns
@@ -138,9 +138,8 @@ class FrictionDamping:
             moved = springs.shift(force)
         else:
             moved, force = flat, springs.force(flat)
-        results = (moved, force, springs.loss(moved))
-        shift, shear_force, loss = (shaped(result, prescribed.shape) for result in results)
-        return FrictionDampingSolution(self, contact, shift, shear_force, loss)
+        columns: list[Q] = [shaped(each, prescribed.shape) for each in (moved, force, springs.loss(moved))]
+        return FrictionDampingSolution(self, contact, *columns)
 
     def _bearable(self, targets: Array, force: float) -> float:
         """Return the sliding force [N]; refuse what exceeds it."""
@@ -157,7 +156,7 @@ class FrictionDamping:
 
 
 @value
-class DampingSolution:
+class DampingSolution(PerLoad[Q]):
     """What solutions of damping by friction have in common.
 
     Parameters
@@ -169,14 +168,14 @@ class DampingSolution:
     """
 
     problem: Any
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
 
     @property
-    def loss_stiffness(self) -> Quantity:
+    def loss_stiffness(self) -> Q:
         """Loss per cycle over pi times the square of the shift [N/m]."""
         raise NotImplementedError
 
-    def damping(self, frequency: float) -> Quantity:
+    def damping(self, frequency: float) -> Q:
         """Return the viscous damper that loses as much.
 
         Parameters
@@ -198,7 +197,7 @@ class DampingSolution:
 
 
 @value
-class FrictionDampingSolution(DampingSolution):
+class FrictionDampingSolution(DampingSolution[Q]):
     """The solution of a `FrictionDamping`; every quantity has the shape of the amplitude.
 
     Parameters
@@ -215,14 +214,13 @@ class FrictionDampingSolution(DampingSolution):
         Energy lost in every cycle [J].
     """
 
-    problem: FrictionDamping
-    contact: IndentationSolution
-    shift: Quantity
-    shear_force: Quantity
-    loss_per_cycle: Quantity
+    problem: FrictionDamping[Q]
+    shift: Q
+    shear_force: Q
+    loss_per_cycle: Q
 
     @property
-    def secant_stiffness(self) -> Quantity:
+    def secant_stiffness(self) -> Q:
         """Amplitude of the force over that of the shift [N/m]; at no amplitude the stiffness without slip."""
         moving = np.asarray(self.shift) > 0.0
         stuck = 0.0
@@ -231,7 +229,7 @@ class FrictionDampingSolution(DampingSolution):
         return shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
 
     @property
-    def loss_stiffness(self) -> Quantity:
+    def loss_stiffness(self) -> Q:
         """W / (pi U^2) [N/m], the imaginary part of the equivalent linear spring.
 
         Divided by the angular frequency it is the viscous damper.
@@ -239,7 +237,7 @@ class FrictionDampingSolution(DampingSolution):
         return per_unit(self.loss_per_cycle, np.pi * np.asarray(self.shift) ** 2)
 
     @property
-    def loss_factor(self) -> Quantity:
+    def loss_factor(self) -> Q:
         """W / (pi F_x U) [-]: the loss per radian over the greatest energy of a spring with the secant stiffness.
 
         Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.

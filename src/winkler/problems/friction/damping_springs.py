@@ -118,7 +118,9 @@ def stuck_stiffness(bed: Bed, edges: Array, tolerance: float) -> float:
     return 2.0 * float(total[0])
 
 
-def oscillating_contact(owner: str, bed: Bed, depth: float, amplitude: float) -> tuple[IndentationSolution, float]:
+def oscillating_contact(
+    owner: str, bed: Bed, depth: float, amplitude: float
+) -> tuple[IndentationSolution[float], float]:
     """Return the contact at its greatest depth, and its radius at the least one [m]; refuse bodies that never touch."""
     deepest = Indentation(bed, Depth(depth + amplitude)).solve()
     if float(deepest.radius) == 0.0:

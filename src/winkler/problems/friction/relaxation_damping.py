@@ -144,7 +144,7 @@ class RelaxationDamperSolution:
     """
 
     problem: RelaxationDamper
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
     damping: float
     shear_stiffness: float
 

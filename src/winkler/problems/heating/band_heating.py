@@ -11,14 +11,14 @@ Jaeger's band source.  A body that rests against an endless band has no steady t
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity, PositiveQuantity
+from winkler.checks.number_checks import FINITE_QUANTITY, NON_NEGATIVE_QUANTITY, POSITIVE_QUANTITY
 from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import Q, shaped
 from winkler.problems.heating.band_flux import EvenBand
 from winkler.problems.heating.one_result import SPEEDS, one_problem, one_result
 from winkler.problems.heating.strip_heating import StripHeating, StripTemperatures
@@ -30,7 +30,7 @@ __all__ = ["BandHeating", "BandHeatingSolution"]
 
 
 @value
-class BandHeating(StripHeating):
+class BandHeating(StripHeating[Q]):
     """One or two bodies that move past an even band of heat.
 
     Parameters
@@ -75,11 +75,11 @@ class BandHeating(StripHeating):
 
     __words__ = words(half_width=("a", "m", "half-width of the band"))
 
-    half_width: PositiveQuantity
-    heat_flux: NonNegativeQuantity
+    half_width: Annotated[Q, POSITIVE_QUANTITY]
+    heat_flux: Annotated[Q, NON_NEGATIVE_QUANTITY]
     conductors: HeatConductors
-    first_speed: FiniteQuantity
-    second_speed: FiniteQuantity
+    first_speed: Annotated[Q | float, FINITE_QUANTITY]
+    second_speed: Annotated[Q | float, FINITE_QUANTITY]
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963")
@@ -89,7 +89,7 @@ class BandHeating(StripHeating):
         super().__post_init__()
         self._check_speeds(half_width=self.half_width, heat_flux=self.heat_flux)
 
-    def solve(self) -> BandHeatingSolution:
+    def solve(self) -> BandHeatingSolution[Q]:
         """Return how warm the bodies get.
 
         Returns
@@ -107,7 +107,7 @@ class BandHeating(StripHeating):
 
 
 @value
-class BandHeatingSolution(StripTemperatures):
+class BandHeatingSolution(StripTemperatures[Q]):
     """The solution of a `BandHeating`; each quantity has the common shape of half-width, flux and speeds.
 
     Temperatures are rises above that of the bodies far away.
@@ -132,22 +132,22 @@ class BandHeatingSolution(StripTemperatures):
 
     __words__ = words(half_width=("a", "m", "half-width of the band"))
 
-    problem: BandHeating
-    half_width: Quantity
-    heat_per_length: Quantity
-    first_share: Quantity
-    first_peclet: Quantity
-    second_peclet: Quantity
-    first_max_temperature: Quantity
-    second_max_temperature: Quantity
-    first_mean_temperature: Quantity
-    second_mean_temperature: Quantity
+    problem: BandHeating[Q]
+    half_width: Q
+    heat_per_length: Q
+    first_share: Q
+    first_peclet: Q
+    second_peclet: Q
+    first_max_temperature: Q
+    second_max_temperature: Q
+    first_mean_temperature: Q
+    second_mean_temperature: Q
 
     @property
     def _heated(self) -> EvenBand:
         return EvenBand(self.problem.half_width)
 
-    def at(self, index: int | tuple[int, ...]) -> BandHeatingSolution:
+    def at(self, index: int | tuple[int, ...]) -> BandHeatingSolution[float]:
         """Return the solution of one half-width, flux and speed of an array.
 
         Parameters

@@ -8,18 +8,18 @@ the surface in closed form (`winkler.numerics.fields.elliptic_source`); the two 
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, FiniteQuantity
+from winkler.checks.number_checks import FINITE_QUANTITY, Advice
 from winkler.errors import InvalidInput
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import PerLoad, Q, Quantity, shaped
 from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
@@ -40,7 +40,7 @@ __all__ = ["EllipticFrictionHeating", "EllipticFrictionHeatingSolution"]
 
 
 @value
-class EllipticFrictionHeating(RubbingBodies):
+class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
     """Two bodies of two curvatures each that slide on each other, or roll and slide, and warm up.
 
     Parameters
@@ -104,10 +104,10 @@ class EllipticFrictionHeating(RubbingBodies):
     bodies: CurvedBodies | CurvedPair
     medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
     law: Overcome
-    load: Force | Depth
+    load: Force[Q] | Depth[Q]
     conductors: HeatConductors
-    first_speed: FiniteQuantity
-    second_speed: FiniteQuantity = 0.0
+    first_speed: Annotated[Q | float, FINITE_QUANTITY]
+    second_speed: Annotated[Q | float, FINITE_QUANTITY] = 0.0
     first_direction: Turn = 0.0
     second_direction: Turn = 0.0
     partition: HeatPartition = EqualMaximum()
@@ -136,7 +136,7 @@ class EllipticFrictionHeating(RubbingBodies):
         """Angles of both velocities to x [rad]."""
         return self.first_direction, self.second_direction
 
-    def solve(self) -> EllipticFrictionHeatingSolution:
+    def solve(self) -> EllipticFrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
 
         Raises
@@ -167,12 +167,12 @@ class EllipticFrictionHeating(RubbingBodies):
         between = self.first_direction - self.second_direction
         sliding = np.hypot(first * math.cos(between) - second, first * math.sin(between))
         heat = self.law.coefficient * force * sliding
-        columns = (shaped(each) for each in (heat, table[0], *peclets, *(table[1:] * heat)))
+        columns: list[Q] = [shaped(each) for each in (heat, table[0], *peclets, *(table[1:] * heat))]
         return EllipticFrictionHeatingSolution(self, contact, *columns)
 
 
 @value
-class EllipticFrictionHeatingSolution:
+class EllipticFrictionHeatingSolution(PerLoad[Q]):
     """The solution of an `EllipticFrictionHeating`; each quantity has the common shape of load and speeds.
 
     Temperatures are rises above that of the bodies far away.
@@ -201,35 +201,35 @@ class EllipticFrictionHeatingSolution:
         second=("2", None, "the second body with its temperature"),
     )
 
-    problem: EllipticFrictionHeating
-    contact: EllipticSolution
-    heat_rate: Quantity
-    first_share: Quantity
-    first_peclet: Quantity
-    second_peclet: Quantity
-    first_max_temperature: Quantity
-    second_max_temperature: Quantity
-    first_mean_temperature: Quantity
-    second_mean_temperature: Quantity
+    problem: EllipticFrictionHeating[Q]
+    contact: EllipticSolution[Q]
+    heat_rate: Q
+    first_share: Q
+    first_peclet: Q
+    second_peclet: Q
+    first_max_temperature: Q
+    second_max_temperature: Q
+    first_mean_temperature: Q
+    second_mean_temperature: Q
 
     per_load: ClassVar[str] = "heat_rate"
 
     @property
-    def flash_temperature(self) -> Quantity:
+    def flash_temperature(self) -> Q:
         """The greatest temperature of the contact, that of the warmer body [K]."""
         return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
 
     @property
-    def stationary_temperature(self) -> Quantity:
+    def stationary_temperature(self) -> Q:
         """What the rule of slow sliding gives for the flash temperature [K]: both bodies as if at rest."""
         return self._estimate(0.0, 0.0)
 
     @property
-    def fast_temperature(self) -> Quantity:
+    def fast_temperature(self) -> Q:
         """What the flash temperature tends to when all that moves does so fast [K]; a body at rest stays at rest."""
         return self._estimate(self.first_peclet, self.second_peclet)
 
-    def _estimate(self, *peclets: Quantity) -> Quantity:
+    def _estimate(self, *peclets: Quantity) -> Q:
         contact, problem = self.contact, self.problem
         axes = np.broadcast_arrays(contact.longitudinal_semi_axis, contact.lateral_semi_axis, self.heat_rate)[:2]
         warm = axes[0] > 0.0
@@ -241,7 +241,7 @@ class EllipticFrictionHeatingSolution:
         return shaped(np.where(warm, found * self.heat_rate, 0.0))
 
     @property
-    def overestimate(self) -> Quantity:
+    def overestimate(self) -> Q:
         """By how much the rule of slow sliding exceeds the flash temperature, relative to that [-]."""
         flash = np.asarray(self.flash_temperature)
         warm = flash > 0.0
@@ -266,7 +266,7 @@ class EllipticFrictionHeatingSolution:
             problem._bodies[which], float(speed), problem._directions[which], float(share) * heat, *axes
         )
 
-    def at(self, index: int | tuple[int, ...]) -> EllipticFrictionHeatingSolution:
+    def at(self, index: int | tuple[int, ...]) -> EllipticFrictionHeatingSolution[float]:
         """Return the solution of one load and speed of an array.
 
         Parameters
@@ -281,7 +281,8 @@ class EllipticFrictionHeatingSolution:
         """
         shape = np.shape(self.heat_rate)
         place, columns = one_result(self, index)
-        load = type(self.problem.load)(float(np.broadcast_to(load_number(self.problem.load), shape)[place]))
+        kind: type[Any] = type(self.problem.load)
+        load = kind(float(np.broadcast_to(load_number(self.problem.load), shape)[place]))
         problem = one_problem(self.problem, shape, place, load=load)
         contact = EllipticIndentation(problem.bodies, problem.medium, problem.load).solve()
         return EllipticFrictionHeatingSolution(problem, contact, **columns)

@@ -13,11 +13,11 @@ no steady temperature: it becomes warmer and warmer with the logarithm of time.
 from __future__ import annotations
 
 import dataclasses
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity
+from winkler.checks.number_checks import FINITE_QUANTITY
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
@@ -25,7 +25,7 @@ from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.loading import HalfWidth, LineForce, MeanPressure
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import Q, shaped
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
@@ -38,7 +38,7 @@ __all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
 
 
 @value
-class LineFrictionHeating(StripHeating):
+class LineFrictionHeating(StripHeating[Q]):
     """Two bodies in line contact that slide on each other, or roll and slide, and warm up.
 
     Parameters
@@ -97,10 +97,10 @@ class LineFrictionHeating(StripHeating):
 
     bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Overcome
-    load: LineForce | HalfWidth | MeanPressure
+    load: LineForce[Q] | HalfWidth[Q] | MeanPressure[Q]
     conductors: HeatConductors
-    first_speed: FiniteQuantity
-    second_speed: FiniteQuantity
+    first_speed: Annotated[Q | float, FINITE_QUANTITY]
+    second_speed: Annotated[Q | float, FINITE_QUANTITY]
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "johnson_1985")
@@ -112,7 +112,7 @@ class LineFrictionHeating(StripHeating):
         given = dataclasses.astuple(self.load)[0]
         self._check_speeds(load=given)
 
-    def solve(self) -> LineFrictionHeatingSolution:
+    def solve(self) -> LineFrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
 
         Returns
@@ -132,7 +132,7 @@ class LineFrictionHeating(StripHeating):
 
 
 @value
-class LineFrictionHeatingSolution(StripTemperatures):
+class LineFrictionHeatingSolution(StripTemperatures[Q]):
     """The solution of a `LineFrictionHeating`; each quantity has the common shape of load and speeds.
 
     Temperatures are rises above that of the bodies far away.
@@ -156,27 +156,27 @@ class LineFrictionHeatingSolution(StripTemperatures):
         Mean temperature of either surface over the strip [K].
     """
 
-    problem: LineFrictionHeating
-    contact: LineSolution
-    heat_per_length: Quantity
-    first_share: Quantity
-    first_peclet: Quantity
-    second_peclet: Quantity
-    first_max_temperature: Quantity
-    second_max_temperature: Quantity
-    first_mean_temperature: Quantity
-    second_mean_temperature: Quantity
+    problem: LineFrictionHeating[Q]
+    contact: LineSolution[Q]
+    heat_per_length: Q
+    first_share: Q
+    first_peclet: Q
+    second_peclet: Q
+    first_max_temperature: Q
+    second_max_temperature: Q
+    first_mean_temperature: Q
+    second_mean_temperature: Q
 
     @property
-    def half_width(self) -> Quantity:
+    def half_width(self) -> Q:
         """Half-width of the strip a [m]."""
         return shaped(np.broadcast_to(self.contact.half_width, np.shape(self.heat_per_length)))
 
     @property
-    def _heated(self) -> LineSolution:
+    def _heated(self) -> LineSolution[Q]:
         return self.contact
 
-    def at(self, index: int | tuple[int, ...]) -> LineFrictionHeatingSolution:
+    def at(self, index: int | tuple[int, ...]) -> LineFrictionHeatingSolution[float]:
         """Return the solution of one load and speed of an array.
 
         Parameters

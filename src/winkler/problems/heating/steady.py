@@ -14,18 +14,18 @@ by itself (`winkler.numerics.fields.moving_source`).  The two bodies share the h
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity
+from winkler.checks.number_checks import FINITE_QUANTITY
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
-from winkler.loading import Load
+from winkler.loading import Depth, Force, Radius
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import load_number
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
@@ -45,7 +45,7 @@ __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 
 @value
-class FrictionHeating(RubbingPlatedBodies):
+class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
     """Two bodies that slide on each other and warm up.
 
     Parameters
@@ -99,10 +99,10 @@ class FrictionHeating(RubbingPlatedBodies):
 
     bed: Bed
     law: Overcome
-    load: Load
+    load: Force[Q] | Depth[Q] | Radius[Q]
     conductors: HeatConductors
-    first_speed: FiniteQuantity
-    second_speed: FiniteQuantity = 0.0
+    first_speed: Annotated[Q | float, FINITE_QUANTITY]
+    second_speed: Annotated[Q | float, FINITE_QUANTITY] = 0.0
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "tian_kennedy_1994", "popov_hess_2015")
@@ -120,7 +120,7 @@ class FrictionHeating(RubbingPlatedBodies):
                 f"{shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
             ) from None
 
-    def solve(self) -> FrictionHeatingSolution:
+    def solve(self) -> FrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
 
         Returns
@@ -147,7 +147,7 @@ class FrictionHeating(RubbingPlatedBodies):
 
 
 @value
-class FrictionHeatingSolution:
+class FrictionHeatingSolution(PerLoad[Q]):
     """The solution of a `FrictionHeating`; every quantity has the common shape of load and speeds.
 
     Temperatures are rises above that of the bodies far away.
@@ -176,31 +176,31 @@ class FrictionHeatingSolution:
         second=("2", None, "the second body with its temperature"),
     )
 
-    problem: FrictionHeating
-    contact: IndentationSolution
-    heat_rate: Quantity
-    first_share: Quantity
-    first_peclet: Quantity
-    second_peclet: Quantity
-    first_max_temperature: Quantity
-    second_max_temperature: Quantity
-    first_mean_temperature: Quantity
-    second_mean_temperature: Quantity
+    problem: FrictionHeating[Q]
+    contact: IndentationSolution[Q]
+    heat_rate: Q
+    first_share: Q
+    first_peclet: Q
+    second_peclet: Q
+    first_max_temperature: Q
+    second_max_temperature: Q
+    first_mean_temperature: Q
+    second_mean_temperature: Q
 
     per_load: ClassVar[str] = "heat_rate"
 
     @property
-    def radius(self) -> Quantity:
+    def radius(self) -> Q:
         """Radius of the contact a [m]."""
         return shaped(np.broadcast_to(self.contact.radius, np.shape(self.heat_rate)))
 
     @property
-    def flash_temperature(self) -> Quantity:
+    def flash_temperature(self) -> Q:
         """The greatest temperature of the contact, that of the warmer body [K]."""
         return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
 
     @property
-    def stationary_temperature(self) -> Quantity:
+    def stationary_temperature(self) -> Q:
         """What the rule of slow sliding gives for the flash temperature [K]: both bodies as if at rest.
 
         mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the greatest displacement is d.
@@ -208,7 +208,7 @@ class FrictionHeatingSolution:
         return self._estimate(stationary)
 
     @property
-    def fast_temperature(self) -> Quantity:
+    def fast_temperature(self) -> Q:
         """What the flash temperature tends to when all that moves does so fast [K]; a body at rest stays at rest.
 
         Infinite under a rigid punch with a sharp edge.
@@ -216,18 +216,18 @@ class FrictionHeatingSolution:
         return self._estimate(fast)
 
     @property
-    def tian_kennedy_temperature(self) -> Quantity:
+    def tian_kennedy_temperature(self) -> Q:
         """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are left out."""
         return self._estimate(tian_kennedy)
 
-    def _estimate(self, per_watt: Callable[[HeatSource, HeatBody, Array], Array]) -> Quantity:
+    def _estimate(self, per_watt: Callable[[HeatSource, HeatBody, Array], Array]) -> Q:
         problem, shape = self.problem, np.shape(self.heat_rate)
         first, second = (np.broadcast_to(each, shape) for each in (problem.first_speed, problem.second_speed))
         found = estimated(per_watt, self.contact, problem._bodies, problem.partition, (first, second))
         return shaped(found * self.heat_rate)
 
     @property
-    def overestimate(self) -> Quantity:
+    def overestimate(self) -> Q:
         """By how much the rule of slow sliding exceeds the flash temperature, relative to that [-]."""
         flash = np.asarray(self.flash_temperature)
         warm = flash > 0.0
@@ -249,7 +249,7 @@ class FrictionHeatingSolution:
         speed = (self.problem.first_speed, self.problem.second_speed)[which]
         return HeatedBody(self.problem._bodies[which], float(speed), float(share) * heat, self.contact.pressed)
 
-    def at(self, index: int | tuple[int, ...]) -> FrictionHeatingSolution:
+    def at(self, index: int | tuple[int, ...]) -> FrictionHeatingSolution[float]:
         """Return the solution of one load and speed of an array.
 
         Parameters

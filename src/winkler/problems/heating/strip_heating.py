@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.laws.heat import FixedShare, HeatPartition
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.heating.band_flux import HeatedLine
 from winkler.problems.heating.heated_strip import HeatedStrip
 from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers
@@ -22,11 +22,11 @@ from winkler.values import words
 __all__ = ["StripHeating", "StripTemperatures"]
 
 
-class StripHeating(RubbingPlatedBodies):
+class StripHeating(RubbingPlatedBodies, PerLoad[Q]):
     """A problem of two bodies that move past a strip of heat: what it refuses, and how warm they get."""
 
-    first_speed: Quantity
-    second_speed: Quantity
+    first_speed: Q | float
+    second_speed: Q | float
     partition: HeatPartition
 
     def _check_speeds(self, **given: Quantity) -> None:
@@ -53,7 +53,7 @@ class StripHeating(RubbingPlatedBodies):
     def _speeds(self) -> tuple[Array, Array]:
         return np.asarray(self.first_speed, dtype=float), np.asarray(self.second_speed, dtype=float)
 
-    def _columns(self, heated: HeatedLine, heat_per_length: Array) -> list[Quantity]:
+    def _columns(self, heated: HeatedLine, heat_per_length: Array) -> list[Q]:
         """Return heat, share, Peclet numbers, greatest and mean temperatures; the heat is of their common shape."""
         owner, rates = type(self).__name__, [np.broadcast_to(each, heat_per_length.shape) for each in self._speeds]
         peclets = peclet_numbers(owner, heated.half_width, rates, self._bodies)
@@ -61,7 +61,7 @@ class StripHeating(RubbingPlatedBodies):
         return [shaped(each) for each in (heat_per_length, table[0], *peclets, *(table[1:] * heat_per_length))]
 
 
-class StripTemperatures:
+class StripTemperatures(PerLoad[Q]):
     """A solution of two bodies that move past a strip of heat."""
 
     __words__ = words(
@@ -70,14 +70,14 @@ class StripTemperatures:
     )
 
     problem: Any
-    heat_per_length: Quantity
-    first_share: Quantity
-    first_peclet: Quantity
-    second_peclet: Quantity
-    first_max_temperature: Quantity
-    second_max_temperature: Quantity
-    first_mean_temperature: Quantity
-    second_mean_temperature: Quantity
+    heat_per_length: Q
+    first_share: Q
+    first_peclet: Q
+    second_peclet: Q
+    first_max_temperature: Q
+    second_max_temperature: Q
+    first_mean_temperature: Q
+    second_mean_temperature: Q
 
     per_load: ClassVar[str] = "heat_per_length"
 
@@ -87,12 +87,12 @@ class StripTemperatures:
         raise NotImplementedError
 
     @property
-    def flash_temperature(self) -> Quantity:
+    def flash_temperature(self) -> Q:
         """The greatest temperature of the strip, that of the warmer body [K]."""
         return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
 
     @property
-    def fast_temperature(self) -> Quantity:
+    def fast_temperature(self) -> Q:
         """What the flash temperature tends to when both surfaces move fast [K]: Blok's formula under Hertz' pressure,
         Jaeger's under an even flux.
 

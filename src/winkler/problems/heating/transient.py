@@ -171,7 +171,7 @@ class TransientHeatingSolution:
     """
 
     problem: TransientHeating
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
     heat_rate: float
     time: Array
     first_share: Array

@@ -24,7 +24,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
 from winkler.loading import HalfWidth, LineForce
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import margin
 from winkler.problems.adhesion.stability import Branch
@@ -43,7 +43,7 @@ __all__ = ["LayeredLineAdhesionSolution", "LineAdhesion", "LineAdhesionSolution"
 
 
 @value
-class LineAdhesion:
+class LineAdhesion(PerLoad[Q]):
     """A cylinder, a wedge or another two-dimensional body that sticks to a half-plane or to layers, in plane strain.
 
     Parameters
@@ -84,12 +84,12 @@ class LineAdhesion:
 
     bed: LineFoundation | LayeredLineFoundation
     law: LineLaw
-    load: LineForce | HalfWidth
+    load: LineForce[Q] | HalfWidth[Q]
 
     references: ClassVar[tuple[str, ...]] = ("barquins_1988", "chaudhury_1996", "baney_hui_1997")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
-    def solve(self) -> LineAdhesionSolution:
+    def solve(self) -> LineAdhesionSolution[Q]:
         """Return force per length, half-width, and whether the state is stable under a dead load.
 
         Where several half-widths are stable, the widest is meant: the one that is left after pressing firmly.
@@ -137,7 +137,7 @@ def _is_stable(problem: LineAdhesion, half_width: Array) -> Array:
 
 
 @value
-class LineAdhesionSolution(OfStrip):
+class LineAdhesionSolution(OfStrip, PerLoad[Q]):
     """The solution of a `LineAdhesion`; force, half-width and what follows from them have the shape of the load.
 
     Parameters
@@ -156,26 +156,26 @@ class LineAdhesionSolution(OfStrip):
         edge_load=("Q", "N/m", "load per length that the edges bear beside the profile, negative where they pull"),
     )
 
-    problem: LineAdhesion
-    force_per_length: Quantity
-    half_width: Quantity
+    problem: LineAdhesion[Q]
+    force_per_length: Q
+    half_width: Q
     stable: bool | Array
 
     per_load: ClassVar[str] = "half_width"
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """P / (2 a) [Pa], negative where the contact is pulled; zero without contact."""
         width = 2.0 * np.asarray(self.half_width)
         return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
 
     @property
-    def edge_load(self) -> Quantity:
+    def edge_load(self) -> Q:
         """What the edges bear beside the profile [N/m], negative where they pull: P - E* w(a), w that of the bed."""
         return shaped(self.problem.bed.medium.modulus * self._edge_lengths(), np.shape(self.half_width))
 
     @property
-    def stress_intensity(self) -> Quantity:
+    def stress_intensity(self) -> Q:
         """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) where they are free, less at a rim.
 
         Zero under a law with a range.
@@ -187,14 +187,14 @@ class LineAdhesionSolution(OfStrip):
         return shaped(pull / np.sqrt(np.pi * np.where(a > 0.0, a, np.inf)), np.shape(self.half_width))
 
     @property
-    def energy_release_rate(self) -> Quantity:
+    def energy_release_rate(self) -> Q:
         """G = K_I^2 / (2 E*) [J/m^2]: the work of adhesion where the edges are free."""
         if isinstance(self.problem.law, Dugdale):
             return shaped(np.full(np.shape(self.half_width), self.problem.law.work))
         return shaped(np.asarray(self.stress_intensity) ** 2 / (2.0 * self.problem.bed.medium.modulus))
 
     @property
-    def outer_half_width(self) -> Quantity:
+    def outer_half_width(self) -> Q:
         """Where the attraction ends [m]: at the edges themselves if it has no range."""
         if not isinstance(self.problem.law, Dugdale):
             return self.half_width
@@ -214,7 +214,7 @@ class LineAdhesionSolution(OfStrip):
         starts = np.array([branch.start for branch in branches])
         return float(starts[np.argmin(states.depth(starts))])
 
-    def at(self, index: int | tuple[int, ...]) -> LineAdhesionSolution:
+    def at(self, index: int | tuple[int, ...]) -> LineAdhesionSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters
@@ -229,7 +229,8 @@ class LineAdhesionSolution(OfStrip):
         """
         force, a, stable = one_of(index, self.force_per_length, self.half_width, self.stable)
         load = HalfWidth(a) if isinstance(self.problem.load, HalfWidth) else LineForce(force)
-        return type(self)(LineAdhesion(self.problem.bed, self.problem.law, load), force, a, bool(stable))
+        kind: type[LineAdhesionSolution[Any]] = type(self)
+        return kind(LineAdhesion(self.problem.bed, self.problem.law, load), force, a, bool(stable))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -268,7 +269,7 @@ class LineAdhesionSolution(OfStrip):
 
 
 @value
-class LayeredLineAdhesionSolution(OnLayers, LineAdhesionSolution):
+class LayeredLineAdhesionSolution(OnLayers[Q], LineAdhesionSolution[Q]):
     """The solution of a `LineAdhesion` on layers; every quantity has the shape of the load.
 
     On a rigid base it has a `depth`; `layer_stresses` compares the layers under an attraction with a range.

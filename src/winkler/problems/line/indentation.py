@@ -9,7 +9,7 @@ reference.
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.loading import HalfWidth, LineForce, MeanPressure
-from winkler.numerics.types import ArrayLike, Quantity, shaped
+from winkler.numerics.types import ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
@@ -41,7 +41,7 @@ PALLOT = "A. E. Giannakopoulos, P. Pallot, J. Mech. Phys. Solids 48 (2000) 1597-
 
 
 @value
-class LineIndentation:
+class LineIndentation(PerLoad[Q]):
     """A cylinder, a wedge or another two-dimensional body pressed on a half-plane, in plane strain.
 
     Parameters
@@ -75,12 +75,12 @@ class LineIndentation:
     )
 
     bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
-    load: LineForce | HalfWidth | MeanPressure
+    load: LineForce[Q] | HalfWidth[Q] | MeanPressure[Q]
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
-    def solve(self) -> LineSolution:
+    def solve(self) -> LineSolution[Q]:
         """Return force per length and half-width.
 
         Raises
@@ -107,7 +107,7 @@ class LineIndentation:
 
 
 @value
-class LineSolution(OfStrip):
+class LineSolution(OfStrip, PerLoad[Q]):
     """The solution of a `LineIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -120,20 +120,20 @@ class LineSolution(OfStrip):
         a [m], zero where there is no contact.
     """
 
-    problem: LineIndentation
-    force_per_length: Quantity
-    half_width: Quantity
+    problem: LineIndentation[Q]
+    force_per_length: Q
+    half_width: Q
 
     per_load: ClassVar[str] = "half_width"
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """P / (2 a) [Pa]; zero without contact."""
         width = 2.0 * np.asarray(self.half_width)
         return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
 
     @property
-    def peak_pressure(self) -> Quantity:
+    def peak_pressure(self) -> Q:
         """The greatest pressure [Pa]; infinite at a sharp tip, kink or rim, zero without contact."""
         pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
         peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
@@ -165,7 +165,7 @@ class LineSolution(OfStrip):
             )
         return greatest(contact, von_mises)
 
-    def at(self, index: int | tuple[int, ...]) -> LineSolution:
+    def at(self, index: int | tuple[int, ...]) -> LineSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters
@@ -179,8 +179,10 @@ class LineSolution(OfStrip):
             If there is no such load.
         """
         force, a = one_of(index, self.force_per_length, self.half_width)
-        given = type(self.problem.load)(float(np.asarray(given_by(self.problem.load))[index]))
-        return type(self)(LineIndentation(self.problem.bed, given), force, a)
+        load: type[Any] = type(self.problem.load)
+        given = load(float(np.asarray(given_by(self.problem.load))[index]))
+        kind: type[LineSolution[Any]] = type(self)
+        return kind(LineIndentation(self.problem.bed, given), force, a)
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -210,21 +212,21 @@ class LineSolution(OfStrip):
 
 
 @value
-class LayeredLineSolution(OnLayers, LineSolution):
+class LayeredLineSolution(OnLayers[Q], LineSolution[Q]):
     """The solution of a `LineIndentation` on layers; every quantity has the shape of the load.
 
     On a rigid base it has a `depth`; `layer_stresses` compares the layers.
     """
 
 
-class OnPowerLaw(OfStrip):
+class OnPowerLaw(OfStrip, PerLoad[Q]):
     """The part of a solution that a power law determines."""
 
-    force_per_length: Quantity
-    half_width: Quantity
+    force_per_length: Q
+    half_width: Q
 
     @property
-    def depth(self) -> Quantity:
+    def depth(self) -> Q:
         """How far the bodies approach, counted from places far away [m], where the modulus grows with the depth."""
         bed: PowerLawLineFoundation = self.problem.bed
         force, a = np.ravel(self.force_per_length), np.ravel(self.half_width)
@@ -288,7 +290,7 @@ class OnPowerLaw(OfStrip):
 
 
 @value
-class PowerLawLineSolution(OnPowerLaw, LineSolution):
+class PowerLawLineSolution(OnPowerLaw[Q], LineSolution[Q]):
     """The solution of a `LineIndentation` on bodies graded by a power; every quantity has the shape of the load.
 
     Where the modulus grows with the depth it has a `depth`.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.numerics.types import ArrayLike, Quantity, shaped
+from winkler.numerics.types import ArrayLike, PerLoad, Q, shaped
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
 from winkler.problems.line.layered_notes import greatest_of_part, layered_notes
@@ -60,23 +60,22 @@ class StressedOnLayers(Stressed):
         return strip
 
 
-class OnLayers(StressedOnLayers, OfStrip):
+class OnLayers(StressedOnLayers, OfStrip, PerLoad[Q]):
     """The part of a solution that a layered body determines."""
 
-    force_per_length: Quantity
-    half_width: Quantity
-    at: Any
+    force_per_length: Q
+    half_width: Q
 
     @property
-    def depth(self) -> Quantity:
+    def depth(self) -> Q:
         """How far a rigid body sinks into layers on a rigid base [m]; elsewhere a line contact has no depth."""
         if not has_depth(self.problem.bed.medium):
             raise OutsideValidity(
                 "A line contact has a depth only where a rigid base carries the layers under a rigid body; request "
                 "approach(first, second), which is counted from stated places."
             )
-        shape = np.shape(self.half_width)
-        each = [self.at(index) for index in np.ndindex(shape)] if shape else [self]
+        shape, solution = np.shape(self.half_width), cast(Any, self)
+        each = [solution.at(index) for index in np.ndindex(shape)] if shape else [self]
         strips = [(one._bed, one._strip("depth")) for one in each]
         depths = [layered_approach(bed, strip.half_width, strip.edge_load, None, None) for bed, strip in strips]
         return shaped(np.array(depths).reshape(shape))

@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.numerics.types import Array, ArrayLike, Quantity
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of
 from winkler.problems.line_rolling.pressed import rolling_stresses
@@ -20,14 +20,14 @@ from winkler.problems.which_body import in_first_body
 __all__ = ["UnderOneDrive"]
 
 
-class UnderOneDrive:
+class UnderOneDrive(PerLoad[Q]):
     """The part of the solution of a `LineRolling` that belongs to one force or creepage: fields by place."""
 
     problem: Any
-    longitudinal_creepage: Quantity
-    shear_force_per_length: Quantity
-    stick_share: Quantity
-    contact: LineSolution
+    longitudinal_creepage: Q
+    shear_force_per_length: Q
+    stick_share: Q
+    contact: LineSolution[float]
     strips: tuple[RolledStrip, ...]
 
     def traction(self, x: ArrayLike) -> Array:

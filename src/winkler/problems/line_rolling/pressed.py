@@ -41,7 +41,7 @@ def _one(load: object) -> bool:
 
 
 OneLineLoad: TypeAlias = Annotated[
-    LineForce | HalfWidth | MeanPressure,
+    LineForce[float] | HalfWidth[float] | MeanPressure[float],
     Condition(_one, "give LineForce, HalfWidth or MeanPressure with one number, and sweep over several"),
 ]
 
@@ -60,7 +60,7 @@ def refuse_unless_round(owner: str, bed: LineBed) -> None:
         )
 
 
-def touching_strip(owner: str, bed: LineBed, load: LineForce | HalfWidth | MeanPressure) -> LineSolution:
+def touching_strip(owner: str, bed: LineBed, load: OneLineLoad) -> LineSolution[float]:
     """Return the contact under its normal load.
 
     Raises

@@ -19,11 +19,11 @@ doi:10.1115/1.3641792
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import PositiveQuantity
+from winkler.checks.number_checks import POSITIVE_QUANTITY
 from winkler.checks.place_checks import finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
@@ -31,7 +31,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like, shaped
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.line_rolling.passage import passage
@@ -46,7 +46,7 @@ __all__ = ["LineRollingResistance", "LineRollingResistanceSolution"]
 
 
 @value
-class LineRollingResistance:
+class LineRollingResistance(PerLoad[Q]):
     """A cylinder that rolls freely, or slides without friction, on viscoelastic bodies at a steady speed.
 
     Parameters
@@ -91,7 +91,7 @@ class LineRollingResistance:
 
     bed: LineFoundation | LayeredLineFoundation
     load: OneLineLoad
-    speed: PositiveQuantity
+    speed: Annotated[Q, POSITIVE_QUANTITY]
 
     references: ClassVar[tuple[str, ...]] = ("hunter_1961",)
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
@@ -112,7 +112,7 @@ class LineRollingResistance:
                 "StandardSolid or Prony."
             )
 
-    def solve(self) -> LineRollingResistanceSolution:
+    def solve(self) -> LineRollingResistanceSolution[Q]:
         """Return the strip and the resistance at every speed.
 
         Raises
@@ -129,12 +129,12 @@ class LineRollingResistance:
         speeds = np.ravel(np.asarray(self.speed, dtype=float)).tolist()
         rows = [passage(self.bed, self.load, speed) for speed in speeds]
         names = ("force_per_length", "half_width", "leading_edge", "trailing_edge", "shear_force_per_length")
-        columns = {name: shaped(np.array([getattr(row, name) for row in rows]), np.shape(self.speed)) for name in names}
+        columns = {name: like(np.array([getattr(row, name) for row in rows]), self.speed) for name in names}
         return LineRollingResistanceSolution(self, self.speed, **columns)
 
 
 @value
-class LineRollingResistanceSolution:
+class LineRollingResistanceSolution(PerLoad[Q]):
     """The solution of a `LineRollingResistance`; every quantity has the shape of the speed.
 
     Parameters
@@ -157,28 +157,28 @@ class LineRollingResistanceSolution:
         coefficient=("f", "", "resistance over normal force"),
     )
 
-    problem: LineRollingResistance
-    speed: Quantity
-    force_per_length: Quantity
-    half_width: Quantity
-    leading_edge: Quantity
-    trailing_edge: Quantity
-    shear_force_per_length: Quantity
+    problem: LineRollingResistance[Q]
+    speed: Q
+    force_per_length: Q
+    half_width: Q
+    leading_edge: Q
+    trailing_edge: Q
+    shear_force_per_length: Q
 
     per_load: ClassVar[str] = "half_width"
 
     @property
-    def coefficient(self) -> Quantity:
+    def coefficient(self) -> Q:
         """Q / P [-], the coefficient of rolling resistance."""
         return shaped(np.asarray(self.shear_force_per_length) / np.asarray(self.force_per_length))
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """P over the width [Pa]."""
         return shaped(0.5 * np.asarray(self.force_per_length) / np.asarray(self.half_width))
 
     @property
-    def peak_pressure(self) -> Quantity:
+    def peak_pressure(self) -> Q:
         """The greatest pressure [Pa]."""
         pairs = zip(np.ravel(self.half_width), np.ravel(self.speed), strict=True)
         peaks = [
@@ -203,7 +203,7 @@ class LineRollingResistanceSolution:
         places = finite_places("LineRollingResistanceSolution.pressure", "x", x)
         return passage(self.problem.bed, HalfWidth(width), float(self.speed)).pressure(places)
 
-    def at(self, index: int | tuple[int, ...]) -> LineRollingResistanceSolution:
+    def at(self, index: int | tuple[int, ...]) -> LineRollingResistanceSolution[float]:
         """Return the solution at one speed of an array.
 
         Parameters

@@ -135,7 +135,7 @@ class LineRollingStart:
 
     bed: LineFoundation | LayeredLineFoundation
     friction: Sliding
-    drive: Annotated[LineShearForce | Creepage, ONE_DRIVE]
+    drive: Annotated[LineShearForce[float] | Creepage[float], ONE_DRIVE]
     load: OneLineLoad
     distance: Annotated[Positive, Advice("how far it rolls")]
     reference: PositiveOrInfinite = math.inf
@@ -162,7 +162,7 @@ class LineRollingStart:
             )
 
     @property
-    def steady(self) -> LineRollingSolution:
+    def steady(self) -> LineRollingSolution[float]:
         """Rolling for ever, of bodies that are not coupled (Carter)."""
         return LineRolling(self.bed, self.friction, self.drive, self.load).solve()
 
@@ -272,7 +272,7 @@ class LineRollingStartSolution:
     __words__ = words(stick_share=("c/a", "", "part of the width that sticks"))
 
     problem: LineRollingStart
-    contact: LineSolution
+    contact: LineSolution[float]
     distance: Array
     longitudinal_creepage: Array
     shear_force_per_length: Array
@@ -280,7 +280,7 @@ class LineRollingStartSolution:
     states: tuple[LineRollingState, ...]
 
     @property
-    def steady(self) -> LineRollingSolution:
+    def steady(self) -> LineRollingSolution[float]:
         """Rolling for ever, which it tends to if the bodies are similar."""
         return self.problem.steady
 

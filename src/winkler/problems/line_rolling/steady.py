@@ -28,7 +28,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading import LineShearForce
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.line.indentation import LineSolution
@@ -67,7 +67,7 @@ NOT_COUPLED = Note(
 
 
 @value
-class LineRolling:
+class LineRolling(PerLoad[Q]):
     """A cylinder that rolls steadily on another body and transmits a force along the direction of rolling.
 
     Parameters
@@ -123,7 +123,7 @@ class LineRolling:
 
     bed: LineFoundation | LayeredLineFoundation
     friction: Sliding
-    drive: LineShearForce | Creepage
+    drive: LineShearForce[Q] | Creepage[Q]
     load: OneLineLoad
     coupled: bool = False
 
@@ -135,7 +135,7 @@ class LineRolling:
         refuse_unless_along("LineRolling", self.drive)
         _ = self.bed.along_share
 
-    def solve(self) -> LineRollingSolution:
+    def solve(self) -> LineRollingSolution[Q]:
         """Return force, creepage and the zone of stick.
 
         Raises
@@ -168,10 +168,11 @@ class LineRolling:
             used = np.minimum(np.abs(creepage) / limit, 1.0)
             share = 1.0 - used
             force = np.sign(creepage) * most * used * (2.0 - used)
-        at, given, stick = (shaped(column, np.shape(force)) for column in (creepage, force, share))
+        columns: list[Q] = [shaped(column, np.shape(force)) for column in (creepage, force, share)]
+        at, given, stick = columns
         return LineRollingSolution(self, at, given, stick, contact)
 
-    def _by_nodes(self, contact: LineSolution, drives: Array) -> LineRollingSolution:
+    def _by_nodes(self, contact: LineSolution[float], drives: Array) -> LineRollingSolution[Q]:
         """Return the solution on elements."""
         a, modulus = float(contact.half_width), self.bed.medium.modulus
         by_force = isinstance(self.drive, LineShearForce)
@@ -182,13 +183,14 @@ class LineRolling:
             strip(force=one / (modulus * a)) if by_force else strip(creepage=one) for one in np.ravel(drives).tolist()
         )
         rows = zip(*((strip.creepage, modulus * a * strip.force, strip.stick_share) for strip in strips), strict=True)
-        at, force, stick = (shaped(np.array(row), np.shape(drives)) for row in rows)
+        columns: list[Q] = [shaped(np.array(row), np.shape(drives)) for row in rows]
+        at, force, stick = columns
         force = shaped(drives) if by_force else force  # that of the elements misses it by rounding
         return LineRollingSolution(self, at, force, stick, contact, strips)
 
 
 @value
-class LineRollingSolution(UnderOneDrive):
+class LineRollingSolution(UnderOneDrive[Q]):
     """The solution of a `LineRolling`; each quantity has the shape of what was prescribed.
 
     Parameters
@@ -213,21 +215,21 @@ class LineRollingSolution(UnderOneDrive):
         strips=("", None, "pressure and traction of coupled bodies and layers, node by node"),
     )
 
-    problem: LineRolling
-    longitudinal_creepage: Quantity
-    shear_force_per_length: Quantity
-    stick_share: Quantity
-    contact: LineSolution
+    problem: LineRolling[Q]
+    longitudinal_creepage: Q
+    shear_force_per_length: Q
+    stick_share: Q
+    contact: LineSolution[float]
     strips: tuple[RolledStrip, ...] = ()
 
     @property
-    def traction_ratio(self) -> Quantity:
+    def traction_ratio(self) -> Q:
         """Q / (mu P) [-]; one where the bodies slide."""
         most = self.problem.friction.coefficient * float(self.contact.force_per_length)
         return shaped(np.abs(np.asarray(self.shear_force_per_length)) / most)
 
     @property
-    def loss_per_area(self) -> Quantity:
+    def loss_per_area(self) -> Q:
         """Energy lost per distance rolled and length of the cylinder [J/m^2], not negative: xi Q of similar bodies."""
         if self.strips:
             unit = self.problem.bed.medium.modulus * float(self.contact.half_width)
@@ -236,7 +238,7 @@ class LineRollingSolution(UnderOneDrive):
         return shaped(np.asarray(self.longitudinal_creepage) * np.asarray(self.shear_force_per_length))
 
     @property
-    def loss_error(self) -> Quantity:
+    def loss_error(self) -> Q:
         """Bound of the error of `loss_per_area` [J/m^2]; zero of half-planes that are not coupled, by closed form."""
         found = np.zeros(np.shape(self.longitudinal_creepage))
         if self.strips:
@@ -249,7 +251,7 @@ class LineRollingSolution(UnderOneDrive):
         """a/R [-] of the contact without friction."""
         return float(self.contact.half_width) / float(self.problem.bed.profile.curvature_radius)  # type: ignore[attr-defined]
 
-    def power(self, speed: float) -> Quantity:
+    def power(self, speed: float) -> Q:
         """Return the power that friction turns into heat [W/m] at a speed of rolling [m/s]."""
         return shaped(abs(speed) * np.asarray(self.loss_per_area))
 

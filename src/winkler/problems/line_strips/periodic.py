@@ -13,7 +13,7 @@ what the layers add is a sum over them.
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.periodic import PeriodicBed, as_high, from_line, to_line, unrolled
 from winkler.loading import HalfWidth, LineForce, NominalPressure
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
 from winkler.problems.line.layered_stress import layered_fields
@@ -43,7 +43,7 @@ __all__ = ["PeriodicIndentation", "PeriodicSolution"]
 
 
 @value
-class PeriodicIndentation:
+class PeriodicIndentation(PerLoad[Q]):
     """A wavy body, or one of many equal ridges, pressed on a half-plane or on layers, in plane strain.
 
     Parameters
@@ -87,7 +87,7 @@ class PeriodicIndentation:
 
     bed: LineFoundation | LayeredLineFoundation
     pitch: Positive
-    load: NominalPressure | LineForce | HalfWidth
+    load: NominalPressure[Q] | LineForce[Q] | HalfWidth[Q]
 
     references: ClassVar[tuple[str, ...]] = ("westergaard_1939", "johnson_1985")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
@@ -111,7 +111,7 @@ class PeriodicIndentation:
         """The bed of a single strip over u."""
         return self.bed.repeated(unrolled(self.bed.profile, self.pitch), self.pitch)
 
-    def solve(self) -> PeriodicSolution:
+    def solve(self) -> PeriodicSolution[Q]:
         """Return nominal pressure and half-width.
 
         Raises
@@ -156,7 +156,7 @@ class PeriodicIndentation:
 
 
 @value
-class PeriodicSolution(Stressed):
+class PeriodicSolution(Stressed, PerLoad[Q]):
     """The solution of a `PeriodicIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -173,30 +173,30 @@ class PeriodicSolution(Stressed):
         contact_share=("2a/\\lambda", "", "share of the surface that is in contact"),
     )
 
-    problem: PeriodicIndentation
-    force_per_length: Quantity
-    half_width: Quantity
+    problem: PeriodicIndentation[Q]
+    force_per_length: Q
+    half_width: Q
 
     per_load: ClassVar[str] = "half_width"
 
     @property
-    def nominal_pressure(self) -> Quantity:
+    def nominal_pressure(self) -> Q:
         """P / pitch [Pa]."""
         return shaped(np.asarray(self.force_per_length) / self.problem.pitch)
 
     @property
-    def contact_share(self) -> Quantity:
+    def contact_share(self) -> Q:
         """2 a / pitch [-]."""
         return shaped(2.0 * np.asarray(self.half_width) / self.problem.pitch)
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """P / (2 a) [Pa], that of the strips; zero without contact."""
         width = 2.0 * np.asarray(self.half_width)
         return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
 
     @property
-    def peak_pressure(self) -> Quantity:
+    def peak_pressure(self) -> Q:
         """The greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
         strips = [self._strip_of(float(p), float(a)) for p, a in self._pairs()]
         return shaped(np.array([periodic_peak(self._bed, strip) for strip in strips]), np.shape(self.half_width))
@@ -267,7 +267,7 @@ class PeriodicSolution(Stressed):
         across, depth = common_places("PeriodicSolution.stresses", x=x, z=z)
         return layered_fields(self._bed, strip, across, depth, in_first_body(depth, "PeriodicSolution"), friction=mu)
 
-    def at(self, index: int | tuple[int, ...]) -> PeriodicSolution:
+    def at(self, index: int | tuple[int, ...]) -> PeriodicSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters
@@ -281,7 +281,8 @@ class PeriodicSolution(Stressed):
             If there is no such load.
         """
         force, a = one_of(index, self.force_per_length, self.half_width)
-        load = type(self.problem.load)(float(np.asarray(given_by(self.problem.load))[index]))
+        kind: type[Any] = type(self.problem.load)
+        load = kind(float(np.asarray(given_by(self.problem.load))[index]))
         return PeriodicSolution(PeriodicIndentation(self.problem.bed, self.problem.pitch, load), force, a)
 
     @property

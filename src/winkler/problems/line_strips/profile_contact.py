@@ -21,7 +21,7 @@ from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import LineForce, LineOfAction, Tilt
 from winkler.numerics.surfaces.found_strips import FoundStrips
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.pressing_load import pressing
 from winkler.problems.line.stress import LineFields, one_coefficient
@@ -40,7 +40,7 @@ STRAIGHT = Tilt(0.0)
 
 
 @value
-class LineProfileContact:
+class LineProfileContact(PerLoad[Q]):
     """A section, stated or measured, pressed on a half-plane or layers, in plane strain: it may touch in many strips.
 
     Parameters
@@ -89,7 +89,7 @@ class LineProfileContact:
 
     section: AnySection
     medium: Annotated[LineMedium, Advice("strips are known on no other")]
-    load: LineForce
+    load: LineForce[Q]
     alignment: Tilt | LineOfAction = STRAIGHT
     elements: Annotated[int, Whole(64, 20000, "elements")] = 2048
 
@@ -105,7 +105,7 @@ class LineProfileContact:
                 f"{first:.6g} m and {last:.6g} m."
             )
 
-    def solve(self) -> LineProfileSolution:
+    def solve(self) -> LineProfileSolution[Q]:
         """Return the strips.
 
         Raises
@@ -125,7 +125,7 @@ class LineProfileContact:
             "strip_error": [one.error if one else 0.0 for one in found],
         }
         shape = np.shape(self.load.force_per_length)
-        results = {name: shaped(np.array(column), shape) for name, column in columns.items()}
+        results: dict[str, Q] = {name: shaped(np.array(column), shape) for name, column in columns.items()}
         return LineProfileSolution(self, shaped(flat, shape), **results)
 
     @property
@@ -145,7 +145,7 @@ class LineProfileContact:
 
 
 @value
-class LineProfileSolution:
+class LineProfileSolution(PerLoad[Q]):
     """The solution of a `LineProfileContact`; quantities have the shape of the load.
 
     Parameters
@@ -173,20 +173,20 @@ class LineProfileSolution:
 
     __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"), edges=("x", "m", "edges of each strip"))
 
-    problem: LineProfileContact
-    force_per_length: Quantity
-    tilt: Quantity
-    line_of_action: Quantity
-    strip_count: Quantity
-    contact_length: Quantity
-    peak_pressure: Quantity
-    strip_error: Quantity
+    problem: LineProfileContact[Q]
+    force_per_length: Q
+    tilt: Q
+    line_of_action: Q
+    strip_count: Q
+    contact_length: Q
+    peak_pressure: Q
+    strip_error: Q
 
     per_load: ClassVar[str] = "force_per_length"
     other_axes: ClassVar[tuple[str, ...]] = ("edges", "strip_forces", "strip_peaks")
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """P over the contact length [Pa]; zero without contact."""
         length = np.asarray(self.contact_length)
         return shaped(np.asarray(self.force_per_length) / np.where(length > 0.0, length, 1.0))
@@ -276,7 +276,7 @@ class LineProfileSolution:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
         return strip_fields(self.problem.medium, found, place, depth, below, friction)
 
-    def at(self, index: int | tuple[int, ...]) -> LineProfileSolution:
+    def at(self, index: int | tuple[int, ...]) -> LineProfileSolution[float]:
         """Return the solution of one load of an array.
 
         Parameters
@@ -286,7 +286,8 @@ class LineProfileSolution:
         """
         names = [field.name for field in dataclasses.fields(self)[1:]]
         results = one_of(index, *(getattr(self, name) for name in names))
-        one = dataclasses.replace(self.problem, load=LineForce(results[0]))
+        given = self.problem
+        one = LineProfileContact(given.section, given.medium, LineForce(results[0]), given.alignment, given.elements)
         return LineProfileSolution(one, *results)
 
     @property

@@ -129,7 +129,7 @@ class EllipticYieldOnset:
             rows.append(EllipticPartOnset(number, part.name, grown**3, x, y, z if part.first else -z))
         return tuple(rows)
 
-    def _pressed(self, force: float) -> EllipticSolution:
+    def _pressed(self, force: float) -> EllipticSolution[float]:
         return EllipticIndentation(self.bodies, self.medium, Force(force)).solve()
 
 
@@ -161,7 +161,7 @@ class EllipticYieldOnsetSolution:
 
     problem: EllipticYieldOnset
     force: float
-    contact: EllipticSolution
+    contact: EllipticSolution[float]
     x: float
     y: float
     z: float

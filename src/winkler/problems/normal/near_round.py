@@ -25,7 +25,7 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.equations.roots import invert
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EDGE_ERROR
@@ -63,7 +63,7 @@ PRESSED_TOGETHER = Condition(
 
 
 @value
-class NearlyRoundIndentation:
+class NearlyRoundIndentation(PerLoad[Q]):
     """A body that is nearly one of revolution, pressed into a half-space or into layers.
 
     Parameters
@@ -104,7 +104,7 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     profiles: tuple[Profile, ...]
     medium: MappedMedium
-    load: Annotated[Force | Depth, PRESSED_TOGETHER]
+    load: Annotated[Force[Q] | Depth[Q], PRESSED_TOGETHER]
 
     references: ClassVar[tuple[str, ...]] = ("popov_2022", "barber_1974", "popov_hess_2015", "polonsky_keer_1999")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
@@ -115,7 +115,7 @@ DepthGradedHalfSpace or GradedHalfSpace
                 "NearlyRoundIndentation: profiles must be at least four, one for each of equally spaced directions."
             )
 
-    def solve(self) -> NearlyRoundSolution:
+    def solve(self) -> NearlyRoundSolution[Q]:
         """Return force, depth and contour.
 
         Raises
@@ -138,11 +138,12 @@ DepthGradedHalfSpace or GradedHalfSpace
             depths = prescribed.ravel()
             forces, stiffness, contours = springs.pressed(depths)
 
-        d, f, k = (shaped(each, prescribed.shape) for each in (depths, forces, stiffness))
-        none = shaped(np.zeros(prescribed.shape))
+        columns: list[Q] = [shaped(each, prescribed.shape) for each in (depths, forces, stiffness)]
+        d, f, k = columns
+        none: Q = shaped(np.zeros(prescribed.shape))
         return NearlyRoundSolution(self, d, f, k, contours.reshape((*prescribed.shape, -1)), none, none)
 
-    def _by_pixels(self) -> NearlyRoundSolution:
+    def _by_pixels(self) -> NearlyRoundSolution[Q]:
         """Return the solution on layers, gradings and power laws, load by load."""
         assert not isinstance(self.medium, HomogeneousMedium)
         body, by_force, loads = RoundedBody(self.profiles), isinstance(self.load, Force), numbers_of(self.load)
@@ -155,12 +156,13 @@ DepthGradedHalfSpace or GradedHalfSpace
             body.refuse_beyond(contours[number], fine)
             errors = grid_error(coarse, fine), edge_error(coarse, fine, body.angles)
             rows[:, number] = fine.depth, fine.force, fine.stiffness, *errors
-        d, f, k, grid, edge = (shaped(row, loads.shape) for row in rows)
+        columns: list[Q] = [shaped(row, loads.shape) for row in rows]
+        d, f, k, grid, edge = columns
         return NearlyRoundSolution(self, d, f, k, contours.reshape((*loads.shape, -1)), grid, edge)
 
 
 @value
-class NearlyRoundSolution:
+class NearlyRoundSolution(PerLoad[Q]):
     """The solution of a `NearlyRoundIndentation`; quantities have the shape of the depth.
 
     Parameters
@@ -183,13 +185,13 @@ class NearlyRoundSolution:
 
     __words__ = words(edge_error=EDGE_ERROR)
 
-    problem: NearlyRoundIndentation
-    depth: Quantity
-    force: Quantity
-    stiffness: Quantity
+    problem: NearlyRoundIndentation[Q]
+    depth: Q
+    force: Q
+    stiffness: Q
     contour: Array
-    grid_error: Quantity
-    edge_error: Quantity
+    grid_error: Q
+    edge_error: Q
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -16,7 +16,7 @@ import numpy as np
 from winkler.checks.number_checks import Positive, affordable
 from winkler.limits import MOST_FILM_PIXELS
 from winkler.numerics.films.thin_film import FilmFlow
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_notes import seal_notes
@@ -37,7 +37,7 @@ __all__ = ["Seal", "SealSolution"]
 
 
 @value
-class Seal:
+class Seal(PerLoad[Q]):
     """A height map pressed against a flat, and the fluid that leaks between them.
 
     Parameters
@@ -84,7 +84,7 @@ class Seal:
         pressure_drop=(r"\Delta p", "Pa", "pressure of the fluid between two opposite sides"),
     )
 
-    contact: SurfaceContact
+    contact: SurfaceContact[Q]
     viscosity: Positive
     pressure_drop: Positive
 
@@ -95,7 +95,7 @@ class Seal:
         affordable("Seal", "pixels", self.contact.topography.heights.size, MOST_FILM_PIXELS)
         refuse_without_second_points("Seal", self.contact)
 
-    def solve(self) -> SealSolution:
+    def solve(self) -> SealSolution[Q]:
         """Return the leak under every load.
 
         Raises
@@ -121,7 +121,7 @@ class Seal:
         shape = numbers_of(self.contact.load).shape
         leak = self.pressure_drop / (12.0 * self.viscosity)
 
-        def column(numbers: list[float]) -> Quantity:
+        def column(numbers: list[float]) -> Q:
             return shaped(np.array(numbers).reshape(shape))
 
         rate = np.array([x.flow.rate for x, _ in rows])
@@ -146,7 +146,7 @@ def _passage(gap: Array, contact: SurfaceContact, lateral: bool) -> FilmPassage:
 
 
 @value
-class SealSolution:
+class SealSolution(PerLoad[Q]):
     """The solution of a `Seal`; quantities have the shape of the load.
 
     Parameters
@@ -181,22 +181,22 @@ class SealSolution:
         imbalance=(r"\epsilon_Q", "", "difference of the flows in and out, over their mean"),
     )
 
-    problem: Seal
-    contact: SurfaceContactSolution
-    depth: Quantity
-    force: Quantity
-    area: Quantity
-    area_error: Quantity
-    mean_gap: Quantity
-    leak_rate: Quantity
-    leak_rate_error: Quantity
-    lateral_leak_rate: Quantity
-    medium_leak_rate: Quantity
-    flow_factor: Quantity
-    lateral_flow_factor: Quantity
-    critical_gap: Quantity
-    lateral_critical_gap: Quantity
-    imbalance: Quantity
+    problem: Seal[Q]
+    contact: SurfaceContactSolution[Q]
+    depth: Q
+    force: Q
+    area: Q
+    area_error: Q
+    mean_gap: Q
+    leak_rate: Q
+    leak_rate_error: Q
+    lateral_leak_rate: Q
+    medium_leak_rate: Q
+    flow_factor: Q
+    lateral_flow_factor: Q
+    critical_gap: Q
+    lateral_critical_gap: Q
+    imbalance: Q
 
     def closing_share(self) -> tuple[float, float]:
         """Return between which shares of the map in contact the last way along x closes: the percolation threshold.

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Force
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Q, Quantity
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
@@ -23,8 +23,8 @@ FEWEST_PIXELS = 8
 
 
 def measured(
-    contact: SurfaceContact, measure: Callable[[SurfaceState], Measured]
-) -> tuple[SurfaceContactSolution, list[Measured]]:
+    contact: SurfaceContact[Q], measure: Callable[[SurfaceState], Measured]
+) -> tuple[SurfaceContactSolution[Q], list[Measured]]:
     """Return the solution of a contact, and what was measured of its maps under each load, of which the last is kept.
 
     Raises

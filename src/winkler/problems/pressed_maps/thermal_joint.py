@@ -21,7 +21,7 @@ from winkler.materials.conducting_body import resistivity_of, surface_of
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.media.conduction.spot_resistances import plated_surface
 from winkler.numerics.films.joint_flux import JointFlux, joint_flux
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_states import gap_of
@@ -38,7 +38,7 @@ YOVANOVICH = "M. M. Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 1
 
 
 @value
-class ThermalJoint:
+class ThermalJoint(PerLoad[Q]):
     """A height map pressed against a flat, and the heat through its spots and its gap.
 
     Parameters
@@ -86,7 +86,7 @@ class ThermalJoint:
         jump_distance=("M", "m", "by how much rarefied gas widens the gap"),
     )
 
-    contact: SurfaceContact
+    contact: SurfaceContact[Q]
     conductors: HeatConductors
     gap_conductivity: NonNegative = 0.0
     jump_distance: NonNegative = 0.0
@@ -126,7 +126,7 @@ class ThermalJoint:
         layers = plated_surface(self.conductors.first, self.conductors.second)
         return joint_flux(resistance, rough.pixel, self._spreading, periodic=rough.periodic, layers=layers)
 
-    def solve(self) -> ThermalJointSolution:
+    def solve(self) -> ThermalJointSolution[Q]:
         """Return the conductance under every load.
 
         Raises
@@ -153,14 +153,14 @@ class ThermalJoint:
 
         contact, rows = measured(self.contact, parted)
         shape = numbers_of(self.contact.load).shape
-        columns = [shaped(np.array(column).reshape(shape)) for column in zip(*rows, strict=True)]
+        columns: list[Q] = [shaped(np.array(column).reshape(shape)) for column in zip(*rows, strict=True)]
         return ThermalJointSolution(
             self, contact, contact.depth, contact.force, contact.area, contact.mean_gap, *columns
         )  # fmt: skip
 
 
 @value
-class ThermalJointSolution:
+class ThermalJointSolution(PerLoad[Q]):
     """The solution of a `ThermalJoint`; quantities have the shape of the load.
 
     Parameters
@@ -184,23 +184,23 @@ class ThermalJointSolution:
         resistance=("R", "K/W", "temperature drop over heat rate"),
     )
 
-    problem: ThermalJoint
-    contact: SurfaceContactSolution
-    depth: Quantity
-    force: Quantity
-    area: Quantity
-    mean_gap: Quantity
-    conductance: Quantity
-    spot_conductance: Quantity
-    gap_conductance: Quantity
+    problem: ThermalJoint[Q]
+    contact: SurfaceContactSolution[Q]
+    depth: Q
+    force: Q
+    area: Q
+    mean_gap: Q
+    conductance: Q
+    spot_conductance: Q
+    gap_conductance: Q
 
     @property
-    def resistance(self) -> Quantity:
+    def resistance(self) -> Q:
         """Drop of temperature over heat rate [K/W]."""
         return shaped(1.0 / np.asarray(self.conductance))
 
     @property
-    def joint_conductance(self) -> Quantity:
+    def joint_conductance(self) -> Q:
         """Conductance per area of the map [W/(m^2 K)]."""
         return shaped(np.asarray(self.conductance) / self.problem.contact.topography.area)
 

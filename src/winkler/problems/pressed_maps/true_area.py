@@ -16,7 +16,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.numerics.films.joined import islands
-from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.second_points import (
@@ -38,7 +38,7 @@ SMALL_CHANGE, LARGE_CHANGE = 0.02, 0.5
 
 
 @value
-class TrueArea:
+class TrueArea(PerLoad[Q]):
     """How much of a pressed height map touches, how hard, and in how many patches.
 
     Parameters
@@ -74,7 +74,7 @@ class TrueArea:
 
     __words__ = words(contact=("", None, "how the surface is pressed"))
 
-    contact: SurfaceContact
+    contact: SurfaceContact[Q]
 
     references: ClassVar[tuple[str, ...]] = ("yastrebov_2017", "polonsky_keer_1999")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
@@ -82,7 +82,7 @@ class TrueArea:
     def __post_init__(self) -> None:
         refuse_without_second_points("TrueArea", self.contact)
 
-    def solve(self) -> TrueAreaSolution:
+    def solve(self) -> TrueAreaSolution[Q]:
         """Return the answers under every load.
 
         Raises
@@ -126,7 +126,7 @@ def patch_areas(state: SurfaceState, contact: SurfaceContact) -> Array:
 
 
 @value
-class TrueAreaSolution:
+class TrueAreaSolution(PerLoad[Q]):
     """The solution of a `TrueArea`; quantities have the shape of the load.
 
     Parameters
@@ -159,17 +159,17 @@ class TrueAreaSolution:
         peak_pressure=(r"p_\mathrm{max}", "Pa", "greatest pressure of a pixel"),
     )
 
-    problem: TrueArea
-    contact: SurfaceContactSolution
-    depth: Quantity
-    force: Quantity
-    area: Quantity
-    area_error: Quantity
-    peak_pressure: Quantity
-    peak_pressure_error: Quantity
-    mean_gap: Quantity
-    patch_count: Quantity
-    largest_patch: Quantity
+    problem: TrueArea[Q]
+    contact: SurfaceContactSolution[Q]
+    depth: Q
+    force: Q
+    area: Q
+    area_error: Q
+    peak_pressure: Q
+    peak_pressure_error: Q
+    mean_gap: Q
+    patch_count: Q
+    largest_patch: Q
 
     def patches(self) -> Array:
         """Return the areas of the patches under the last load [m^2], the largest first, (n,)."""

@@ -22,7 +22,7 @@ from winkler.loading import Depth, Force, Moment, Tilt
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.surfaces.boxed_slender import Generator, SlenderContact, pressed_levels
 from winkler.numerics.surfaces.pressed_slender import Pose
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rollers.roller_notes import roller_notes
@@ -38,7 +38,7 @@ SAMPLES = 2001
 
 
 @value
-class RollerContact:
+class RollerContact(PerLoad[Q]):
     """A cylindrical roller of finite length pressed on a half-space, without friction.
 
     Parameters
@@ -95,7 +95,7 @@ class RollerContact:
     length: Positive
     ends: RollerEnds
     medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
-    load: Force | Depth
+    load: Force[Q] | Depth[Q]
     alignment: Tilt | Moment = STRAIGHT
     elements: Annotated[int, Whole(16, 320, "elements")] = 160
 
@@ -212,19 +212,19 @@ class RollerContact:
         )
         return (math.inf if sharp else float(np.max(on_axis))), middle
 
-    def gathered(self, states: Iterable[RollerState]) -> RollerSolution:
+    def gathered(self, states: Iterable[RollerState]) -> RollerSolution[Q]:
         """Return the solution made of these states, of all loads or of the first ones."""
         reached, shape = list(states), numbers_of(self.load).shape
         whole = len(reached) == math.prod(shape)
 
-        def column(name: str) -> Quantity:
+        def column(name: str) -> Q:
             numbers = np.array([getattr(state, name) for state in reached])
-            return shaped(numbers, shape) if whole else numbers
+            return shaped(numbers, shape if whole else numbers.shape)
 
         columns = {field.name: column(field.name) for field in dataclasses.fields(RollerSolution)[1:-1]}
         return RollerSolution(problem=self, **columns, last=reached[-1])
 
-    def solve(self) -> RollerSolution:
+    def solve(self) -> RollerSolution[Q]:
         """Return the solution of all loads.
 
         Raises
@@ -236,7 +236,7 @@ class RollerContact:
 
 
 @value
-class RollerSolution:
+class RollerSolution(PerLoad[Q]):
     """The solution of a `RollerContact`; quantities have the shape of the load.
 
     Parameters
@@ -252,17 +252,17 @@ ndarray
 
     __words__ = ROLLER_WORDS
 
-    problem: RollerContact
-    depth: Quantity
-    tilt: Quantity
-    force: Quantity
-    moment: Quantity
-    stiffness: Quantity
-    peak_pressure: Quantity
-    middle_pressure: Quantity
-    edge_factor: Quantity
-    area: Quantity
-    grid_error: Quantity
+    problem: RollerContact[Q]
+    depth: Q
+    tilt: Q
+    force: Q
+    moment: Q
+    stiffness: Q
+    peak_pressure: Q
+    middle_pressure: Q
+    edge_factor: Q
+    area: Q
+    grid_error: Q
     last: RollerState
 
     @property

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import ZERO, Array, PerLoad, Q, shaped
 from winkler.values import value, words
 
 __all__ = ["Creepage", "CreepageSolution"]
@@ -28,7 +28,7 @@ UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
 
 @value
-class Creepage:
+class Creepage(PerLoad[Q]):
     """The creepages of a rolling pair: slip of the second body over the first, over the speed of rolling.
 
     Parameters
@@ -59,9 +59,9 @@ class Creepage:
         shape=("", None, "the common shape of the three"),
     )
 
-    longitudinal: Quantity = 0.0
-    lateral: Quantity = 0.0
-    spin: Quantity = 0.0
+    longitudinal: Q = ZERO
+    lateral: Q = ZERO
+    spin: Q = ZERO
 
     def __post_init__(self) -> None:
         for word, unit in UNITS.items():
@@ -91,7 +91,7 @@ class Creepage:
 
 
 @value
-class CreepageSolution:
+class CreepageSolution(PerLoad[Q]):
     """The part of a solution that follows from its creepages and forces, each in the shape of the creepage.
 
     Parameters
@@ -103,26 +103,26 @@ class CreepageSolution:
     """
 
     problem: Any
-    longitudinal_force: Quantity
-    lateral_force: Quantity
+    longitudinal_force: Q
+    lateral_force: Q
 
     @property
-    def longitudinal_creepage(self) -> Quantity:
+    def longitudinal_creepage(self) -> Q:
         """xi [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
 
     @property
-    def lateral_creepage(self) -> Quantity:
+    def lateral_creepage(self) -> Q:
         """eta [-], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))
 
     @property
-    def shear_force(self) -> Quantity:
+    def shear_force(self) -> Q:
         """The resultant of both forces [N]."""
         return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
 
     @property
-    def loss_per_distance(self) -> Quantity:
+    def loss_per_distance(self) -> Q:
         """Energy lost per distance rolled [J/m]: creepage times force, never negative."""
         creep = self.problem.creepage
         lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force

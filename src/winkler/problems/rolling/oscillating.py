@@ -227,7 +227,7 @@ class OscillatingRollingSolution:
     """
 
     problem: OscillatingRolling
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
     shakedown_force: float
     cycle: Array
     shift: Array

@@ -27,7 +27,7 @@ from winkler.laws.varying_friction import FallingFriction, Rolled, greatest_coef
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.springs.fastsim import mapped, rolled
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
@@ -53,7 +53,7 @@ ONE_FORCE = Condition(
 
 
 @value
-class SimplifiedRolling:
+class SimplifiedRolling(PerLoad[Q]):
     """Bodies that roll over each other on an elliptic contact, with creepage and spin.
 
     Parameters
@@ -108,8 +108,8 @@ class SimplifiedRolling:
     footprint: ContactEllipse | CurvedBodies | CurvedPair
     medium: Annotated[HalfSpace, ISOTROPIC]
     friction: Rolled
-    creepage: Creepage
-    load: Annotated[Force, ONE_FORCE]
+    creepage: Creepage[Q]
+    load: Annotated[Force[Q], ONE_FORCE]
     count: Annotated[int, Whole(4, 4096, "strips")] = 32
     speed: NonNegative = 0.0
 
@@ -119,7 +119,7 @@ class SimplifiedRolling:
     def __post_init__(self) -> None:
         refuse_rest("SimplifiedRolling", self.friction, self.speed)
 
-    def solve(self) -> SimplifiedRollingSolution:
+    def solve(self) -> SimplifiedRollingSolution[Q]:
         """Return the creep forces.
 
         Returns
@@ -138,7 +138,8 @@ class SimplifiedRolling:
         most = greatest_coefficient(self.friction) * float(self.load.force)
         forces = most * sums.T / (2.0 * HALF_BOUND_INTEGRAL)
         results = (forces[0], forces[1], a * forces[2] - b * forces[3])
-        along, across, moment = (shaped(result, self.creepage.shape) for result in results)
+        columns: list[Q] = [shaped(result, self.creepage.shape) for result in results]
+        along, across, moment = columns
         return SimplifiedRollingSolution(self, along, across, moment, a, b, coefficients)
 
     def drives(self, a: float, b: float, coefficients: CreepCoefficients) -> Array:
@@ -162,7 +163,7 @@ class SimplifiedRolling:
 
 
 @value
-class SimplifiedRollingSolution(CreepageSolution):
+class SimplifiedRollingSolution(CreepageSolution[Q]):
     """The solution of a `SimplifiedRolling`; forces and moment have the shape of the creepage.
 
     Parameters
@@ -185,25 +186,25 @@ class SimplifiedRollingSolution(CreepageSolution):
         traction=("", None, "tractions over the contact"),
     )
 
-    problem: SimplifiedRolling
-    moment: Quantity
+    problem: SimplifiedRolling[Q]
+    moment: Q
     longitudinal_semi_axis: float
     lateral_semi_axis: float
     coefficients: CreepCoefficients
 
     @property
-    def spin_creepage(self) -> Quantity:
+    def spin_creepage(self) -> Q:
         """phi [1/m], in the shape of the results."""
         return shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
 
     @property
-    def saturation(self) -> Quantity:
+    def saturation(self) -> Q:
         """The resultant over mu F_N [-]; mu is that of slow slip if friction falls."""
         most = greatest_coefficient(self.problem.friction) * float(self.problem.load.force)
         return shaped(np.asarray(self.shear_force) / most)
 
     @property
-    def loss_per_distance(self) -> Quantity:
+    def loss_per_distance(self) -> Q:
         """Energy lost per distance rolled [J/m]: creepage times force, and spin times moment."""
         return shaped(np.asarray(super().loss_per_distance) + np.asarray(self.problem.creepage.spin) * self.moment)
 

@@ -104,7 +104,7 @@ class RollingStart:
 
     bed: Bed
     friction: Sliding
-    creepage: Creepage
+    creepage: Creepage[float]
     load: OneLoad
     distance: Annotated[Positive, Advice("how far it rolls")]
     start: Annotated[ShearForce, ONE_FORCE] = NO_SHEAR_FORCE
@@ -122,7 +122,7 @@ class RollingStart:
             raise InvalidInput("RollingStart: the creepage is an array; give one number each, and sweep over several.")
 
     @property
-    def steady(self) -> RollingSolution:
+    def steady(self) -> RollingSolution[float]:
         """Rolling for ever."""
         return Rolling(self.bed, self.friction, self.creepage, self.load, self.calibration).solve()
 
@@ -227,14 +227,14 @@ class RollingStartSolution:
     """
 
     problem: RollingStart
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
     distance: Array
     shear_force: Array
     stick_share: Array
     states: tuple[RollingState, ...]
 
     @property
-    def steady(self) -> RollingSolution:
+    def steady(self) -> RollingSolution[float]:
         """Rolling for ever, which it tends to."""
         return self.problem.steady
 

@@ -20,9 +20,8 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Sliding
-from winkler.loading import Load
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
@@ -41,7 +40,7 @@ DEFAULT_CALIBRATION = Kalker()
 
 
 @value
-class Rolling:
+class Rolling(PerLoad[Q]):
     """A body that rolls over another one with creepage, under a steady normal load.
 
     Parameters
@@ -90,7 +89,7 @@ class Rolling:
 
     bed: Bed
     friction: Sliding
-    creepage: Creepage
+    creepage: Creepage[Q]
     load: OneLoad
     calibration: Kalker | Uncalibrated = DEFAULT_CALIBRATION
 
@@ -101,7 +100,7 @@ class Rolling:
     def __post_init__(self) -> None:
         check_rolling("Rolling", self.bed, self.creepage)
 
-    def solve(self) -> RollingSolution:
+    def solve(self) -> RollingSolution[Q]:
         """Return the creep forces.
 
         Returns
@@ -124,12 +123,13 @@ class Rolling:
         force = line.force(rate, pieces)
         direction = drive / np.where(rate > 0.0, rate, 1.0)
         results = (*(direction * force), line.stick_share(rate, pieces))
-        longitudinal, lateral, share = (shaped(result, self.creepage.shape) for result in results)
+        columns: list[Q] = [shaped(result, self.creepage.shape) for result in results]
+        longitudinal, lateral, share = columns
         return RollingSolution(self, longitudinal, lateral, share, contact)
 
 
 @value
-class RollingSolution(CreepageSolution):
+class RollingSolution(CreepageSolution[Q]):
     """The solution of a `Rolling`; every quantity has the shape of the creepage.
 
     Parameters
@@ -144,12 +144,12 @@ class RollingSolution(CreepageSolution):
         The contact under its normal load.
     """
 
-    problem: Rolling
-    stick_share: Quantity
-    contact: IndentationSolution
+    problem: Rolling[Q]
+    stick_share: Q
+    contact: IndentationSolution[float]
 
     @property
-    def saturation(self) -> Quantity:
+    def saturation(self) -> Q:
         """The resultant over the sliding force mu F_N [-]; one where the bodies slide."""
         return shaped(np.asarray(self.shear_force) / self._line.most)
 
@@ -238,7 +238,7 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage) -> None:
         )
 
 
-def touching(owner: str, bed: Bed, load: Load) -> IndentationSolution:
+def touching(owner: str, bed: Bed, load: OneLoad) -> IndentationSolution[float]:
     """Return the contact under its normal load; refuse one that does not touch.
 
     Raises

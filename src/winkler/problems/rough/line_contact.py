@@ -17,7 +17,7 @@ from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.problems.rough.layered_lines import line_stiffnesses, moduli_of_waves, slope_modulus
 from winkler.problems.rough.line_solution import LineSprings, Realisations, RoughSolution, check_ensemble
 from winkler.problems.rough.persson import area_fraction, separation_under
@@ -52,7 +52,7 @@ LAYERED_LINES = Note(
 
 
 @value
-class RoughContact:
+class RoughContact(PerLoad[Q]):
     """A rough square pressed onto a flat half-space, by lines of springs.
 
     Parameters
@@ -92,7 +92,7 @@ class RoughContact:
     spectrum: Spectrum
     medium: Annotated[MappedMedium, Advice("roughness is known on no other")]
     side: Positive
-    load: Force | Depth
+    load: Force[Q] | Depth[Q]
     realisations: Realisations = 50
     count: LineSprings = 4096
     seed: Seed = 0
@@ -122,7 +122,7 @@ class RoughContact:
         for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
             yield RoughLine(heights, self.length, self.medium.modulus, rising)
 
-    def solve(self) -> RoughContactSolution:
+    def solve(self) -> RoughContactSolution[Q]:
         """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
 
         Raises
@@ -134,7 +134,7 @@ class RoughContact:
 
 
 @value
-class RoughContactSolution(RoughSolution):
+class RoughContactSolution(RoughSolution[Q]):
     """The solution of a `RoughContact`.
 
     Parameters
@@ -147,10 +147,10 @@ class RoughContactSolution(RoughSolution):
         Between these two lie eight of ten lines.
     """
 
-    problem: RoughContact
+    problem: RoughContact[Q]
 
     @property
-    def area(self) -> Quantity:
+    def area(self) -> Q:
         """True area of contact [m^2], after Persson: the length of the line in contact is none."""
         square = self.problem.side**2
         steep = slope_modulus(self.problem.medium, self.problem.spectrum)
@@ -158,7 +158,7 @@ class RoughContactSolution(RoughSolution):
         return shaped(square * fraction)
 
     @property
-    def mean_gap(self) -> Quantity:
+    def mean_gap(self) -> Q:
         """Mean distance of the surfaces [m], after Persson."""
         square = self.problem.side**2
         pressure = np.asarray(self.force) / square

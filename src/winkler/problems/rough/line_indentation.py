@@ -21,7 +21,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
@@ -41,7 +41,7 @@ POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 
 
 @value
-class RoughIndentation:
+class RoughIndentation(PerLoad[Q]):
     """A rough body pressed into a half-space, by lines of springs.
 
     Parameters
@@ -77,7 +77,7 @@ class RoughIndentation:
     spectrum: Spectrum
     bed: Bed
     length: Positive
-    load: Force | Depth
+    load: Force[Q] | Depth[Q]
     realisations: Realisations = 50
     count: LineSprings = 4096
     seed: Seed = 0
@@ -141,7 +141,7 @@ class RoughIndentation:
             )
         raise OutsideValidity(f"{where} the end of the line of {self.length:.6g} m; give a longer one, or press less.")
 
-    def solve(self) -> RoughIndentationSolution:
+    def solve(self) -> RoughIndentationSolution[Q]:
         """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
 
         Raises
@@ -155,7 +155,7 @@ class RoughIndentation:
 
 
 @value
-class RoughIndentationSolution(RoughSolution):
+class RoughIndentationSolution(RoughSolution[Q]):
     """The solution of a `RoughIndentation`.
 
     Parameters
@@ -168,16 +168,16 @@ class RoughIndentationSolution(RoughSolution):
         Between these two lie eight of ten lines.
     """
 
-    problem: RoughIndentation
+    problem: RoughIndentation[Q]
 
     @property
-    def smooth_stiffness(self) -> Quantity:
+    def smooth_stiffness(self) -> Q:
         """dF/dd [N/m] of the smooth body under the same forces."""
         _, radius = at_force(self.problem.bed, np.ravel(self.force))
         return shaped(self.problem.bed.stiffness(radius), np.shape(self.force))
 
     @property
-    def area(self) -> Quantity:
+    def area(self) -> Q:
         """True area of contact [m^2]: Persson's, ring by ring under the pressures of the smooth body."""
         bed, steep = self.problem.bed, slope_modulus(self.problem.medium, self.problem.spectrum)
         depths, radii = at_force(bed, np.ravel(self.force))

@@ -13,7 +13,7 @@ from winkler.limits import MOST_NUMBERS, MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.normal.unknown_yield import unknown_yield
@@ -42,7 +42,7 @@ def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: in
 
 
 @value
-class RoughSolution:
+class RoughSolution(PerLoad[Q]):
     """Statistics of many rough lines under one load, or under many.
 
     Parameters
@@ -56,14 +56,14 @@ class RoughSolution:
     """
 
     problem: Any
-    depth: Quantity
+    depth: Q
     depth_band: Array
-    force: Quantity
+    force: Q
     force_band: Array
-    stiffness: Quantity
+    stiffness: Q
     stiffness_band: Array
 
-    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
+    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Q:
         """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
 
         Raises
@@ -76,7 +76,7 @@ class RoughSolution:
         return shaped(self.stiffness * share)
 
     @property
-    def area(self) -> Quantity:
+    def area(self) -> Q:
         """True area of contact [m^2]."""
         raise NotImplementedError
 

@@ -33,7 +33,7 @@ from winkler.media.conduction.spot_resistances import SpotResistances, spot_resi
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import layers_of
 from winkler.numerics.surfaces.punched_grid import punch
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
@@ -52,7 +52,7 @@ BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.
 
 
 @value
-class SurfaceConduction:
+class SurfaceConduction(PerLoad[Q]):
     """A height map on a flat half-space, and the current through both.
 
     Parameters
@@ -83,7 +83,7 @@ class SurfaceConduction:
         in_proportion=("", "", "whether conductance is in proportion to stiffness"),
     )
 
-    contact: SurfaceContact
+    contact: SurfaceContact[Q]
     conductors: ElectricalConductors
     realisations: Annotated[int, Whole(1, MOST_SPRINGS // 256)] = 20
     seed: Seed = 0
@@ -104,7 +104,7 @@ class SurfaceConduction:
         plated = any(isinstance(body, Plated) for body in (self.conductors.first, self.conductors.second))
         return isinstance(self.contact.medium, HomogeneousMedium) and not plated
 
-    def solve(self) -> SurfaceConductionSolution:
+    def solve(self) -> SurfaceConductionSolution[Q]:
         """Return the resistance under every load.
 
         Raises
@@ -188,7 +188,7 @@ def _whole(parts: SpotResistances) -> float:
 
 
 @value
-class SurfaceConductionSolution:
+class SurfaceConductionSolution(PerLoad[Q]):
     """The solution of a `SurfaceConduction`; quantities have the shape of the load.
 
     Parameters
@@ -220,28 +220,28 @@ class SurfaceConductionSolution:
         film_excess=("R_f", "ohm", "what a film adds to the resistance"),
     )
 
-    problem: SurfaceConduction
-    contact: SurfaceContactSolution
-    line: RoughContactSolution
-    depth: Quantity
-    force: Quantity
-    stiffness: Quantity
-    line_stiffness: Quantity
-    least_stiffness: Quantity
-    greatest_stiffness: Quantity
-    film_excess: Quantity
-    resistance: Quantity
-    least_resistance: Quantity
-    greatest_resistance: Quantity
+    problem: SurfaceConduction[Q]
+    contact: SurfaceContactSolution[Q]
+    line: RoughContactSolution[Q]
+    depth: Q
+    force: Q
+    stiffness: Q
+    line_stiffness: Q
+    least_stiffness: Q
+    greatest_stiffness: Q
+    film_excess: Q
+    resistance: Q
+    least_resistance: Q
+    greatest_resistance: Q
 
     @property
-    def conductance(self) -> Quantity:
+    def conductance(self) -> Q:
         """1 / R [S] by boundary elements; infinite where a periodic map touches all over without a film."""
         with np.errstate(divide="ignore"):
             return shaped(1.0 / np.asarray(self.resistance, dtype=float))
 
     @property
-    def line_resistance(self) -> Quantity:
+    def line_resistance(self) -> Q:
         """R [ohm] by the lines; nan through platings and between elastic layers, of which lines tell no resistance."""
         return shaped(self.problem.of_stiffness(self.line_stiffness, self.film_excess))
 

@@ -28,7 +28,7 @@ from winkler.numerics.arrays import given, library_of, to_numpy
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
@@ -55,7 +55,7 @@ PUNCH_TOLERANCE = 3e-3
 
 
 @value
-class SurfaceContact:
+class SurfaceContact(PerLoad[Q]):
     """A height map pressed into an elastic half-space, layered or not, without friction or adhesion.
 
     Parameters
@@ -100,7 +100,7 @@ class SurfaceContact:
 
     topography: Topography
     medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
-    load: Force | Depth
+    load: Force[Q] | Depth[Q]
     hardness: PositiveOrInfinite = math.inf
     tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-6
 
@@ -194,19 +194,19 @@ class SurfaceContact:
                 to_numpy(xp.clip(solved.gap, 0.0, math.inf)),
             )  # fmt: skip
 
-    def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
+    def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution[Q]:
         """Return the solution made of these states, of the whole path or of its beginning."""
         reached, shape = list(states), numbers_of(self.load).shape
         whole = len(reached) == math.prod(shape)
 
-        def column(word: str) -> Quantity:
+        def column(word: str) -> Q:
             numbers = np.array([getattr(state, word) for state in reached])
-            return shaped(numbers, shape) if whole else numbers
+            return shaped(numbers, shape if whole else numbers.shape)
 
         columns = {field.name: column(field.name) for field in dataclasses.fields(SurfaceContactSolution)[1:-1]}
         return SurfaceContactSolution(problem=self, **columns, last=reached[-1])
 
-    def solve(self, arrays: ModuleType = np) -> SurfaceContactSolution:
+    def solve(self, arrays: ModuleType = np) -> SurfaceContactSolution[Q]:
         """Return the solution of all loads.
 
         Parameters
@@ -223,7 +223,7 @@ class SurfaceContact:
 
 
 @value
-class SurfaceContactSolution(BelowSurface):
+class SurfaceContactSolution(BelowSurface, PerLoad[Q]):
     """The solution of a `SurfaceContact`; quantities have the shape of the load, stresses are those of the last one.
 
     Parameters
@@ -238,20 +238,20 @@ class SurfaceContactSolution(BelowSurface):
 
     __words__ = SurfaceState.__words__
 
-    problem: SurfaceContact
-    depth: Quantity
-    force: Quantity
-    stiffness: Quantity
-    area: Quantity
-    area_error: Quantity
-    hardened_share: Quantity
-    mean_gap: Quantity
-    penetration: Quantity
-    misfit: Quantity
+    problem: SurfaceContact[Q]
+    depth: Q
+    force: Q
+    stiffness: Q
+    area: Q
+    area_error: Q
+    hardened_share: Q
+    mean_gap: Q
+    penetration: Q
+    misfit: Q
     last: SurfaceState
 
     @property
-    def mean_pressure(self) -> Quantity:
+    def mean_pressure(self) -> Q:
         """F / A [Pa] over the pixels that touch; the hardness where it limits nearly all of them."""
         return shaped(np.asarray(self.force) / np.asarray(self.area))
 
@@ -277,8 +277,10 @@ class SurfaceContactSolution(BelowSurface):
         """
         medium = self._medium
 
+        given = self.problem
+
         def share(force: float) -> float:
-            pressed = dataclasses.replace(self.problem, load=Force(force), hardness=math.inf)
+            pressed = SurfaceContact(given.topography, given.medium, Force(force), tolerance=given.tolerance)
             return greatest_share(medium, pressed.solve().surface_load)
 
         last = greatest_share(medium, self.surface_load)

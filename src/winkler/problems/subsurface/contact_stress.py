@@ -91,7 +91,7 @@ class ContactStress:
 
     __words__ = words(contact=("", None, "how the bodies are pressed"))
 
-    contact: Indentation | EllipticIndentation | LineIndentation
+    contact: Indentation[float] | EllipticIndentation[float] | LineIndentation[float]
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985",)
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
@@ -212,7 +212,7 @@ class ContactStressSolution:
     )
 
     problem: ContactStress
-    contact: IndentationSolution | EllipticSolution | LineSolution
+    contact: IndentationSolution[float] | EllipticSolution[float] | LineSolution[float]
     von_mises: float
     von_mises_depth: float
     max_shear: float

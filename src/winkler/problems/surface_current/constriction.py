@@ -19,7 +19,7 @@ from winkler.laws.current import Current, Drive, WiedemannFranz
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
 from winkler.numerics.films.joined import islands
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.heated_contact import (
@@ -46,7 +46,7 @@ SAME_SHARE = 1e-6
 
 
 @value
-class SurfaceConstriction:
+class SurfaceConstriction(PerLoad[Q]):
     """A height map pressed onto another conductor, plated or not, and a current through its spots.
 
     Parameters
@@ -109,7 +109,7 @@ class SurfaceConstriction:
         law=("", None, "how heat and current conduction go together"),
     )
 
-    contact: SurfaceContact
+    contact: SurfaceContact[Q]
     conductors: ElectricalConductors
     drive: Drive
     law: WiedemannFranz = DEFAULT_LAW
@@ -134,7 +134,7 @@ class SurfaceConstriction:
                     f"{self.temperature:g} K; current only heats: give a higher one, in kelvin."
                 )
 
-    def solve(self) -> SurfaceConstrictionSolution:
+    def solve(self) -> SurfaceConstrictionSolution[Q]:
         """Return resistance, voltage, current and temperatures under every load.
 
         Returns
@@ -189,7 +189,7 @@ class SurfaceConstriction:
         )
         shape = numbers_of(self.contact.load).shape
 
-        def column(numbers: Array | list[float]) -> Quantity:
+        def column(numbers: Array | list[float]) -> Q:
             return shaped(np.asarray(numbers).reshape(shape))
 
         return SurfaceConstrictionSolution(
@@ -220,7 +220,7 @@ class SurfaceConstriction:
 
 
 @value
-class SurfaceConstrictionSolution:
+class SurfaceConstrictionSolution(PerLoad[Q]):
     """The solution of a `SurfaceConstriction`; quantities have the shape of the load.
 
     Parameters
@@ -260,57 +260,57 @@ class SurfaceConstrictionSolution:
         hottest_contact_temperature=("T_{c,max}", "K", "greatest temperature of a pixel in contact"),
     )
 
-    problem: SurfaceConstriction
-    contact: SurfaceContactSolution
-    depth: Quantity
-    force: Quantity
-    area: Quantity
-    patch_count: Quantity
-    resistance: Quantity
-    voltage: Quantity
-    max_temperature: Quantity
-    softening_voltage: Quantity
-    softening_current: Quantity
-    melting_voltage: Quantity
-    melting_current: Quantity
-    current: Quantity
-    film_voltage: Quantity
-    contact_temperature: Quantity
-    coldest_contact_temperature: Quantity
-    hottest_contact_temperature: Quantity
-    cold_resistance: Quantity
-    first_constriction: Quantity
-    second_constriction: Quantity
-    film_resistance: Quantity
-    bare_constriction: Quantity
+    problem: SurfaceConstriction[Q]
+    contact: SurfaceContactSolution[Q]
+    depth: Q
+    force: Q
+    area: Q
+    patch_count: Q
+    resistance: Q
+    voltage: Q
+    max_temperature: Q
+    softening_voltage: Q
+    softening_current: Q
+    melting_voltage: Q
+    melting_current: Q
+    current: Q
+    film_voltage: Q
+    contact_temperature: Q
+    coldest_contact_temperature: Q
+    hottest_contact_temperature: Q
+    cold_resistance: Q
+    first_constriction: Q
+    second_constriction: Q
+    film_resistance: Q
+    bare_constriction: Q
 
     @property
-    def conductance(self) -> Quantity:
+    def conductance(self) -> Q:
         """1 / R [S]; infinite where a periodic map touches all over without a film."""
         with np.errstate(divide="ignore"):
             return shaped(1.0 / np.asarray(self.resistance, dtype=float))
 
     @property
-    def constriction(self) -> Quantity:
+    def constriction(self) -> Q:
         """What the constriction costs in both bodies, cold [ohm]."""
-        return self.first_constriction + self.second_constriction
+        return shaped(np.asarray(self.first_constriction) + self.second_constriction)
 
     @property
-    def plating_factor(self) -> Quantity:
+    def plating_factor(self) -> Q:
         """Constriction over that of the same spots without platings and film [-]; nan where nothing constricts."""
         bare = np.asarray(self.bare_constriction, dtype=float)
         some = bare > 0.0
         return shaped(np.where(some, np.asarray(self.constriction) / np.where(some, bare, 1.0), np.nan))
 
     @property
-    def rise(self) -> Quantity:
+    def rise(self) -> Q:
         """By how much the hottest place is hotter than the bodies [K]."""
-        return self.max_temperature - self.problem.temperature
+        return shaped(self.max_temperature - self.problem.temperature)
 
     @property
-    def heat_rate(self) -> Quantity:
+    def heat_rate(self) -> Q:
         """Joule heat I V [W]."""
-        return self.current * self.voltage
+        return shaped(np.asarray(self.current) * self.voltage)
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -17,7 +17,7 @@ import numpy as np
 from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Finite
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import HEATED, MAPPED
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.surface_heating.notes import JAEGER, surface_heating_notes
@@ -42,7 +42,7 @@ def _rolls_on(rolling: SurfaceRolling) -> bool:
 
 
 @value
-class SurfaceRollingHeating(RubbingBodies):
+class SurfaceRollingHeating(RubbingBodies, PerLoad[Q]):
     """A height map that rolls with creepage and warms up.
 
     Parameters
@@ -92,7 +92,9 @@ class SurfaceRollingHeating(RubbingBodies):
         second_bulk_temperature=("T_{2}", "K", "temperature of the second body far from the contact"),
     )
 
-    rolling: Annotated[SurfaceRolling, Condition(_rolls_on, "give SurfaceRolling a speed in m/s: heat depends on it")]
+    rolling: Annotated[
+        SurfaceRolling[Q], Condition(_rolls_on, "give SurfaceRolling a speed in m/s: heat depends on it")
+    ]
     conductors: HeatConductors
     first_bulk_temperature: Finite = 0.0
     second_bulk_temperature: Finite = 0.0
@@ -133,13 +135,14 @@ class SurfaceRollingHeating(RubbingBodies):
                 )
             yield dataclasses.replace(patch.heated(self.rolling.speed * _lost(rolled)), rolled=rolled)
 
-    def gathered(self, states: Iterable[SurfaceHeatState]) -> SurfaceRollingHeatingSolution:
+    def gathered(self, states: Iterable[SurfaceHeatState]) -> SurfaceRollingHeatingSolution[Q]:
         """Return the solution made of these states, of all creepages or of the first ones."""
         reached = list(states)
         contact = self.rolling.gathered([state.rolled for state in reached if state.rolled is not None])
         shape = np.shape(contact.force)
         names = [field.name for field in dataclasses.fields(SurfaceRollingHeatingSolution) if field.name not in APART]
-        columns = {name: shaped(np.array([getattr(state, name) for state in reached]), shape) for name in names}
+        rows = {name: np.array([getattr(state, name) for state in reached]) for name in names}
+        columns: dict[str, Q] = {name: shaped(row, shape) for name, row in rows.items()}
         problem = dataclasses.replace(self, rolling=contact.problem)
         last = reached[-1]
         first, second = self._peclets(last.pressure)
@@ -147,7 +150,7 @@ class SurfaceRollingHeating(RubbingBodies):
             problem, contact, **columns, first_peclet=first, second_peclet=second, last=last
         )
 
-    def solve(self) -> SurfaceRollingHeatingSolution:
+    def solve(self) -> SurfaceRollingHeatingSolution[Q]:
         """Return how warm the surfaces get.
 
         Raises
@@ -191,7 +194,7 @@ def _middles(rolling: SurfaceRolling) -> tuple[Array, Array]:
 
 
 @value
-class SurfaceRollingHeatingSolution:
+class SurfaceRollingHeatingSolution(PerLoad[Q]):
     """The solution of a `SurfaceRollingHeating`; quantities have the shape of the creepage.
 
     Parameters
@@ -215,23 +218,23 @@ class SurfaceRollingHeatingSolution:
         creep_power=("", "W", "creepages times forces and moment times speed"),
     )
 
-    problem: SurfaceRollingHeating
-    contact: SurfaceRollingSolution
-    heat_rate: Quantity
-    first_share: Quantity
-    exchanged_heat_rate: Quantity
-    max_temperature: Quantity
-    x: Quantity
-    y: Quantity
-    mean_temperature: Quantity
-    mismatch: Quantity
-    grid_error: Quantity
+    problem: SurfaceRollingHeating[Q]
+    contact: SurfaceRollingSolution[Q]
+    heat_rate: Q
+    first_share: Q
+    exchanged_heat_rate: Q
+    max_temperature: Q
+    x: Q
+    y: Q
+    mean_temperature: Q
+    mismatch: Q
+    grid_error: Q
     first_peclet: float
     second_peclet: float
     last: SurfaceHeatState
 
     @property
-    def creep_power(self) -> Quantity:
+    def creep_power(self) -> Q:
         """What the creepages take [W], forces and moment times speed: `heat_rate`, up to the error of the pixels."""
         return shaped(self.problem.rolling.speed * np.asarray(self.contact.loss_per_distance))
 

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
 from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import FiniteQuantity
+from winkler.checks.number_checks import FINITE_QUANTITY
 from winkler.errors import InvalidInput
 from winkler.loading import ShearForce, Torque
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import ZERO, Array, PerLoad, Q
 from winkler.problems.rolling.creepage import Creepage
 from winkler.values import value, words
 
-__all__ = ["CreepForce", "Given", "RollingDrive", "Spin", "first_of", "given_of"]
+__all__ = ["ONE_PUSH", "CreepForce", "Given", "Spin", "first_of", "given_of"]
 
 
 @value
-class Spin:
+class Spin(PerLoad[Q]):
     """A prescribed spin of a rolling pair, beside given forces.
 
     Parameters
@@ -29,14 +29,14 @@ class Spin:
 
     __words__ = words(spin=(r"\varphi", "1/m", "rotation about the normal per distance rolled"))
 
-    spin: FiniteQuantity
+    spin: Annotated[Q, FINITE_QUANTITY]
 
 
-NO_SPIN = Spin(0.0)
+NO_SPIN: Any = Spin(0.0)
 
 
 @value
-class CreepForce:
+class CreepForce(PerLoad[Q]):
     """The forces of a rolling pair, whose creepages are sought.
 
     Parameters
@@ -71,9 +71,9 @@ class CreepForce:
         shape=("", None, "the common shape of the three"),
     )
 
-    longitudinal: FiniteQuantity = 0.0
-    lateral: FiniteQuantity = 0.0
-    twist: Spin | Torque = NO_SPIN
+    longitudinal: Annotated[Q, FINITE_QUANTITY] = ZERO
+    lateral: Annotated[Q, FINITE_QUANTITY] = ZERO
+    twist: Spin[Q] | Torque[Q] = NO_SPIN
 
     def __post_init__(self) -> None:
         try:
@@ -85,7 +85,7 @@ class CreepForce:
             ) from None
 
     @property
-    def _parts(self) -> tuple[Quantity, Quantity, Quantity]:
+    def _parts(self) -> tuple[Q, Q, Q]:
         turned = self.twist.spin if isinstance(self.twist, Spin) else self.twist.torque
         return self.longitudinal, self.lateral, turned
 
@@ -104,11 +104,9 @@ def _one_push(drive: object) -> bool:
     return not isinstance(drive, ShearForce) or np.shape(drive.shear_force) in ((), (2,))
 
 
-RollingDrive = Annotated[
-    Creepage | CreepForce | ShearForce,
-    Condition(_one_push, "give ShearForce(F_x) or ShearForce([F_x, F_y]), and several forces as CreepForce(F_x, F_y)"),
-]
-"""What is prescribed of a pair that rolls steadily."""
+ONE_PUSH = Condition(
+    _one_push, "give ShearForce(F_x) or ShearForce([F_x, F_y]), and several forces as CreepForce(F_x, F_y)"
+)
 
 OneRollingDrive = Annotated[
     ShearForce | CreepForce | Creepage,

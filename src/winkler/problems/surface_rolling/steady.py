@@ -20,15 +20,17 @@ import numpy as np
 from winkler.checks.number_checks import Advice, NonNegative, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
+from winkler.loading import ShearForce
 from winkler.media.mapped import MappedMedium
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
-from winkler.problems.surface_rolling.creep_force import RollingDrive, first_of, given_of
+from winkler.problems.surface_rolling.creep_force import ONE_PUSH, CreepForce, first_of, given_of
 from winkler.problems.surface_rolling.creepages import CreepSearch, CreptPatch
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
@@ -43,7 +45,7 @@ __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 
 
 @value
-class SurfaceRolling:
+class SurfaceRolling(PerLoad[Q]):
     """A height map pressed on a half-space or on layers that rolls steadily towards +x, with creepages or under forces.
 
     Parameters
@@ -104,7 +106,7 @@ class SurfaceRolling:
     medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     load: OnePositiveNormal
     friction: Rolled
-    drive: RollingDrive
+    drive: Annotated[Creepage[Q] | CreepForce[Q] | ShearForce, ONE_PUSH]
     tolerance: Annotated[float, between(1e-12, 1e-2)] = 1e-7
     speed: NonNegative = 0.0
 
@@ -176,17 +178,18 @@ class SurfaceRolling:
             slipping=patch.spread(slipping),
         )
 
-    def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution:
+    def gathered(self, states: Iterable[SurfaceRollingState]) -> SurfaceRollingSolution[Q]:
         """Return the solution made of these states, of all creepages or forces, or of the first ones."""
         shape = given_of(self.drive).shape
         found = gathered_maps(states, SurfaceRollingSolution)
         count = found.columns["force"].size
         whole = count == self.total
         columns: dict[str, Any] = {name: shaped(row, shape) if whole else row for name, row in found.columns.items()}
-        problem = self if whole else dataclasses.replace(self, drive=first_of(self.drive, count))
+        first: Any = self.drive if whole else first_of(self.drive, count)
+        problem = self if whole else dataclasses.replace(self, drive=first)
         return SurfaceRollingSolution(problem=problem, **columns, **found.maps)
 
-    def solve(self) -> SurfaceRollingSolution:
+    def solve(self) -> SurfaceRollingSolution[Q]:
         """Return creep forces and creepages.
 
         Raises
@@ -206,7 +209,7 @@ def _stated(given: Array, by_force: Array) -> str:
 
 
 @value
-class SurfaceRollingSolution(RolledMap):
+class SurfaceRollingSolution(RolledMap, PerLoad[Q]):
     """The solution of a `SurfaceRolling`; quantities have the shape of what was prescribed.
 
     Parameters
@@ -236,36 +239,36 @@ class SurfaceRollingSolution(RolledMap):
         frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
-    problem: SurfaceRolling
-    longitudinal_creepage: Quantity
-    lateral_creepage: Quantity
-    spin_creepage: Quantity
-    longitudinal_force: Quantity
-    lateral_force: Quantity
-    depth: Quantity
-    force: Quantity
-    moment: Quantity
-    rolling_resistance: Quantity
-    stick_share: Quantity
-    misfit: Quantity
+    problem: SurfaceRolling[Q]
+    longitudinal_creepage: Q
+    lateral_creepage: Q
+    spin_creepage: Q
+    longitudinal_force: Q
+    lateral_force: Q
+    depth: Q
+    force: Q
+    moment: Q
+    rolling_resistance: Q
+    stick_share: Q
+    misfit: Q
     last: SurfaceRollingState
     heaviest: tuple[LoadedMap, ...]
     frames: tuple[TractionFrame, ...]
 
     @property
-    def shear_force(self) -> Quantity:
+    def shear_force(self) -> Q:
         """The resultant of both forces [N]."""
         return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
 
     @property
-    def saturation(self) -> Quantity:
+    def saturation(self) -> Q:
         """The resultant over mu F_N [-]; mu is that of slow slip if friction falls."""
         return shaped(
             np.asarray(self.shear_force) / (greatest_coefficient(self.problem.friction) * np.asarray(self.force))
         )
 
     @property
-    def loss_per_distance(self) -> Quantity:
+    def loss_per_distance(self) -> Q:
         """Energy lost per distance rolled [J/m]: creepages times forces, spin times moment, rolling resistance."""
         pairs = (
             (self.longitudinal_creepage, self.longitudinal_force),

@@ -19,7 +19,7 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Depth, Force
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
@@ -185,9 +185,9 @@ class StepSolution:
 
     problem: CreepTest | RelaxationTest
     time: Array
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
+    depth: Array
+    force: Array
+    radius: Array
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -6,15 +6,15 @@ relax each by a law of its own the stiffness of a flat punch with their complex 
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import PositiveQuantity
+from winkler.checks.number_checks import POSITIVE_QUANTITY
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth, Force
-from winkler.numerics.types import Quantity, shaped
+from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
@@ -29,7 +29,7 @@ __all__ = ["HarmonicIndentation", "HarmonicSolution"]
 
 
 @value
-class HarmonicIndentation:
+class HarmonicIndentation(PerLoad[Q]):
     """A body pressed in, at rest until all has relaxed, then moved up and down a little.
 
     Parameters
@@ -64,7 +64,7 @@ class HarmonicIndentation:
 
     bed: Bed
     normal: OnePositiveNormal
-    angular_frequency: PositiveQuantity
+    angular_frequency: Annotated[Q, POSITIVE_QUANTITY]
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
@@ -78,7 +78,7 @@ class HarmonicIndentation:
                 "HarmonicIndentation: the body flows for ever, so that it never rests under a force; give a Depth."
             )
 
-    def solve(self) -> HarmonicSolution:
+    def solve(self) -> HarmonicSolution[Q]:
         """Return storage and loss stiffness.
 
         Returns
@@ -105,7 +105,7 @@ class HarmonicIndentation:
 
 
 @value
-class HarmonicSolution:
+class HarmonicSolution(PerLoad[Q]):
     """The solution of a `HarmonicIndentation`.
 
     Parameters
@@ -122,22 +122,22 @@ class HarmonicSolution:
 
     __words__ = words(loss_stiffness=("k''", "N/m", "force a quarter turn ahead of a motion, over the motion"))
 
-    problem: HarmonicIndentation
+    problem: HarmonicIndentation[Q]
     depth: float
     force: float
     radius: float
-    storage_stiffness: Quantity
-    loss_stiffness: Quantity
+    storage_stiffness: Q
+    loss_stiffness: Q
 
     @property
-    def angular_frequency(self) -> Quantity:
+    def angular_frequency(self) -> Q:
         """Omega [rad/s], as prescribed."""
         return self.problem.angular_frequency
 
     @property
-    def loss_tangent(self) -> Quantity:
+    def loss_tangent(self) -> Q:
         """tan delta [-], loss over storage stiffness."""
-        return self.loss_stiffness / self.storage_stiffness
+        return shaped(np.asarray(self.loss_stiffness) / self.storage_stiffness)
 
     @property
     def validity(self) -> tuple[Note, ...]:

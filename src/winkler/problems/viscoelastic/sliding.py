@@ -17,12 +17,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import PositiveQuantity, Whole
+from winkler.checks.number_checks import POSITIVE_QUANTITY, Whole
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.limits import RELAXING_SPRINGS
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.numerics.types import Array, Quantity, shaped
+from winkler.numerics.types import Array, PerLoad, Q, like, shaped
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
@@ -38,7 +38,7 @@ __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 
 
 @value
-class SlidingResistance:
+class SlidingResistance(PerLoad[Q]):
     """A rigid body that slides without friction, or rolls, over a viscoelastic one at a steady speed.
 
     A ball that rolls freely leaves the same trace as one that slides, and meets the same resistance at its axle; what
@@ -84,7 +84,7 @@ class SlidingResistance:
 
     bed: Bed
     normal: OnePositiveNormal
-    speed: PositiveQuantity
+    speed: Annotated[Q, POSITIVE_QUANTITY]
     count: Annotated[int, Whole(10, RELAXING_SPRINGS)] = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "brilliantov_poschel_1998")
@@ -100,7 +100,7 @@ class SlidingResistance:
             )
         relaxation_of("SlidingResistance", self.bed)
 
-    def solve(self) -> SlidingResistanceSolution:
+    def solve(self) -> SlidingResistanceSolution[Q]:
         """Return the resistance at every speed.
 
         Returns
@@ -123,7 +123,7 @@ class SlidingResistance:
             share = share_of_line(medium.creep, speed, *done.touching)
             sums = done.depth, done.force, done.radius, done.trailing_edge, done.shear_force
             rows.append((*sums, share * done.shear_force))
-        columns = (shaped(np.array(column), np.shape(self.speed)) for column in zip(*rows, strict=True))
+        columns: list[Q] = [like(np.array(column), self.speed) for column in zip(*rows, strict=True)]
         return SlidingResistanceSolution(self, self.speed, *columns)
 
 
@@ -144,7 +144,7 @@ class SlidingLine:
 
 
 @value
-class SlidingResistanceSolution:
+class SlidingResistanceSolution(PerLoad[Q]):
     """The solution of a `SlidingResistance`; every quantity has the shape of the speed.
 
     Parameters
@@ -167,19 +167,19 @@ class SlidingResistanceSolution:
 
     __words__ = words(coefficient=(r"\mu", "", "resistance over normal force"))
 
-    problem: SlidingResistance
-    speed: Quantity
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
-    trailing_edge: Quantity
-    line_shear_force: Quantity
-    shear_force: Quantity
+    problem: SlidingResistance[Q]
+    speed: Q
+    depth: Q
+    force: Q
+    radius: Q
+    trailing_edge: Q
+    line_shear_force: Q
+    shear_force: Q
 
     @property
-    def coefficient(self) -> Quantity:
+    def coefficient(self) -> Q:
         """F_x / F_N [-] of the body, its coefficient of friction."""
-        return self.shear_force / self.force
+        return shaped(np.asarray(self.shear_force) / self.force)
 
     def line(self, index: int | tuple[int, ...] = ()) -> SlidingLine:
         """Return the springs at one speed.

@@ -113,7 +113,9 @@ DepthGradedHalfSpace or GradedHalfSpace
     bodies: CurvedBodies | CurvedPair
     medium: Annotated[MappedMedium, Advice("neither Hertz's ellipse nor the boundary elements apply to another")]
     wear: WearLaw
-    load: Annotated[Force, Condition(_one_positive, "give Force(F) with one positive number, and sweep over several")]
+    load: Annotated[
+        Force[float], Condition(_one_positive, "give Force(F) with one positive number, and sweep over several")
+    ]
     distance: Positive
     angle: Finite = 0.0
     passes: Positive = 1.0
@@ -249,7 +251,7 @@ class EllipticWearSolution:
     )
 
     problem: EllipticWear
-    contact: EllipticSolution
+    contact: EllipticSolution[float]
     worn_depth: float
     worn_volume: float
     track_half_width: float

@@ -13,7 +13,7 @@ from winkler.fitting.nanoindentation.continuous import (
     ContinuousIndentationSolution,
     WindowMean,
 )
-from winkler.fitting.nanoindentation.solution import NanoindentationSolution
+from winkler.fitting.nanoindentation.measurement import NanoindentationSolution
 from winkler.io.placed_curves import PlacedCurve
 from winkler.readable import with_unit
 from winkler.study.nanoindentation.reading import NanoindentationStudy

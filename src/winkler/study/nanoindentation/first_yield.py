@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from winkler.fitting.curves.segments import SegmentKind
+from winkler.fitting.nanoindentation.measurement import NanoindentationSolution
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics, pop_in_statistics
-from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 
 __all__ = ["FEWEST", "first_pop_in", "first_yield"]
 

@@ -17,11 +17,10 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
-from winkler.fitting.nanoindentation.measurement import Nanoindentation
+from winkler.fitting.nanoindentation.measurement import Nanoindentation, NanoindentationSolution
 from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
 from winkler.fitting.nanoindentation.repetition import RepeatedMean, compared_quantities, repeated_mean
-from winkler.fitting.nanoindentation.solution import NanoindentationSolution
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.fitting.several.standing_out import BatchQuantity, copies, doubts_of_batch
