@@ -95,7 +95,7 @@ def test_what_is_no_log_is_refused():
 @pytest.mark.slow
 @pytest.mark.parametrize(("slow", "least"), [(0.0, 0.92), (0.6, 0.90)])
 def test_intervals_hold_the_truth(slow, least):
-    """Of white scatter 95 % intervals hold both in 0.92 to 0.98 of 200 worlds; of slow scatter in 0.91 only (50 rows)."""
+    """Of white scatter 95 % intervals hold both in 0.92 to 0.98 of 200 worlds; of slow scatter only in 0.91."""
     film = 0.3 * RHO * float(radius_of(0.1))
     body = ElectricalConductor(RHO)
     true = ElectricalConductors(body, body, SurfaceFilm(film)).resistances(radius_of(FORCE)).whole + LEADS
