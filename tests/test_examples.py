@@ -38,6 +38,7 @@ QUICK = {
     "data/make_force_curves.py",
     "data/make_rough_surface.py",
     "data/gel_holds/make_holds.py",
+    "data/logs/make_logs.py",
     "exchange/for_other_programs.py",
     "fitting/oliver_pharr.py",
     "friction/fretting_loop.py",

@@ -313,13 +313,13 @@ def one_curve(here: Path, more: str = "") -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT of a process alone there")
 def test_ctrl_c_prints_the_best_numbers_so_far(here, monkeypatch, capsys):
-    """The signal comes at the tenth evaluation, as a reader would send it."""
+    """The signal comes at the fourth evaluation, as a reader would send it."""
     from winkler.fitting.search import Search
 
     plain = Search.record
 
     def stopped(self, *evaluation):
-        if self.evaluations == 9:
+        if self.evaluations == 3:
             os.kill(os.getpid(), signal.SIGINT)
         plain(self, *evaluation)
 

@@ -8,7 +8,7 @@ import pytest
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import states_for
-from winkler.fitting.elastic.depth_response import DepthResponse
+from winkler.fitting.elastic.depth_response import HomogeneousResponse
 from winkler.fitting.elastic.film_tables import FilmTables
 from winkler.fitting.elastic.model_tables import EACH_ANEW, HomogeneousTables
 from winkler.fitting.elastic.tables_for import tables_for
@@ -58,7 +58,7 @@ def test_forces_over_the_depth_are_those_of_the_radii(profile, spring):
     force = 2.0 * modulus * (radius * depth - profile.gap_integral(radius))
     position = depth + force / spring
     response = HomogeneousTables().response(states_for(model), 1.0 / spring, float(position[-1]))
-    assert isinstance(response, DepthResponse)
+    assert isinstance(response, HomogeneousResponse)
     found = response.opening(position, np.inf)
     assert found.force == pytest.approx(force, rel=1e-7, abs=1e-11 * force[-1])
     assert found.radius == pytest.approx(radius, rel=1e-6, abs=1e-8 * radius[-1])
@@ -69,7 +69,7 @@ def test_forces_over_the_depth_are_those_of_the_radii(profile, spring):
 @pytest.mark.parametrize("profile", [wk.FlatPunch(R), wk.TruncatedCone(0.3, 1e-6)], ids=repr)
 def test_a_profile_with_an_edge_keeps_its_table_of_radii(profile):
     model = wk.Indentation(wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(1e4, 0.5))), wk.Depth(0.0))
-    assert not isinstance(HomogeneousTables().response(states_for(model), 0.0, 1e-6), DepthResponse)
+    assert not isinstance(HomogeneousTables().response(states_for(model), 0.0, 1e-6), HomogeneousResponse)
 
 
 SLOW = pytest.mark.slow

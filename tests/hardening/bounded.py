@@ -38,7 +38,7 @@ def sentence_within(call) -> str:
                 text = str(error)
             except BaseException as error:
                 text = f"raised {type(error).__name__}: {error}"
-            os.write(theirs, text.encode("utf-8", "replace")[:4000])
+            os.write(theirs, text.encode("utf-8", "replace")[:6000])
             code = 0
         finally:
             os._exit(code)

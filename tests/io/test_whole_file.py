@@ -35,12 +35,18 @@ FIELDS = wk.restore(wk.Indentation(BED, wk.Depth(1e-6)).solve(), np.linspace(0.0
 SET = ExportedLaw("ball", "c", "a ball", (("ball.h", "#if 1\n"), ("ball.c", "int main;\n"), ("ball.bin", b"\0")), 0)
 WORN = wk.SlidingWear(BED, wk.Archard(1e-13), wk.Force(1.0), np.array([0.0, 1.0]), count=20)
 MADE = Provenance("0", "", "1970-01-01T00:00:00+00:00", 1.0, ())
+WAVES = np.add.outer(np.sin(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4))
+ROUGH = wk.Topography(1e-7 * WAVES, [1e-4, 1e-4], periodic=True)
+JOINT = wk.SurfaceContact(ROUGH, BED.medium, wk.Force([1e-3, 1e-2])).solve()
 
 WRITERS = {
     "write_contacts": lambda path: wk.write_contacts(BEADS, path),
     "write_export": lambda path: wk.write_export(SET, path.parent),
     "write_indenter": lambda path: wk.write_indenter(INDENTER, path),
     "write_law": lambda path: wk.write_law(LAW, path.with_suffix(".csv")),
+    "write_surface_interaction": lambda path: wk.write_surface_interaction(
+        JOINT, path.with_suffix(".inp"), program="abaqus"
+    ),
     "write_trace": lambda path: wk.write_trace(CONTACT, path.with_suffix(".csv")),
     "write_vtk": lambda path: wk.write_vtk(FIELDS, path.with_suffix(".vtk")),
     "ContactArray.save": lambda path: ContactArray(BEADS, 3).save(path),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import itertools
 import re
 from typing import Any
 
@@ -52,6 +53,10 @@ RISE = wk.Path([0.0, 1.0, 2.0], wk.Force([0.0, 0.004, 0.002]))
 CRACK = wk.RateDependentWork(1e-4, 1e-3, 0.5)
 SPECTRUM = wk.SelfAffine(hurst=0.8, rms_height=1e-3, longest=0.1, shortest=0.01)
 
+WAY = np.sin(np.linspace(-0.5 * np.pi, 4.5 * np.pi, 500))
+SLIDER = np.array(
+    [*itertools.accumulate(np.diff(0.03 * WAY), lambda f, way: min(max(f + 0.1 * way, -1e-3), 1e-3), initial=0.0)]
+)
 PROBLEMS = {
     "AdhesiveCycle": lambda bed: wk.AdhesiveCycle(bed, SHORT, wk.Depth([0.01, -0.02])),
     "AdhesiveImpact": lambda bed: wk.AdhesiveImpact(bed, SHORT, 1.0, 0.01, count=11),
@@ -68,12 +73,16 @@ PROBLEMS = {
         bed, wk.Archard(1e-3), MU, DEPTH, wk.Shift(0.003), [0.0, 1.0], count=30, tolerance=1e-2
     ),
     "FrictionDamping": lambda bed: wk.FrictionDamping(bed, MU, LOAD, wk.ShearForce(0.001)),
+    "FrictionLoops": lambda bed: wk.FrictionLoops(bed, LOAD, wk.FrictionLog(0.03 * WAY, SLIDER)),
     "FrictionHeating": lambda bed: wk.FrictionHeating(bed, MU, LOAD, STEEL, 3e-5),
     "HarmonicIndentation": lambda bed: wk.HarmonicIndentation(bed, LOAD, 1.0),
     "Impact": lambda bed: wk.Impact(bed, MU, 1.0, 0.01, 0.002, count=11),
     "Indentation": lambda bed: wk.Indentation(bed, LOAD),
     "JouleHeating": lambda bed: wk.JouleHeating(bed, WIRES, LOAD, wk.Voltage(1e-3)),
     "LimitingProfile": lambda bed: wk.LimitingProfile(bed, MU, DEPTH, wk.Shift(0.003)),
+    "MeasuredConstriction": lambda bed: wk.MeasuredConstriction(
+        bed, wk.ResistanceLog(np.linspace(1e-3, 1e-2, 30), 1e-3 * np.linspace(1e-3, 1e-2, 30) ** -0.4)
+    ),
     "OscillatingRolling": lambda bed: wk.OscillatingRolling(bed, MU, 0.01, 1e-4, LOAD, cycles=1, count=20),
     "PullOff": lambda bed: wk.PullOff(bed, SHORT),
     "RelaxationDamper": lambda bed: wk.RelaxationDamper(bed, 0.02, 0.001, 1.0),

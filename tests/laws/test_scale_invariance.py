@@ -68,7 +68,17 @@ STEPS = Rounded(1e-5, "the march has a tolerance of 1e-3: the end of a step is w
 PRESSED = Rounded(1e-7, "each contact has a tolerance of 1e-6")
 WORN = Rounded(1e-6, "each of many contacts, one after the other, has a tolerance of 1e-6")
 SPRING = Rounded(1e-2, "at moments that an adaptive march of tolerance 1e-3 picks, with 100 springs")
+LEAST = Rounded(1e-5, "a sum of squares is level where it is least, which leaves the place half of its digits")
 ROUNDED: dict[tuple[str, str], Rounded] = {
+    **{
+        ("FrictionLoopsSolution", name): LEAST
+        for name in ("coefficient_error", "contact_stiffness_error", "series_compliance_error")
+    },
+    **{
+        ("MeasuredConstrictionSolution", f"{name}{error}"): LEAST
+        for name in ("resistivity", "film", "series")
+        for error in ("", "_error")
+    },
     ("SpotClusterSolution", "uncertainty"): ERROR,
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
     **{("EllipticYieldOnsetSolution", name): PLACE for name in "xyz"},

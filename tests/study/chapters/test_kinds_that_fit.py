@@ -145,6 +145,7 @@ def test_a_problem_answers_on_a_bed_or_refuses_it(name):
 
 WITHOUT_OUTLINE = {
     "bimodal_damping", "conductance_bounds", "constriction", "creep_test", "friction_damping",
+    "friction_loops", "measured_constriction",
     "harmonic_indentation", "impact", "indentation", "joule_heating", "line_adhesion", "line_constriction",
     "line_fretting_wear", "line_friction_heating", "line_indentation", "line_limiting_profile", "line_rolling",
     "line_rolling_resistance", "line_rolling_start", "line_shakedown", "line_sliding_wear", "line_tangential",

@@ -58,7 +58,7 @@ class HeldContact(NamedTuple):
         [N], dF/dD [N/m], a [m].
     balanced : ndarray of bool, (n,)
         Where the edge is in the equilibrium of `response`; elsewhere it is pinned.
-    response : MachineResponse or DepthResponse
+    response : MachineResponse or HomogeneousResponse
         Of the receding contact.
     adhesive : bool
         Whether it is adhesive.

@@ -19,7 +19,7 @@ import numpy as np
 from winkler.fitting.elastic.response import MachineResponse, ResponseValues
 from winkler.numerics.types import Array
 
-__all__ = ["DepthResponse", "DepthTable", "depth_table"]
+__all__ = ["HomogeneousResponse", "DepthTable", "depth_table"]
 
 OCTAVES, IN_OCTAVE, DEGREE = 20, 8, 6
 """Octaves of the depth, panels in each, and degree of their polynomials."""
@@ -71,7 +71,7 @@ class DepthTable(NamedTuple):
         return value, slope
 
 
-class DepthResponse(NamedTuple):
+class HomogeneousResponse(NamedTuple):
     """Response of a contact without adhesion to its machine, as that of `winkler.fitting.elastic.response`.
 
     Parameters

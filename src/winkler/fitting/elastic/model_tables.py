@@ -6,7 +6,7 @@ from typing import Protocol, cast
 
 import numpy as np
 
-from winkler.fitting.elastic.depth_response import DepthResponse, DepthTable, depth_table
+from winkler.fitting.elastic.depth_response import HomogeneousResponse, DepthTable, depth_table
 from winkler.fitting.elastic.reach import machine_curves
 from winkler.fitting.elastic.response import MachineResponse, ResponseValues, end_at, of_table, response
 from winkler.media.halfspace import HomogeneousMedium
@@ -20,7 +20,7 @@ MARGIN = 1.5
 """Greatest depth of a table relative to the greatest requested one."""
 
 
-Response = MachineResponse | DepthResponse
+Response = MachineResponse | HomogeneousResponse
 
 
 class ModelTables(Protocol):
@@ -42,7 +42,7 @@ class ModelTables(Protocol):
 
         Parameters
         ----------
-        held : MachineResponse or DepthResponse
+        held : MachineResponse or HomogeneousResponse
             Of the other states.
         states : EdgeStates
         compliance : float
@@ -96,7 +96,7 @@ class HomogeneousTables(EachAnew):
         assert self._of_depth is not None
         share, whole = _modulus(states) / self._modulus, self._of_depth
         if self._smooth is not None:
-            return DepthResponse(self._smooth, share, self._stiffness, compliance)
+            return HomogeneousResponse(self._smooth, share, self._stiffness, compliance)
         depth, force = whole.table.series[:, 0], whole.table.series[:, 1] * share
         pieces = tuple(
             piece._replace(levels=piece.levels + compliance * share * pressed)
@@ -122,7 +122,7 @@ class HomogeneousTables(EachAnew):
     def differences(self, held: Response, states: EdgeStates, compliance: float, values: ResponseValues) -> Array:
         """Return the differences."""
         share = _modulus(states) / self._modulus
-        if isinstance(held, DepthResponse):
+        if isinstance(held, HomogeneousResponse):
             force = (share / held.share - 1.0) * values.force
         else:
             assert self._of_depth is not None
