@@ -19,7 +19,7 @@ import numpy as np
 from winkler.fitting.elastic.response import MachineResponse, ResponseValues
 from winkler.numerics.types import Array
 
-__all__ = ["HomogeneousResponse", "DepthTable", "depth_table"]
+__all__ = ["DepthTable", "HomogeneousResponse", "depth_table"]
 
 OCTAVES, IN_OCTAVE, DEGREE = 20, 8, 6
 """Octaves of the depth, panels in each, and degree of their polynomials."""

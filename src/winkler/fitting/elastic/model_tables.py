@@ -6,7 +6,7 @@ from typing import Protocol, cast
 
 import numpy as np
 
-from winkler.fitting.elastic.depth_response import HomogeneousResponse, DepthTable, depth_table
+from winkler.fitting.elastic.depth_response import DepthTable, HomogeneousResponse, depth_table
 from winkler.fitting.elastic.reach import machine_curves
 from winkler.fitting.elastic.response import MachineResponse, ResponseValues, end_at, of_table, response
 from winkler.media.halfspace import HomogeneousMedium
