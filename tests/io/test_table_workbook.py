@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import csv
-import datetime
 import io
+import re
 import sys
+import zipfile
 
 import pytest
 
@@ -80,16 +81,16 @@ def test_long_tables_go_on_in_the_next_sheet(tmp_path, monkeypatch):
     assert all(sheet["A1"].value == "n [-]" for sheet in book)
 
 
-def test_equal_tables_make_equal_bytes(monkeypatch):
-    class Later(datetime.datetime):
-        @classmethod
-        def now(cls, tz=None):
-            return datetime.datetime(2040, 1, 1, tzinfo=tz)
-
+def test_equal_tables_make_equal_bytes():
+    """No time stands in the archive, neither beside its parts nor in them."""
     files = {"a.csv": b"n [-]\n1\n"}
-    first = workbook.workbook_file(files)
-    monkeypatch.setattr(sys.modules["openpyxl.writer.excel"].datetime, "datetime", Later)
-    assert workbook.workbook_file(files) == first
+    content = workbook.workbook_file(files)
+    assert workbook.workbook_file(files) == content
+    (made,) = content.values()
+    with zipfile.ZipFile(io.BytesIO(made)) as archive:
+        assert {part.date_time for part in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
+        times = re.findall(rb"[12][09]\d\d-\d\d", b"".join(map(archive.read, archive.namelist())))
+    assert set(times) == {b"1980-01"}
 
 
 def test_without_openpyxl_the_study_is_refused_before_it_runs(tmp_path, monkeypatch):

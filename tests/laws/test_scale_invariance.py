@@ -72,12 +72,17 @@ LEAST = Rounded(1e-5, "a sum of squares is level where it is least, which leaves
 ROUNDED: dict[tuple[str, str], Rounded] = {
     **{
         ("FrictionLoopsSolution", name): LEAST
-        for name in ("coefficient_error", "contact_stiffness_error", "series_compliance_error")
+        for name in (
+            *("coefficient", "coefficient_error", "contact_stiffness", "contact_stiffness_error"),
+            *("series_compliance", "series_compliance_error", "contact_stroke"),
+        )
     },
     **{
-        ("MeasuredConstrictionSolution", f"{name}{error}"): LEAST
-        for name in ("resistivity", "film", "series")
-        for error in ("", "_error")
+        ("MeasuredConstrictionSolution", name): LEAST._replace(beside=name)  # powers of two round radii of power laws
+        for name in (
+            *("resistivity", "resistivity_error", "film", "film_error", "series", "series_error"),
+            "freedom",
+        )
     },
     ("SpotClusterSolution", "uncertainty"): ERROR,
     ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,

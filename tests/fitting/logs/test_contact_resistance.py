@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import t as student
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.logs.contact_resistance import MeasuredConstriction, ResistanceLog
 from winkler.foundation.foundation import Foundation
 from winkler.laws.film import SurfaceFilm
@@ -14,6 +14,7 @@ from winkler.materials.conductor import ElectricalConductor
 from winkler.materials.elastic import Elastic
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.halfspace import HalfSpace
+from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Standing
 
@@ -109,3 +110,10 @@ def test_intervals_hold_the_truth(slow, least):
             error = getattr(found, f"{name}_error")
             held[name] += abs(getattr(found, name) - truth) <= student.ppf(0.975, found.freedom) * error
     assert all(least * 200 <= count <= 0.98 * 200 for count in held.values()), held
+
+
+def test_a_punch_of_one_area_is_refused():
+    force = np.linspace(1.0, 10.0, 20)
+    log = ResistanceLog(force, 1e-3 + 1e-6 * np.random.default_rng(0).standard_normal(20))
+    with pytest.raises(OutsideValidity, match="whose area is the same under each force"):
+        MeasuredConstriction(Foundation(FlatPunch(1e-3), HalfSpace(GOLD)), log).solve()

@@ -42,6 +42,8 @@ SMALL_SCATTER, LARGE_SCATTER = 0.02, 0.1
 """Relative scatter of the resistances about the fitted ones."""
 LEAST_PART, START_PART, NOTHING = 1e-12, 1e-3, 1e-9
 """Least resistivity, least part of each number at the start, and what counts as zero, over what alone would make R."""
+LEAST_SHARE = 1e-7
+"""Least singular value of the derivatives, over the greatest: below it a combination of the numbers has no effect."""
 SURE = 3.0
 """Standard errors from which on a difference of loading and unloading is named."""
 SOURCE = "least squares of logarithms, with the correlation of neighbours; Student's distribution"
@@ -183,14 +185,15 @@ class MeasuredConstriction:
         Raises
         ------
         OutsideValidity
-            If a force leads beyond the reach of the profile, or the area of the contact is unknown.
+            If a force leads beyond the reach of the profile, the area of the contact is unknown, or it does not change
+            with the force.
         """
         from scipy.optimize import least_squares, nnls
 
         log, known, resistances = self.log, self.resistivity, self.resistances
         radius = self._radius
         middle = float(np.median(radius))
-        size = known or 1.0
+        size = known or middle * float(np.median(log.resistance))
         rows = np.stack(
             [
                 resistances(size, 0.0, 0.0) / size,
@@ -219,6 +222,12 @@ class MeasuredConstriction:
             ftol=1e-14,
             gtol=1e-14,
         )
+        sizes = np.linalg.svd(found.jac / np.linalg.norm(found.jac, axis=0), compute_uv=False)
+        if not sizes[-1] > LEAST_SHARE * sizes[0]:
+            raise OutsideValidity(
+                "MeasuredConstriction: over these forces a film and leads change the resistance alike, as under a flat "
+                "punch, whose area is the same under each force; give a wider range of forces, or a round body."
+            )
         numbers, errors = np.array([known, 0.0, 0.0]), np.zeros(3)
         estimates = _estimates(found.jac, found.fun, found.x)
         numbers[free] = np.where((found.x > NOTHING) | (free == 0), scale[free] * found.x, 0.0)
