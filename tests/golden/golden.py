@@ -24,6 +24,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import json
+import math
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -139,8 +140,13 @@ def _places(size: int, kept: int) -> np.ndarray:
     return np.arange(size) if size <= kept else np.round(np.arange(1, kept + 1) * (size - 1) / kept).astype(int)
 
 
-def difference(stored: list[float], found: np.ndarray, over: np.ndarray | None = None) -> float:
-    """Return the greatest difference over the greatest of the found numbers, or of others that are named; infinite
+def greatest(numbers: np.ndarray) -> float:
+    """Return the greatest magnitude of those that are finite."""
+    return float(np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0))
+
+
+def difference(stored: list[float], found: np.ndarray, whole: float | None = None) -> float:
+    """Return the greatest difference over the greatest of the found numbers, or what else it counts over; infinite
     where there is another count.
     """
     now, before = found[_places(found.size, max(len(stored), 1))], np.array(stored, dtype=float)
@@ -150,9 +156,8 @@ def difference(stored: list[float], found: np.ndarray, over: np.ndarray | None =
     if not np.array_equal(now[~finite], before[~finite], equal_nan=True):
         return float("inf")
     apart = float(np.max(np.abs(now[finite] - before[finite]), initial=0.0))
-    whole = found if over is None else over
-    greatest = float(np.max(np.abs(whole[np.isfinite(whole)]), initial=0.0))
-    return apart / greatest if greatest > 0.0 else float("inf") if apart > 0.0 else 0.0
+    whole = greatest(found) if whole is None else whole
+    return apart / whole if whole > 0.0 else float("inf") if apart > 0.0 else 0.0
 
 
 class Entry(NamedTuple):
@@ -171,7 +176,8 @@ class Entry(NamedTuple):
     source
         Of class W: where the independent number comes from.
     over
-        Of quantities whose error a march states over another one, an energy over the work: that one.
+        Quantities whose error a march states over others, an energy over force and shift: those, whose greatest are
+        multiplied.
     """
 
     kind: str
@@ -179,7 +185,7 @@ class Entry(NamedTuple):
     error: list[float]
     rounding: dict[str, float] = {}  # noqa: RUF012
     source: str = ""
-    over: dict[str, str] = {}  # noqa: RUF012
+    over: dict[str, list[str]] = {}  # noqa: RUF012
 
     def allowed(self, row: int, name: str) -> float:
         """Return the difference that is allowed."""
@@ -194,9 +200,9 @@ class Entry(NamedTuple):
         gone = [f"row {row}: {name} is gone" for name in stored if name not in found.answers]
         answers = found.answers
         each = {
-            name: difference(stored[name], answers[name], answers.get(self.over.get(name, name)))
+            name: difference(stored[name], answers[name], math.prod(greatest(answers[one]) for one in counted))
             for name in stored
-            if name in answers
+            if answers.keys() >= {name, *(counted := self.over.get(name, [name]))}
         }
         return gone + [
             f"row {row}: {name} moved by {apart:.2e}, class {self.kind} allows {self.allowed(row, name):.1e}"
