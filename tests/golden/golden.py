@@ -24,6 +24,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import json
+import math
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -139,8 +140,15 @@ def _places(size: int, kept: int) -> np.ndarray:
     return np.arange(size) if size <= kept else np.round(np.arange(1, kept + 1) * (size - 1) / kept).astype(int)
 
 
-def difference(stored: list[float], found: np.ndarray) -> float:
-    """Return the greatest difference over the greatest of the found numbers; infinite where there is another count."""
+def greatest(numbers: np.ndarray) -> float:
+    """Return the greatest magnitude of those that are finite."""
+    return float(np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0))
+
+
+def difference(stored: list[float], found: np.ndarray, whole: float | None = None) -> float:
+    """Return the greatest difference over the greatest of the found numbers, or what else it counts over; infinite
+    where there is another count.
+    """
     now, before = found[_places(found.size, max(len(stored), 1))], np.array(stored, dtype=float)
     if now.shape != before.shape or np.any(np.isfinite(now) != np.isfinite(before)):
         return float("inf")
@@ -148,8 +156,8 @@ def difference(stored: list[float], found: np.ndarray) -> float:
     if not np.array_equal(now[~finite], before[~finite], equal_nan=True):
         return float("inf")
     apart = float(np.max(np.abs(now[finite] - before[finite]), initial=0.0))
-    greatest = float(np.max(np.abs(found[np.isfinite(found)]), initial=0.0))
-    return apart / greatest if greatest > 0.0 else float("inf") if apart > 0.0 else 0.0
+    whole = greatest(found) if whole is None else whole
+    return apart / whole if whole > 0.0 else float("inf") if apart > 0.0 else 0.0
 
 
 class Entry(NamedTuple):
@@ -167,6 +175,9 @@ class Entry(NamedTuple):
         By which quantities differ between two kinds of arithmetic, where it is more than a tenth of the allowed.
     source
         Of class W: where the independent number comes from.
+    over
+        Quantities whose error a march states over others, an energy over force and shift: those, whose greatest are
+        multiplied.
     """
 
     kind: str
@@ -174,6 +185,7 @@ class Entry(NamedTuple):
     error: list[float]
     rounding: dict[str, float] = {}  # noqa: RUF012
     source: str = ""
+    over: dict[str, list[str]] = {}  # noqa: RUF012
 
     def allowed(self, row: int, name: str) -> float:
         """Return the difference that is allowed."""
@@ -186,7 +198,12 @@ class Entry(NamedTuple):
         if isinstance(found, str) or isinstance(stored, str):
             return [] if found == stored else [f"row {row}: it was {stored!s:.40}, and is {found!s:.40}"]
         gone = [f"row {row}: {name} is gone" for name in stored if name not in found.answers]
-        each = {name: difference(stored[name], found.answers[name]) for name in stored if name in found.answers}
+        answers = found.answers
+        each = {
+            name: difference(stored[name], answers[name], math.prod(greatest(answers[one]) for one in counted))
+            for name in stored
+            if answers.keys() >= {name, *(counted := self.over.get(name, [name]))}
+        }
         return gone + [
             f"row {row}: {name} moved by {apart:.2e}, class {self.kind} allows {self.allowed(row, name):.1e}"
             for name, apart in each.items()
@@ -232,7 +249,7 @@ def packed(entry: Entry) -> dict[str, Any]:
     """Return an entry as it is stored, its names once for all rows."""
     first = next((row for row in entry.rows if not isinstance(row, str)), {})
     rows = [row if isinstance(row, str) else [row[name] for name in first] for row in entry.rows]
-    more = {name: part for name in ("rounding", "source") if (part := getattr(entry, name))}
+    more = {name: part for name in ("rounding", "source", "over") if (part := getattr(entry, name))}
     return {"kind": entry.kind, "error": entry.error, "names": list(first), "rows": rows, **more}
 
 

@@ -104,6 +104,8 @@ def test_what_is_allowed_is_stated_by_its_class():
         assert max(entry.error) <= 0.1, key
         assert (entry.kind == "W") == ("doi:" in entry.source or "derivation" in entry.source), key
         assert max(entry.rounding.values(), default=0.0) <= max(RESIDUAL, *entry.error), key
+        counted = {name for one in entry.over.items() for name in (one[0], *one[1])}
+        assert all(counted <= row.keys() for row in entry.rows if counted), key
 
 
 PATH = {"force": np.linspace(1.0, 2.0, 9), "shift": np.array([0.0, 1e-9, -3e-9]), "end": np.array([math.inf, math.nan])}
@@ -124,6 +126,14 @@ def test_a_number_that_changed_is_found(name):
     for kind in "MW":
         assert entry_of(kind, 1e-3).moved(0, Found(PATH | {name: changed}, 0.0)) == []
         assert len(entry_of(kind, 1e-12).moved(0, Found(PATH | {name: changed}, 0.0))) == 1
+
+
+def test_a_difference_counts_over_other_quantities_where_they_are_named():
+    content = {"force": np.array([0.0, 5.0]), "shift": np.array([0.0, 4.0]), "loss": np.array([0.0, 1.0])}
+    entry = unpacked(packed(Entry("W", [row_of(content)], [1e-3], over={"loss": ["force", "shift"]})))
+    assert entry.moved(0, Found(content | {"loss": np.array([0.0, 1.01])}, 0.0)) == []
+    [line] = entry.moved(0, Found(content | {"loss": np.array([0.0, 1.04])}, 0.0))
+    assert "loss moved by 2.00e-03" in line
 
 
 def test_a_stored_number_that_was_perturbed_is_found():
