@@ -211,12 +211,15 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         pressed = row.march(np.array([change]), np.array([dt]))
         loads = np.maximum(row.loads(), 0.0)
         bounds = np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
-        # a free spring is caught when the body has come down to where it stands
+        # a free spring is caught when it and the body meet, while it recovers
         share = np.ones(was.size)
         caught = row.pressed & ~was
-        if change != 0.0 and np.any(caught):
-            away = (row.springs.gap[caught] + place[caught] - depth) / change
-            share[caught] = 1.0 - np.clip(away, 0.0, 1.0)
+        if np.any(caught):
+            rates, gap = row.law[4], row.springs.gap[caught]
+            apart = gap + place[caught] - depth
+            closed = row.depth - gap - np.exp(-rates * dt) @ state.row.memory[: rates.size, caught]
+            met = np.divide(apart, apart + closed, out=np.zeros(apart.size), where=apart + closed > 0.0)
+            share[caught] = 1.0 - np.clip(met, 0.0, 1.0)
         moved = goal.along - state.shift if self.by_shift else self._shift_under(state, bounds, share, dt, goal.along)
         new, sums = self._dragged(state, bounds, share, dt, moved)
         shear_force, lost, work, stored, _, bulk = sums.tolist()
