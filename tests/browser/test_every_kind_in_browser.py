@@ -16,6 +16,7 @@ SEEN = """() => {
     refused: all('.refused').map(one => one.innerText).join(' '),
     sentence: all('.head .sought-line').map(one => one.innerText).join(' '),
     sought: all('.head .card.sought .value').map(one => one.innerText).join(' '),
+    standing: all('.head .standing-line').map(one => one.innerText).join(' '),
     notes: all('.tail ul.notes li').length,
     chosen: all('[data-choice="problem"]').map(one => one.innerText).join(' '),
     raw: document.querySelector('.answer-side').innerText.match(/\\d[eE][+-]?\\d+ ?\\S*|\\bNaN\\b/g) ?? [],
@@ -41,7 +42,8 @@ def mistakes_of(app_page, kind, said):
     found = [*app_page.overflow(), *said, *seen["raw"]]
     said.clear()
     for what in ("sentence", "sought", "notes"):
-        if not seen[what]:
+        # what is not to be used is never the large number
+        if not seen[what] and (what, seen["standing"]) != ("sought", "do not use"):
             found.append(f"no {what}")
     if seen["refused"] or not seen["chosen"].endswith(kind.replace("_", " ")):
         found.append(f"{seen['chosen']}: {seen['refused']}")
