@@ -21,7 +21,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["DepthTable", "HomogeneousResponse", "depth_table"]
 
-OCTAVES, IN_OCTAVE, DEGREE = 20, 8, 6
+OCTAVES, IN_OCTAVE, DEGREE = 20, 8, 8
 """Octaves of the depth, panels in each, and degree of their polynomials."""
 RESOLUTION = 1e-10
 """Greatest last coefficient of a panel relative to its values."""
