@@ -39,8 +39,6 @@ LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
 ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
 """In the ``repr`` of an object that has none of its own."""
-LINE_BREAK = re.compile(r"\s*[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]\s*")
-"""Where `str.splitlines` cuts, as in the ``repr`` of an array, with the blanks around it."""
 
 
 class WinklerError(Exception):
@@ -58,7 +56,10 @@ class WinklerError(Exception):
 
     def __init__(self, *sentences: str) -> None:
         # where an object lies in memory says nothing, and differs from run to run
-        super().__init__(*(LINE_BREAK.sub(" ", ADDRESS.sub("", sentence)) for sentence in sentences))
+        # one line, also where the ``repr`` of an array has several
+        super().__init__(
+            *(" ".join(filter(None, map(str.strip, ADDRESS.sub("", one).splitlines()))) for one in sentences)
+        )
 
     def __str__(self) -> str:
         return "\n".join(self.args)

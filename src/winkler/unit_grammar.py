@@ -23,7 +23,8 @@ MOST_FACTOR_BITS = 1000
 """Most binary digits of the factor of a unit, above and below its line."""
 
 TOKEN = re.compile(
-    r"\s*(?:(?P<name>[A-Za-z][A-Za-z_]*)|(?P<power>(?<=[A-Za-z])-?\d+|(?:\^|\*\*)\s*\(?\s*-?\d+(?:\.\d+|/[1-9]\d*)?\s*\)?)|"
+    r"\s*+(?:(?P<name>[A-Za-z][A-Za-z_]*)|"
+    r"(?P<power>(?<=[A-Za-z])-?\d+|(?:\^|\*\*)\s*+\(?\s*+-?\d+(?:\.\d+|/[1-9]\d*)?(?:\s*+\))?)|"
     r"(?P<one>1(?![\d.]))|(?P<sign>[*/()]))"
 )
 SPELLINGS = [

@@ -295,14 +295,21 @@ LINES = {
 }
 
 
-@pytest.mark.few(1, slow=2)
-@pytest.mark.parametrize("case", LINES)
-def test_texts_made_to_harm(case, tmp_path):
-    path = tmp_path / "table.csv"
+def harmed(case, path):
     path.write_text(LINES[case])
     message = each(path, *() if "width" in case else ("map",))
-    assert {*message, "map"} == set(READERS), message
-    assert [name for name, sentence in message.items() if sentence == "read" and name not in ("curve", "curves")] == []
+    assert {*message, "map"} == set(READERS), (case, message)
+    assert [name for name, end in message.items() if end == "read" and name not in ("curve", "curves")] == [], case
+
+
+def test_a_text_made_to_harm(tmp_path):
+    harmed("spaces around a slash", tmp_path / "table.csv")
+
+
+@pytest.mark.slow
+def test_texts_made_to_harm(tmp_path):
+    for case in LINES:
+        harmed(case, tmp_path / "table.csv")
 
 
 def test_a_table_of_too_many_lines(tmp_path, monkeypatch):

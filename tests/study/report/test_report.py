@@ -290,7 +290,7 @@ def test_the_worst_standing_stands_at_the_top(page):
     beyond = Study("Beyond", pressed(load=wk.Force(1e4), medium=wk.HalfSpace(wk.Elastic(210e9, 0.3, 100e6))))
     head = report.page(run(beyond)).split("</header>")[0]
     assert f'class="standing {Standing.OUTSIDE.value}"' in head
-    assert "not to be trusted" in head
+    assert "do not use" in head
 
 
 def test_long_tables_are_cut_and_say_where_the_rest_is():

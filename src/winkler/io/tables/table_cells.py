@@ -91,15 +91,17 @@ def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
 
     A mean has the name of its quantity, as in ``F_avg (N)``; the standard deviation beside it has none.
     """
-    if len(cell) > CELL_LETTERS or DEVIATION.search(cell):
-        return False, ""
     known = _plain_names(names)
-    if _plain(cell) in known:  # before "Storage Modulus" is a storage in a unit of "Modulus"
-        return True, ""
-    for name, unit in _readings(cell):
-        if _plain(name) in known:
-            return True, unit.strip(" -")
-    return False, ""
+    return next(((True, unit) for name, unit in _plain_readings(cell) if name in known), (False, ""))
+
+
+@functools.lru_cache(maxsize=4096)
+def _plain_readings(cell: str) -> tuple[tuple[str, str], ...]:
+    """Return how a cell may be name and unit, names as `_plain` has them; one header is asked for many quantities."""
+    if len(cell) > CELL_LETTERS or DEVIATION.search(cell):
+        return ()
+    # the whole cell first, before "Storage Modulus" is a storage in a unit of "Modulus"
+    return ((_plain(cell), ""), *((_plain(name), unit.strip(" -")) for name, unit in _readings(cell)))
 
 
 @functools.lru_cache(maxsize=256)

@@ -7,6 +7,7 @@ stands again, or the numbers of the points begin again at one.
 
 from __future__ import annotations
 
+import functools
 import math
 import os
 import re
@@ -24,7 +25,8 @@ __all__ = ["of_one_test", "parts_of_table"]
 
 R = TypeVar("R")
 
-TEMPERATURE = re.compile(r"[\[(]?\s*(-?\d{1,4}(?:[.,]\d{1,4})?)\s*(°C|degC|deg C|ºC|C|K)(?![^\W_])\s*[\])]?")
+TEMPERATURE = re.compile(r"[\[(]? ?(-?\d{1,4}(?:[.,]\d{1,4})?) ?(°C|degC|deg C|ºC|C|K)(?![^\W_]) ?[\])]?")
+"""A temperature in a name whose words have one space between them."""
 SUFFIX = re.compile(r"\.\d{1,3}\Z")
 """What pandas puts behind a name that stands again."""
 COUNTERS = ("meas. pts.", "meas. pts", "point no.", "point", "pt.", "no.", "messpkt.")
@@ -142,15 +144,16 @@ def _names(lines: Sequence[str], columns: Sequence[Column]) -> _Names | None:
     return None
 
 
+@functools.lru_cache(maxsize=4096)
 def _plain(cell: str) -> str:
     """Return a name without the temperature in it and what pandas puts behind it."""
-    return SUFFIX.sub("", " ".join(TEMPERATURE.sub(" ", cell).split()))
+    return SUFFIX.sub("", " ".join(TEMPERATURE.sub(" ", " ".join(cell.split())).split()))
 
 
 def _temperature(cells: Sequence[str]) -> float:
     """Return the first temperature [K] in some cells; nan if there is none."""
     for cell in cells:
-        if (match := TEMPERATURE.search(cell)) is not None:
+        if (match := TEMPERATURE.search(" ".join(cell.split()))) is not None:
             unit = match[2].replace("º", "°")
             return float(match[1].replace(",", ".")) + zero_of(unit, "K")
     return math.nan

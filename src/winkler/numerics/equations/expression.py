@@ -61,8 +61,8 @@ SPELLING_HINTS = {
     ".": "a point belongs inside a number; attributes are not allowed",
 }
 TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),])|"
-    r"(?P<other>\S))",
+    r"(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<mark>\*\*|[-+*/(),])|"
+    r"(?P<other>\S)",
     re.ASCII,
 )
 

@@ -39,8 +39,8 @@ USUAL = (
 ALIKE = {"J/m^2": ("J/m^2", "mJ/m^2", "uJ/m^2"), "Hz": ("kHz", "Hz"), "rad/s": ("rad/s", "deg/s")}
 """Glossary unit -> its row, where other rows have the same dimension."""
 BARE = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?")
-WITH_UNIT = re.compile(r"\s*[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?\s*([^\d\s,;.][^,;]*|1/[^,;]+)")
-NUMBER_AND_UNIT = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\D.*|1/.*)")
+WITH_UNIT = re.compile(r"\s*[+-]?(?:\d++[.,]?\d*+|[.,]\d++)(?:[eE][+-]?\d++)?+\s*([^\d\s,;.][^,;]*|1/[^,;]+)")
+NUMBER_AND_UNIT = re.compile(r"([+-]?(?:\d++\.?\d*+|\.\d++)(?:[eE][+-]?\d++)?+)\s*(\D.*|1/.*)")
 DIGITS = (12, 15, 17, 19, 21)
 """Digits of a converted number: as few as the quantity needs."""
 LEAST_PLAIN, LARGEST_PLAIN = Decimal("1e-4"), Decimal("1e7")
