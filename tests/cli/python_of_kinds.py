@@ -270,7 +270,7 @@ WEARING_LINES = {
 # ------------------------------------------------------------------------------------------------ roughness
 
 STEEL_BODY = wk.HalfSpace(wk.Elastic(210e9, 0.3))
-BLASTED = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=60e-6)
+BLASTED = wk.SelfAffine(hurst=0.8, rms_height=0.3e-6, longest=0.5e-3, shortest=160e-6)
 MILLIMETRES = np.array([1e-3, 1e-3])
 SURFACE = wk.RandomTopography(MILLIMETRES, BLASTED, (64, 64))
 STAMP = wk.RandomTopography(MILLIMETRES, BLASTED, (64, 64), seed=1, periodic=False)
@@ -289,7 +289,7 @@ PYRAMID = (
     )
     / 1e6
 )
-LOADS = wk.Force(np.geomspace(1.0, 100.0, 5))
+LOADS = wk.Force(np.geomspace(10.0, 200.0, 5))
 MEASURED_SPECTRUM = wk.PowerSpectrum(np.array([1e4, 1e5, 1e6]), np.array([1e-21, 4e-25, 1e-28]))
 SOFT_BALL = wk.SampledProfile([240e-6, 240e-6], wk.Sphere(1e-3), (48, 48))
 SOFT = wk.HalfSpace(wk.Elastic(1e6, 0.5))
@@ -435,7 +435,7 @@ ROUGHNESS = {
     ),
     "surface_wear": wk.SurfaceWear(
         wk.SurfaceContact(
-            wk.RandomTopography(MILLIMETRES, BLASTED, (32, 32), seed=1, periodic=False), STEEL_BODY, wk.Force(10.0)
+            wk.RandomTopography(MILLIMETRES, BLASTED, (32, 32), seed=1, periodic=False), STEEL_BODY, wk.Force(100.0)
         ),
         wk.Archard(1e-14),
         np.array([0.0, 0.01, 0.05, 0.2]),
@@ -453,11 +453,11 @@ ROUGHNESS = {
     "joint_stiffness": wk.JointStiffness(
         STAMP, wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3)), FRICTION, wk.Force(100.0)
     ),
-    "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),
+    "reduction": wk.Reduction(STAMP, STEEL_BODY, 1e-6),
     "elliptic_foundation": wk.Indentation(
         wk.EllipticFoundation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY), wk.Force(100.0)
     ),
-    "reduced_bed": wk.Indentation(wk.ReducedBed(STAMP, STEEL_BODY, 3e-6), wk.Force(100.0)),
+    "reduced_bed": wk.Indentation(wk.ReducedBed(STAMP, STEEL_BODY, 1e-6), wk.Force(100.0)),
     **{kind: rough(BLASTED) for kind in ("rough_contact", "self_affine")},
     "power_spectrum": rough(MEASURED_SPECTRUM),
     "rough_indentation": wk.RoughIndentation(BLASTED, BED, 4e-3, LOADS, realisations=20, count=2048),

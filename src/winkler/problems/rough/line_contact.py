@@ -7,6 +7,7 @@ gap: both are Persson's here.
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Iterator
 from typing import Annotated, ClassVar
@@ -27,8 +28,10 @@ from winkler.profiles.rough.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["RoughContact", "RoughContactSolution"]
+__all__ = ["NO_AREA", "RoughContact", "RoughContactSolution"]
 
+LIGHT = 0.2
+"""Pressures [E* h'] up to which Persson's mean gap was found within 20 per cent of boundary elements."""
 LINE_OVER_SIDE = 1.1523
 """Length of the line over the side of a square surface, by which both are as stiff when everything touches."""
 LYASHENKO = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Tribol. Lett. 52 (2013) 223-229"
@@ -40,6 +43,14 @@ HOMOGENEOUS_LINES = Note(
     "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: medians of "
     "stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
     f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
+)
+NO_AREA = Note(
+    Assumption.ROUGHNESS,
+    Standing.OUTSIDE,
+    "The line has no true area of contact and no mean gap: springs do not affect one another. Those given here are "
+    "Persson's, of which the area is up to a third too small, the gap within 20 per cent up to pressures of 0.2 E* h'; "
+    "a SurfaceContact computes them.",
+    LYASHENKO,
 )
 LAYERED_LINES = Note(
     Assumption.ROUGHNESS,
@@ -169,16 +180,11 @@ class RoughContactSolution(RoughSolution[Q]):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bodies = self.problem.medium.notes
+        pressure = float(np.max(np.asarray(self.force), initial=0.0)) / self.problem.side**2
+        light = pressure <= LIGHT * slope_modulus(self.problem.medium, self.problem.spectrum)
         return (
             *(note for note in bodies if note.standing is not Standing.EXACT),  # of one round contact
             HOMOGENEOUS_LINES if isinstance(self.problem.medium, HomogeneousMedium) else LAYERED_LINES,
             *self._line_notes,
-            Note(
-                Assumption.ROUGHNESS,
-                Standing.OUTSIDE,
-                "The line has no true area of contact and no mean gap: springs do not affect one another. Those given "
-                "here are Persson's, of which the area is up to a third too small, the gap within 20 per cent up to "
-                "pressures of 0.2 E* h'; a SurfaceContact computes them.",
-                LYASHENKO,
-            ),
+            dataclasses.replace(NO_AREA, standing=Standing.APPROXIMATE if light else Standing.OUTSIDE),
         )

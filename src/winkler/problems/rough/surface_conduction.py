@@ -36,7 +36,7 @@ from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
-from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
+from winkler.problems.rough.line_contact import NO_AREA, RoughContact, RoughContactSolution
 from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
@@ -249,7 +249,10 @@ class SurfaceConductionSolution(PerLoad[Q]):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: the contact, the line, the bounds."""
         stated = self.problem
-        line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is given here
+        approximate = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]
+        line = [
+            note for note in approximate if note.statement != NO_AREA.statement
+        ]  # no area of the line is given here
         spots = (
             "All pixels in contact bear the same film"
             if stated.conductors.film.area_resistance

@@ -12,9 +12,9 @@ __all__ = ["ROUGH"]
 BLASTED = {
     "kind": "self_affine",
     "hurst": 0.8,
-    "rms_height": "1 um",
-    "longest": "1 mm",
-    "shortest": "60 um",
+    "rms_height": "0.3 um",
+    "longest": "0.5 mm",
+    "shortest": "160 um",
 }
 STAMP = {"kind": "random_topography", "spectrum": BLASTED, "shape": [64, 64], "periodic": False}
 PYRAMID = [
@@ -32,7 +32,7 @@ SOFT_BALL = {
     "profile": {"kind": "sphere", "curvature_radius": "1 mm"},
 }
 TO_AND_FRO = [{"from": "-3 um", "to": "0.5 um", "count": 8}, {"from": "0 um", "to": "-3 um", "count": 7}]
-LOADS = {"kind": "force", "force": {"from": "1 N", "to": "100 N", "count": 5, "spacing": "log"}}
+LOADS = {"kind": "force", "force": {"from": "10 N", "to": "200 N", "count": 5, "spacing": "log"}}
 
 ELEMENTS = Equation(
     "Pressures and gaps are never negative, and one of the two is zero in every pixel",
@@ -138,9 +138,9 @@ ROUGH = Chapter(
                 "winkler.profiles.rough.spectrum:SelfAffine",
                 problem="rough_contact",
                 hurst=0.8,
-                rms_height="1 um",
-                longest="1 mm",
-                shortest="60 um",
+                rms_height="0.3 um",
+                longest="0.5 mm",
+                shortest="160 um",
             ),
             "power_spectrum": kind(
                 "winkler.profiles.rough.spectrum:PowerSpectrum",
@@ -152,7 +152,7 @@ ROUGH = Chapter(
         },
         "bed": {
             "reduced_bed": kind(
-                "winkler.problems.rough.reduced_bed:ReducedBed", topography={**STAMP, "seed": 1}, depth="3 um"
+                "winkler.problems.rough.reduced_bed:ReducedBed", topography={**STAMP, "seed": 1}, depth="1 um"
             ),
         },
     },
@@ -207,7 +207,7 @@ ROUGH = Chapter(
             "winkler.problems.rough.reduce:Reduction",
             headline=("stiffness", "depth", "force", "misfit"),
             topography={**STAMP, "seed": 1},
-            depth="3 um",
+            depth="1 um",
             picture=Caption(
                 "reduction",
                 "Springs in place of the surface",

@@ -11,7 +11,7 @@ __all__ = ["SURFACE_WEAR"]
 SLID = {
     **PRESSED,
     "topography": {**STAMP, "shape": [32, 32], "seed": 1},
-    "load": {"kind": "force", "force": "10 N"},
+    "load": {"kind": "force", "force": "100 N"},
 }
 
 WORN = Equation(
