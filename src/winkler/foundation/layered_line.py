@@ -385,11 +385,11 @@ class LayeredLineFoundation(LineBed):
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
         response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
-        _ = self.medium.coupling_response  # what rolls on a grading would need it, and is refused
         found = waves(response, int(octaves(response, away[-1:])[0]))
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
-        near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
+        near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)) + np.sum(found.shares))
         felt = near - wave_sums(risen, away, found.k, found.weights * evened)
+        felt[0] += found.shares @ (2.0 / (found.shorter * spacing) ** 2)  # of shorter waves, by the mean of that
         plain = LineBed.hat_compliance(self, count, spacing, reference)
         return np.asarray(plain + 2.0 / np.pi * self.along_share * spacing * felt)
 
@@ -398,9 +398,8 @@ class LayeredLineFoundation(LineBed):
         names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
         response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
         far = x[:, None] - nodes
-        _ = self.medium.coupling_response  # as in `hat_compliance`
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
-        unit = response.length * 2.0**octave
+        unit = response.smooth * 2.0**octave
         if part is Wave.COUPLING:
             lifted = unit * bends(response, octave)(np.abs(far) / unit)
         else:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 import pytest
+from graded_ghost import Ghost
 from scipy.special import jv
 from slip_of_gradings import SlippingOnGrading
 
@@ -108,23 +107,6 @@ def test_bessel_functions_far_out_meet_their_average():
         for n, second in enumerate((0, 10, 40)):
             mean = np.mean(jv(first, argument) * jv(second, argument)) * (-1.0) ** ((first + second) // 2)
             assert cosine[m] * cosine[n] + sine[m] * sine[n] == pytest.approx(mean, abs=3e-2 / (np.pi * 400.0))
-
-
-def delegated(name):
-    return property(lambda self: getattr(self.of, name))
-
-
-@dataclasses.dataclass(frozen=True)
-class Ghost:
-    """A grading that belongs to no family."""
-
-    of: wk.DepthGradedHalfSpace
-    second, thickness, modulus, along_modulus = (
-        delegated(name) for name in ("second", "thickness", "modulus", "along_modulus")
-    )
-    response, along_response, coupling_response = (
-        delegated(name) for name in ("response", "along_response", "coupling_response")
-    )
 
 
 @pytest.mark.slow
