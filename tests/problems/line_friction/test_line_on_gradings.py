@@ -123,13 +123,6 @@ def test_a_grading_of_no_family_gives_the_same_numbers():
             _ = contact.depth
 
 
-@pytest.mark.parametrize("given", [wk.HalfWidth(1.0), wk.HalfWidth(0.0), wk.LineForce(0.1)])
-@pytest.mark.parametrize("law", [wk.ShortRange(0.05), wk.Dugdale(0.05, strength=0.3)])
-def test_lines_do_not_stick_on_gradings_in_silence(law, given):
-    with pytest.raises(wk.OutsideValidity, match="Lines stick on layers"):
-        wk.LineAdhesion(graded(10.0), law, given).solve()
-
-
 @pytest.mark.parametrize("given", [wk.HalfWidth(0.1), wk.HalfWidth(0.0), wk.LineForce(0.1), wk.NominalPressure(0.1)])
 def test_strips_at_one_pitch_are_refused_on_gradings(given):
     waves = wk.LayeredLineFoundation(wk.Wavy(0.01, 1.0), graded(10.0).medium)
