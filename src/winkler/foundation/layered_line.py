@@ -54,7 +54,9 @@ from winkler.numerics.transforms.strips.strip_equation import (
     StripResponse,
     Strips,
     Waves,
+    has_tail,
     octaves,
+    punch_edges,
     settled_strips,
     strip_responses,
     summed,
@@ -208,8 +210,8 @@ class LayeredLineFoundation(LineBed):
 
     def _refuse_sticking_grading(self) -> None:
         self.refuse_grading(
-            "Lines stick on layers and on homogeneous bodies; the edges of flat punches on a grading, whose waves fall "
-            "slowly, are not built in:"
+            "A constant attraction beside a line (Dugdale) is known on layers and homogeneous bodies; on a grading, "
+            "whose waves fall slowly, it is not built in: give ShortRange, or for the grading"
         )
 
     def own_modes(self, half_width: Array) -> Array | None:
@@ -284,8 +286,9 @@ class LayeredLineFoundation(LineBed):
 
     def edge_share(self, half_width: Array) -> Array:
         """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
-        self._refuse_sticking_grading()
-        ones = np.ones(np.shape(half_width))
+        ones, response = np.ones(np.shape(half_width)), self.medium.response
+        if has_tail(response):
+            return _touching(half_width, ones, lambda a, _: punch_edges(response, a)[0])
         return _touching(half_width, ones, lambda a, _: np.sum(_responses(self, a).punch, axis=1))
 
     def edge_share_slope(self, half_width: Array) -> Array:
@@ -294,10 +297,11 @@ class LayeredLineFoundation(LineBed):
         A punch that widens adds a pressure whose singularity is that of the derivative of 1/sqrt(a^2 - x^2): of the
         half-plane's, -k J_1(ka), the layers take away what closes at the edge.
         """
-        self._refuse_sticking_grading()
         from scipy.special import j1
 
         def widened(a: Array, _: Array) -> Array:
+            if has_tail(self.medium.response):
+                return punch_edges(self.medium.response, a)[1]
             punch = _responses(self, a).punch
             none = np.zeros(a.size)  # the waves of no grading, which alone ask for slopes
             added = strip_responses(self.medium.response, a, lambda a, k: -k * j1(a[:, None] * k), none)
@@ -385,11 +389,11 @@ class LayeredLineFoundation(LineBed):
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
         response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
-        _ = self.medium.coupling_response  # what rolls on a grading would need it, and is refused
         found = waves(response, int(octaves(response, away[-1:])[0]))
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
-        near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)))
+        near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)) + np.sum(found.shares))
         felt = near - wave_sums(risen, away, found.k, found.weights * evened)
+        felt[0] += found.shares @ (2.0 / (found.shorter * spacing) ** 2)  # of shorter waves, by the mean of that
         plain = LineBed.hat_compliance(self, count, spacing, reference)
         return np.asarray(plain + 2.0 / np.pi * self.along_share * spacing * felt)
 
@@ -398,9 +402,8 @@ class LayeredLineFoundation(LineBed):
         names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
         response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
         far = x[:, None] - nodes
-        _ = self.medium.coupling_response  # as in `hat_compliance`
         octave = int(octaves(response, np.array([0.5 * float(np.max(np.abs(far)))]))[0])
-        unit = response.length * 2.0**octave
+        unit = response.smooth * 2.0**octave
         if part is Wave.COUPLING:
             lifted = unit * bends(response, octave)(np.abs(far) / unit)
         else:
@@ -746,7 +749,7 @@ def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
             kept.clear()
             missing = np.unique(half_width)
         response, top = bed.medium.response, bed.layered_body.unit[1]
-        if response.smooth == response.length and missing[-1] > WIDEST * top:
+        if not has_tail(response) and missing[-1] > WIDEST * top:
             raise OutsideValidity(
                 f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
                 f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."

@@ -28,14 +28,14 @@ def turns(found: Waves, x: Array) -> Array:
 @cached_by_value(64)
 def twists(response: WaveResponse, octave: int) -> Panels:
     """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
-    found, unit = waves(response, octave), response.length * 2.0**octave
+    found, unit = waves(response, octave), response.smooth * 2.0**octave
     return _panels(lambda t: turns(found, unit * t) / unit, found)
 
 
 @cached_by_value(64)
 def bends(response: WaveResponse, octave: int) -> Panels:
     """Return the same of M (1 - cos kx) / k^2."""
-    found, unit = waves(response, octave), response.length * 2.0**octave
+    found, unit = waves(response, octave), response.smooth * 2.0**octave
 
     def bent(t: Array) -> Array:
         return wave_sums(risen, unit * t, found.k, found.weights / found.k) / unit

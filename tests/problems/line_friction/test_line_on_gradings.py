@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 import pytest
+from graded_ghost import Ghost
 from scipy.special import jv
 from slip_of_gradings import SlippingOnGrading
 
@@ -110,23 +109,6 @@ def test_bessel_functions_far_out_meet_their_average():
             assert cosine[m] * cosine[n] + sine[m] * sine[n] == pytest.approx(mean, abs=3e-2 / (np.pi * 400.0))
 
 
-def delegated(name):
-    return property(lambda self: getattr(self.of, name))
-
-
-@dataclasses.dataclass(frozen=True)
-class Ghost:
-    """A grading that belongs to no family."""
-
-    of: wk.DepthGradedHalfSpace
-    second, thickness, modulus, along_modulus = (
-        delegated(name) for name in ("second", "thickness", "modulus", "along_modulus")
-    )
-    response, along_response, coupling_response = (
-        delegated(name) for name in ("response", "along_response", "coupling_response")
-    )
-
-
 @pytest.mark.slow
 def test_a_grading_of_no_family_gives_the_same_numbers():
     known = graded(10.0)
@@ -139,13 +121,6 @@ def test_a_grading_of_no_family_gives_the_same_numbers():
             contact.stresses(0.0, 0.1)
         with pytest.raises(wk.OutsideValidity, match="approach"):
             _ = contact.depth
-
-
-@pytest.mark.parametrize("given", [wk.HalfWidth(1.0), wk.HalfWidth(0.0), wk.LineForce(0.1)])
-@pytest.mark.parametrize("law", [wk.ShortRange(0.05), wk.Dugdale(0.05, strength=0.3)])
-def test_lines_do_not_stick_on_gradings_in_silence(law, given):
-    with pytest.raises(wk.OutsideValidity, match="Lines stick on layers"):
-        wk.LineAdhesion(graded(10.0), law, given).solve()
 
 
 @pytest.mark.parametrize("given", [wk.HalfWidth(0.1), wk.HalfWidth(0.0), wk.LineForce(0.1), wk.NominalPressure(0.1)])

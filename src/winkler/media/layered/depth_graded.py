@@ -12,7 +12,6 @@ from __future__ import annotations
 from typing import Annotated
 
 from winkler.checks.number_checks import between
-from winkler.errors import OutsideValidity
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import RIGID, Solid
 from winkler.media.layered import depth_interior
@@ -67,11 +66,6 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     def responding(self, mode: Mode) -> DepthResponse:
         """The response of the pair to a load."""
-        if mode is Mode.COUPLING:
-            raise OutsideValidity(
-                f"{type(self).__name__}: how far a pressure draws its surface along is not known to winkler; leave the "
-                "coupling out, or give layers."
-            )
         return DepthResponse(mode, GradedBody(self.grading, self.tolerance), self.second)
 
     @property

@@ -73,7 +73,8 @@ class LineRolling(PerLoad[Q]):
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base.
+        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base, or
+        a body graded with depth.
     friction : Coulomb
         Its coefficient positive and finite.
     drive : LineShearForce or Creepage

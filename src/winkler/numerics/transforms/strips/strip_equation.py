@@ -47,7 +47,9 @@ __all__ = [
     "Waves",
     "excess_at",
     "first_modes",
+    "has_tail",
     "octaves",
+    "punch_edges",
     "punch_modes",
     "settled_strips",
     "strip_responses",
@@ -72,6 +74,9 @@ VANISHED = 3e-14
 """The same, over the largest, on a layer as thick as the strip is wide: rounding grows with a / h."""
 TAIL_IN_LOAD, TAIL_AT_EDGE = 1000.0, 2e-2
 """The same, times their number, where M falls like 1 / xi: over the precision of M, and of a flat punch."""
+EDGE_TOLERANCE, LAST_EDGE_CHANGE, EDGES_PER_OCTAVE = 1e-6, 1e-3, 12
+"""Of what flat punches bear at their edges, where M falls like 1 / xi: by how much twice as many modes change it, and
+320 modes, which are left with a tenth of that; and half-widths at which it is found."""
 LEAST_SHARE = 0.1
 """What the layers add need be no more precise than this part of the half-plane's load."""
 ENTRIES_PER_BLOCK = 3_000_000
@@ -171,7 +176,7 @@ def waves(response: WaveResponse, octave: int) -> Waves:
 def _own_waves(own: WaveResponse, octave: int) -> Waves:
     extent = own.smooth * 2.0**octave
     first, widest, last = FIRST_WAVE_NUMBER / own.span, LARGEST_PHASE / (2.0 * extent), DECAY_SPAN / own.length
-    if not _has_tail(own):
+    if not has_tail(own):
         k, weights = wave_numbers(first, widest, last)
         return Waves(k, weights * own.excess(k) / k, np.zeros(0), np.zeros(0))
     end = min(last, LOCAL_PHASE / extent)
@@ -184,10 +189,10 @@ def _own_waves(own: WaveResponse, octave: int) -> Waves:
 
 def excess_at(response: WaveResponse, k: Array) -> Array:
     """Return M [-] at many real wave numbers ``(k,)`` [1/m]."""
-    return on_axis(response, k) if _has_tail(response) else response.excess(k)
+    return on_axis(response, k) if has_tail(response) else response.excess(k)
 
 
-def _has_tail(response: WaveResponse) -> bool:
+def has_tail(response: WaveResponse) -> bool:
     """Return whether M falls like 1 / xi, and its kernel has a logarithm."""
     return response.smooth > response.length
 
@@ -201,7 +206,7 @@ def _kept_share(ratio: Array) -> Array:
 
 def octaves(response: WaveResponse, extent: Array, least: int = 0) -> Array:
     """Return the octaves of `waves` for extents [m], none below `least`; all where M falls like 1 / xi."""
-    least = LEAST_OCTAVE if _has_tail(response) else least
+    least = LEAST_OCTAVE if has_tail(response) else least
     return np.maximum(np.ceil(np.log2(np.maximum(extent / response.smooth, 1e-300))), least).astype(int)
 
 
@@ -238,6 +243,55 @@ def strip_responses(response: WaveResponse, half_width: Array, transforms: Trans
         result.closing[chosen, : closing.shape[1]] = closing
         result.punch[chosen, : punch.shape[1]] = punch
     return result
+
+
+def punch_edges(response: WaveResponse, half_width: Array) -> tuple[Array, Array]:
+    """Return what flat punches that bear one bear at their edges where M falls like 1 / xi, and its slope [1/m].
+
+    Raises
+    ------
+    NotConverged
+        If 320 modes do not suffice for a part of 1e-4.
+    """
+    own, unit = in_own_lengths(response)
+    cheb, groups, (edge, slope) = np.polynomial.chebyshev, octaves(response, half_width), np.empty((2, half_width.size))
+    for octave in np.unique(groups):
+        series, high = _edges_of(own, int(octave)), own.smooth * 2.0**octave
+        place = 4.0 * half_width[groups == octave] / (unit * high) - 3.0
+        edge[groups == octave] = cheb.chebval(place, series)
+        slope[groups == octave] = 4.0 / (unit * high) * cheb.chebval(place, cheb.chebder(series))
+    return edge, slope
+
+
+@cached_by_value(64)
+def _edges_of(own: WaveResponse, octave: int) -> Array:
+    """Return the edges of punches of an octave of half-widths as a Chebyshev series.
+
+    Modes fall like n^-3: of what is missing twice as many leave a fourth.
+    """
+    nodes = np.polynomial.chebyshev.chebpts1(EDGES_PER_OCTAVE)
+    half_width = own.smooth * 2.0**octave * 0.25 * (3.0 + nodes)
+
+    def nothing(a: Array, k: Array) -> Array:
+        return np.zeros((a.size, k.size))
+
+    def summed(count: int) -> Array:
+        strips = _HalfPlanes(half_width, nothing, np.zeros(half_width.size))
+        return np.asarray(np.sum(_solved(*_averaged(own, strips, count))[1], axis=1))
+
+    count = 2 * FEWEST_MODES
+    coarse, before = summed(count), np.full(half_width.size, np.inf)
+    while 2 * count <= MOST_MODES:
+        fine = summed(2 * count)
+        found = fine + (fine - coarse) / 3.0
+        change = float(np.max(np.abs(found / before - 1.0)))
+        if change <= (EDGE_TOLERANCE if 4 * count <= MOST_MODES else LAST_EDGE_CHANGE):
+            return np.asarray(np.polynomial.chebyshev.chebfit(nodes, found, EDGES_PER_OCTAVE - 1))
+        count, coarse, before = 2 * count, fine, found
+    raise NotConverged(
+        f"The edges of a flat strip {2.0**octave:.3g} times as wide as the length over which moduli change are not "
+        f"resolved by {count} modes: press less."
+    )
 
 
 def settled_strips(
@@ -303,13 +357,13 @@ def punch_modes(found: Waves, half_width: Array, count: int, octave: int) -> Pun
 
 
 def _size(response: WaveResponse, octave: int) -> int:
-    return 1 if _has_tail(response) else waves(response, octave).k.size
+    return 1 if has_tail(response) else waves(response, octave).k.size
 
 
 def _settled(response: WaveResponse, pushed: _HalfPlanes, octave: int) -> StripResponse:
     borne = np.abs(pushed.transforms(pushed.half_width, np.zeros(1))[:, 0])
     first, rounding = first_modes(octave), VANISHED * 2.0 ** (0.5 * octave)
-    if _has_tail(response):
+    if has_tail(response):
         strips = Strips(pushed.half_width, borne, lambda count: _averaged(response, pushed, count))
         return settled_strips(strips, first, rounding, falling=(TAIL_IN_LOAD * response.precision, TAIL_AT_EDGE))
     found = waves(response, octave)
@@ -337,7 +391,7 @@ class _Rows(NamedTuple):
     closing: Array
 
 
-@cached_by_value(4)
+@cached_by_value(8)
 def _rows_of(count: int) -> _Rows:
     end = max(LEAST_PHASE, PHASE_PER_MODE * count)
     argument, weights = wave_numbers(LEAST_ARGUMENT, WIDEST_ARGUMENT, end)
