@@ -1,4 +1,4 @@
-"""Addresses are stated in pyproject.toml and the other files follow it: the manual's, and the repository's if it has one."""
+"""Addresses are stated in pyproject.toml; other files follow it: the manual's, and the repository's if it has one."""
 
 from __future__ import annotations
 
