@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import tomllib
 import warnings
 import weakref
 from pathlib import Path
@@ -45,6 +46,9 @@ html_math_renderer = "mathml"
 html_static_path = ["static"]
 html_css_files = ["formulas.css"]
 html_title = "winkler"
+URLS = tomllib.loads((Path(__file__).parents[1] / "pyproject.toml").read_text(encoding="utf-8"))["project"]["urls"]
+if "Source" in URLS:  # each page then links to its text
+    html_theme_options = {"source_repository": URLS["Source"], "source_branch": "main", "source_directory": "docs/"}
 exclude_patterns = ["_build", "sg_execution_times.rst", "**/sg_execution_times.rst"]
 
 myst_enable_extensions = ["dollarmath", "deflist"]

@@ -13,6 +13,7 @@ import io
 import re
 import runpy
 import shutil
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -152,7 +153,7 @@ def test_links_inside_the_project_lead_somewhere():
     assert bad == []
 
 
-MANUAL = "https://winkler.readthedocs.io/en/latest/"
+MANUAL = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["urls"]["Documentation"]
 
 
 def headings(page: Path) -> set[str]:

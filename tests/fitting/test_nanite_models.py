@@ -1,6 +1,8 @@
 """The model files for nanite: against closed forms, and loaded and fitted by nanite where it is installed."""
 
 import importlib
+import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -87,3 +89,42 @@ def test_in_nanite(name, monkeypatch):
     for key, number in truth.items():
         assert found[key].value == pytest.approx(number, rel=2e-3)
     assert found["contact_point"].value == pytest.approx(0.0, abs=2e-3 * reach)
+
+
+@pytest.mark.slow
+def test_the_models_are_installed_as_one_package(tmp_path):
+    """Built and installed by pip into a folder of its own, far from the examples; nanite then knows the models."""
+    pytest.importorskip("nanite.model")
+    pytest.importorskip("hatchling", reason="no hatchling here: pip install winkler[checks]")
+    source, place = tmp_path / "source", tmp_path / "installed"
+    shutil.copytree(FOLDER, source)
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-build-isolation"]
+    subprocess.run([*pip, "--target", str(place), str(source)], check=True)
+    assert sorted(path.name for path in place.glob("*.py")) == [
+        f"nanite_model_{one}.py" for one in ("film", "jkr", "measured_tip", "winkler")
+    ]
+    table = FOLDER.parent / "data" / "measured_tip.csv"
+    code = f"""
+import sys
+sys.path.insert(0, {str(place)!r})
+import nanite_model_winkler as plugin, nanite.model, numpy, winkler
+assert plugin.__file__.startswith({str(place)!r})
+try:
+    plugin.register("none.csv")
+except (winkler.WinklerError, OSError) as error:
+    print(error)
+assert not [key for key in nanite.model.models_available if "winkler" in key]
+assert sorted(plugin.register()) == ["winkler_film", "winkler_jkr"]
+assert "winkler_measured_tip" not in nanite.model.models_available
+made = plugin.register({str(table)!r})
+for key, model in made.items():
+    assert nanite.model.models_available[key] is model
+    parameters = nanite.model.get_init_parms(key)
+    assert numpy.ptp(model.model(parameters, numpy.linspace(1e-7, -1e-7, 50))) > 0.0
+print(sorted(made))
+"""
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    refused, names = done.stdout.splitlines()
+    assert "none.csv" in refused
+    assert names == "['winkler_film', 'winkler_jkr', 'winkler_measured_tip']"

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import ast
 import importlib
+import os
 import pkgutil
+import subprocess
+import sys
 from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
@@ -47,3 +50,24 @@ def module_names() -> list[str]:
 def modules() -> list[ModuleType]:
     """Every module of the package, imported."""
     return [importlib.import_module(name) for name in module_names()]
+
+
+@pytest.fixture(scope="session")
+def built(root, tmp_path_factory) -> Path:
+    """Return the folder of a wheel and a source archive: that of `WINKLER_DIST`, or one built here."""
+    if folder := os.environ.get("WINKLER_DIST"):
+        return Path(folder)
+    pytest.importorskip(
+        "hatchling", reason="neither WINKLER_DIST nor hatchling (pip install winkler[checks]), which builds a wheel"
+    )
+    folder = tmp_path_factory.mktemp("dist")
+    words = ["build", "-t", "wheel", "-t", "sdist", "-d", str(folder)]
+    subprocess.run([sys.executable, "-m", "hatchling", *words], cwd=root, check=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def wheel(built) -> Path:
+    """Return the wheel of this tree."""
+    [path] = built.glob("*.whl")
+    return path

@@ -77,20 +77,6 @@ class User(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def wheel(root, tmp_path_factory):
-    if folder := os.environ.get("WINKLER_DIST"):
-        [path] = Path(folder).glob("*.whl")
-        return path
-    pytest.importorskip(
-        "hatchling", reason="neither WINKLER_DIST nor hatchling (pip install winkler[release]), which builds a wheel"
-    )
-    folder = tmp_path_factory.mktemp("dist")
-    subprocess.run([sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)], cwd=root, check=True)
-    [path] = folder.glob("*.whl")
-    return path
-
-
-@pytest.fixture(scope="module")
 def user(wheel, tmp_path_factory):
     folder = tmp_path_factory.mktemp("user")
     venv.create(folder / "venv", with_pip=False, symlinks=os.name != "nt")
@@ -144,6 +130,20 @@ def test_three_kinds_run_without_each_extra(user, extra):
         assert (folder / "results.csv").read_text(encoding="utf-8").count("\n") > 1
 
 
+IMAGE = b"""\\*File list\r
+\\Version: 0x09200000\r
+\\@Sens. Zsens: V 10.0 nm/V\r
+\\*Ciao image list\r
+\\Data offset: 4096\r
+\\Data length: 512\r
+\\Bytes/pixel: 2\r
+\\Samps/line: 16\r
+\\Number of lines: 16\r
+\\Scan Size: 1 1 ~m\r
+\\@2:Image Data: S [Height] "Height"\r
+\\@2:Z scale: V [Sens. Zsens] (0.0003 V/LSB) 10 V\r
+\\*File list end\r
+\x1a"""
 MAP = """
 import types, numpy, winkler as wk
 cards = types.ModuleType("cards")
@@ -179,7 +179,7 @@ def test_what_needs_an_extra_names_it(user, extra, command):
         (user.folder / f"{name}.toml").write_text(FIT.replace("NAME", name), encoding="utf-8")
     openpyxl = pytest.importorskip("openpyxl")
     openpyxl.Workbook().save(user.folder / "book.xlsx")
-    (user.folder / "map.spm").write_bytes(b"map")
+    (user.folder / "map.spm").write_bytes(IMAGE.ljust(4096, b"\0") + bytes(512))
     (user.folder / "map.py").write_text(MAP, encoding="utf-8")
     done = user.shell(command, hidden=MODULES[extra])
     assert done.returncode != 0

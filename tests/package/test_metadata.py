@@ -22,7 +22,8 @@ def citation(root):
 
 
 def test_the_version_is_stated_once(root, project, citation):
-    """In pyproject.toml: the package reads it from its metadata, citation and archive take that of a release's tag."""
+    """In pyproject.toml: the package reads it from its metadata, citation and archive take that of a release's tag, the
+    recipe repeats it, which is compared below."""
     number = re.fullmatch(r"(\d+\.\d+\.\d+)(\.dev0)?", project["version"])
     assert number is not None
     assert "version" not in citation
@@ -56,29 +57,48 @@ def test_authors_licence_and_title_are_the_same(root, project, citation):
     assert citation["url"] == project["urls"]["Documentation"]
 
 
-def test_the_recipe_for_conda_asks_for_the_same(root, project):
-    jinja2 = pytest.importorskip("jinja2")
+@pytest.fixture(scope="module")
+def recipe(root):
+    """Return the text of the recipe, and what rattler-build makes of it where that is installed."""
+    text = (root / "conda" / "recipe.yaml").read_text(encoding="utf-8")
+    return text, yaml.safe_load(text.replace("${{ version }}", yaml.safe_load(text)["context"]["version"]))
+
+
+def test_the_recipe_for_conda_asks_for_the_same(project, recipe):
     from packaging.requirements import Requirement
     from packaging.utils import canonicalize_name
 
-    content = {"project": project}
-    text = (root / "conda" / "meta.yaml").read_text(encoding="utf-8")
-    filled = jinja2.Template(text, undefined=jinja2.StrictUndefined).render(
-        load_file_data=lambda path, from_recipe_dir: (
-            content if (path, from_recipe_dir) == ("../pyproject.toml", True) else {}
-        ),
-        PYTHON="python",
-    )
-    recipe = yaml.safe_load(filled)
-    assert recipe["package"] == {"name": project["name"], "version": project["version"]}
-    assert recipe["about"]["license"] == project["license"]
-    [point] = recipe["build"]["entry_points"]
-    assert point == f"winkler = {project['scripts']['winkler']}"
+    _, stated = recipe
+    assert stated["package"] == {"name": project["name"], "version": project["version"]}
+    about = stated["about"]
+    assert (about["license"], about["summary"]) == (project["license"], project["description"])
+    assert stated["build"]["python"]["entry_points"] == [f"winkler = {project['scripts']['winkler']}"]
     other = {"matplotlib": "matplotlib-base"}
     asked = {canonicalize_name(one.name): str(one.specifier) for one in map(Requirement, project["dependencies"])}
-    stated = dict(line.split(" ") for line in recipe["requirements"]["run"])
-    assert stated.pop("python") == project["requires-python"]
-    assert stated == {other.get(name, name): bound for name, bound in asked.items()}
+    run = dict(line.split(" ") for line in stated["requirements"]["run"])
+    assert run.pop("python") == project["requires-python"]
+    assert run == {other.get(name, name): bound for name, bound in asked.items()}
+
+
+def test_rattler_build_takes_the_recipe(recipe):
+    """It reads fields, bounds and licence as for a build, and refuses what it does not know."""
+    rattler = pytest.importorskip("rattler_build", reason="no rattler-build here: pip install winkler[checks]")
+    text, stated = recipe
+    [made] = rattler.Stage0Recipe.from_yaml(text).render()
+    found = made.recipe.to_dict()
+    assert found["package"] == stated["package"]
+    assert found["requirements"]["run"] == stated["requirements"]["run"]
+    assert found["build"]["noarch"] == "python"
+    for good, bad in (
+        ("noarch: python", "noarch: pythons"),
+        ("homepage:", "home:"),
+        ("numpy >=", "numpy >>="),
+        ("BSD-3-Clause", "BSD3"),
+        ("${{ version }}", "${{ versions }}"),
+    ):
+        assert text.count(good) == 1
+        with pytest.raises((rattler.RecipeParseError, rattler.RattlerBuildError)):
+            rattler.Stage0Recipe.from_yaml(text.replace(good, bad)).render()
 
 
 def test_the_manual_is_built_online_as_here(root):
