@@ -109,9 +109,9 @@ class SlenderContact(NamedTuple):
         straight = (counts >= FEWEST_ACROSS) & (rise > 0.0)
         edge = np.sqrt(squares[0][:, 0] + far[:, 0] * height / np.where(straight, rise, 1.0))
         last = counts * self.grid.across
-        edge = np.where(np.abs(edge - last) <= self.grid.across, edge, last)
+        edge = np.where(straight & (np.abs(edge - last) <= self.grid.across), edge, last)
         ellipse = 2.0 * self.force_per_length / (math.pi * axis)
-        return np.where(counts > 0, np.where(straight, edge, ellipse), 0.0)
+        return np.where(counts > 0, np.where(counts >= FEWEST_ACROSS, edge, ellipse), 0.0)
 
     @property
     def force_per_length(self) -> Array:
