@@ -311,3 +311,92 @@ def test_a_roller_much_shorter_than_its_contact_is_as_wide_as_the_elements_that_
     assert fine.half_width[fine.x.size // 2] == pytest.approx(edge, rel=0.0, abs=half_element)
     assert wide.half_width[wide.x.size // 2] == pytest.approx(edge, rel=0.0, abs=0.03 * edge + half_element)
     assert wide.half_width == pytest.approx(np.full(wide.x.size, wide.half_width.mean()), rel=0.01)
+
+
+BASE = wk.Elastic(1.0, 0.3)
+LAYERED = {
+    "hard": wk.CoatedHalfSpace([wk.Layer(wk.Elastic(10.0, 0.3), 0.01)], on=BASE),
+    "soft": wk.CoatedHalfSpace([wk.Layer(wk.Elastic(0.1, 0.3), 0.01)], on=BASE),
+    "film": wk.SlidingFilm([wk.Layer(wk.Elastic(10.0, 0.3), 0.01)], on=BASE),
+    "stack": wk.StackedHalfSpace(
+        [wk.StackLayer(wk.Elastic(3.0, 0.3), 0.01), wk.StackLayer(wk.Elastic(0.3, 0.3), 0.02, bonded=False)], BASE
+    ),
+    "grading": wk.DepthGradedHalfSpace(wk.ExponentialGrading(0.3, 1.0, depth_scale=0.02, poisson=0.3)),
+    "power": wk.GradedHalfSpace(wk.PowerLawGraded(1.0, 0.05, 0.4, 0.3)),
+    "falling power": wk.GradedHalfSpace(wk.PowerLawGraded(1.0, 0.05, -0.4, 0.3)),
+    "rubber": wk.CoatedHalfSpace([wk.Layer(wk.Elastic(0.01, 0.5), 0.02)], on=BASE),
+}
+
+
+def crowned(medium, elements=96, force=2e-4, crown=20.0):
+    return wk.RollerContact(1.0, 2.0, wk.CrownedEnds(crown), medium, wk.Force(force), elements=elements).solve()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LAYERED)
+def test_a_crown_on_layers_is_what_square_pixels_press(name):
+    """Other grids, another solver: squares by fast transforms and conjugate gradients."""
+    medium = LAYERED[name]
+    pixels = wk.EllipticIndentation(wk.CurvedBodies(20.0, 1.0), medium, wk.Force(2e-4)).solve()
+    found = crowned(medium)
+    assert found.depth == pytest.approx(pixels.depth, rel=1e-3)
+    assert found.stiffness == pytest.approx(pixels.stiffness, rel=0.01)
+    assert found.peak_pressure == pytest.approx(pixels.peak_pressure, rel=max(2e-3, found.grid_error))
+    assert found.area == pytest.approx(pixels.area, rel=2.0 / 12.0 + pixels.edge_error)
+
+
+@pytest.mark.slow
+def test_equal_layers_are_the_half_space_and_a_base_is_felt():
+    def coated(young, thickness):
+        return crowned(wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young, 0.3), thickness)], on=BASE), elements=48)
+
+    bare, equal = crowned(wk.HalfSpace(BASE), 48), coated(1.0, 0.02)
+    for name in ("depth", "peak_pressure", "stiffness", "area"):
+        assert getattr(equal, name) == pytest.approx(getattr(bare, name), rel=1e-9)
+    for young in (0.1, 10.0):
+        layer = crowned(wk.HalfSpace(wk.Elastic(young, 0.3)), 48)
+        depths = [coated(young, thickness).depth for thickness in (1e-5, 1e-4, 0.03, 30.0, 300.0)]
+        order = np.sort(depths) if young < 1.0 else np.sort(depths)[::-1]
+        np.testing.assert_array_equal(depths, order)
+        assert depths[0] == pytest.approx(bare.depth, rel=2e-2)
+        assert abs(depths[0] - bare.depth) < 0.2 * abs(depths[1] - bare.depth)  # in proportion to h
+        assert abs(depths[4] - layer.depth) < 0.2 * abs(depths[3] - layer.depth)  # and to 1/h
+        assert depths[4] == pytest.approx(layer.depth, rel=2e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("young", "thickness"), [(20.8e9, 1e-4), (2080e9, 1e-4), (20.8e9, 1e-2), (2080e9, 1e-2)])
+def test_the_middle_of_a_long_roller_on_layers_is_an_endless_line(young, thickness):
+    medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young, 0.3), thickness)], on=STEEL)
+    found = bearing(wk.RoundedEnds(0.5e-3), elements=160, medium=medium).solve().last
+    middle = found.x.size // 2
+    load = wk.LineForce(float(found.force_per_length[middle]))
+    line = wk.LineIndentation(wk.LayeredLineFoundation(wk.Paraboloid(4.2e-3), medium), load).solve()
+    assert found.middle_pressure == pytest.approx(line.peak_pressure, rel=0.01)
+    assert found.half_width[middle] == pytest.approx(line.half_width, abs=found.y[-1] - found.y[-2])
+
+
+def test_elements_add_what_a_layer_yields_by_direct_quadrature():
+    """The integral over long elements of k, by Gauss' rule on each of them, where k is as smooth as the layer thick."""
+    from winkler.media.mapped import layers_of
+    from winkler.numerics.transforms.radial_kernel import radial_kernel
+
+    below = layers_of(LAYERED["soft"])
+    edges, across = np.array([-0.3, -0.28, -0.2, 0.0, 0.03, 0.3]), 0.004
+    found = below.slices(edges, across, 5)
+    kernel, middles = radial_kernel(below.response, 8), 0.5 * (edges[1:] + edges[:-1])
+    node, weight = np.polynomial.legendre.leggauss(200)
+    for row, place, element in np.ndindex(5, 5, 5):
+        half = 0.5 * (edges[element + 1] - edges[element])
+        x = middles[element] + half * node - middles[place]
+        y = row * across + 0.5 * across * node
+        k = kernel.at(np.hypot(x[:, None], y) / below.unit) / below.unit
+        assert found[row, place, element] == pytest.approx(half * 0.5 * across * (weight @ k @ weight), rel=1e-5)
+
+
+def test_a_film_too_thin_for_the_elements_and_gibsons_solid_are_refused():
+    film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(0.01, 0.5), 1e-5)], on=wk.Rigid())
+    with pytest.raises(wk.OutsideValidity, match="too coarse"):
+        crowned(film, 16)
+    with pytest.raises(wk.OutsideValidity, match="Gibson"):
+        crowned(wk.GradedHalfSpace(wk.PowerLawGraded(1.0, 0.05, 1.0, 0.5)), 16)

@@ -13,10 +13,10 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.pixels.integrals import over_pixels
+from winkler.numerics.pixels.integrals import over_pixels, over_slices
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import WaveResponse
-from winkler.numerics.transforms.radial_kernel import radial_kernel
+from winkler.numerics.transforms.radial_kernel import RadialKernel, radial_kernel
 from winkler.numerics.types import Array
 
 __all__ = ["GridResponse", "LayeredSurface", "SurfaceBelow"]
@@ -94,15 +94,36 @@ class LayeredSurface(NamedTuple):
         """
         self._refuse_coarse(pixel)
         dx, dy = pixel[0] / self.unit, pixel[1] / self.unit
-        farthest = math.hypot(shape[0] * dx, shape[1] * dy)
+        kernel = self._kernel(math.hypot(shape[0] * dx, shape[1] * dy))
+        return self.unit * over_pixels(kernel, shape, (dx, dy))
+
+    def slices(self, edges: Array, across: float, rows: int) -> Array:
+        """Return the displacements beyond Love's of E* under unit pressure on elements of several lengths.
+
+        Parameters
+        ----------
+        edges, across, rows
+            As of `winkler.numerics.pixels.integrals.over_slices`, which says what is returned.
+
+        Raises
+        ------
+        NotConverged, OutsideValidity
+            As of `pixels`; of coarseness the width counts, across which the pressure changes most.
+        """
+        self._refuse_coarse((across, across))
+        ends, width = edges / self.unit, across / self.unit
+        kernel = self._kernel(math.hypot(ends[-1] - ends[0], rows * width))
+        return self.unit * over_slices(kernel, ends, width, rows)
+
+    def _kernel(self, farthest: float) -> RadialKernel:
+        """Return k up to a distance, both in the unit of the response."""
         try:
-            kernel = radial_kernel(self.response, max(0, math.ceil(math.log2(farthest / self.response.length))))
+            return radial_kernel(self.response, max(0, math.ceil(math.log2(farthest / self.response.length))))
         except NotConverged:
             raise NotConverged(
                 "the displacements of the layers are not resolved, since their moduli, or resistivities, differ by "
                 "more than winkler can carry; give layers that differ by a factor of less than 1e8."
             ) from None
-        return self.unit * over_pixels(kernel, shape, (dx, dy))
 
     def lost(self, pixel: tuple[float, float]) -> float:
         """Return by which part displacements under a wave of sixteen pixels of this size are wrong."""

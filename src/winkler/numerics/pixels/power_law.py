@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.pixels.integrals import over_pixels
+from winkler.numerics.pixels.integrals import over_pixels, over_slices
 from winkler.numerics.types import Array
 
 __all__ = ["PowerLawSurface"]
@@ -90,8 +90,25 @@ class PowerLawSurface(NamedTuple):
         ndarray, (nx, ny)
             In the unit of length.
         """
-        graded = PowerLawKernel(self._cosine * self.depth**self.exponent / math.pi, self.exponent)
-        return over_pixels(graded, shape, pixel) - over_pixels(PowerLawKernel(1.0 / math.pi, 0.0), shape, pixel)
+        graded, love = self._kernels
+        return over_pixels(graded, shape, pixel) - over_pixels(love, shape, pixel)
+
+    def slices(self, edges: Array, across: float, rows: int) -> Array:
+        """Return the displacements beyond Love's of E* under unit pressure on elements of several lengths.
+
+        Parameters
+        ----------
+        edges, across, rows
+            As of `winkler.numerics.pixels.integrals.over_slices`, which says what is returned.
+        """
+        graded, love = self._kernels
+        return over_slices(graded, edges, across, rows) - over_slices(love, edges, across, rows)
+
+    @property
+    def _kernels(self) -> tuple[PowerLawKernel, PowerLawKernel]:
+        """What a unit force moves, and what it moves after Boussinesq."""
+        strength = self._cosine * self.depth**self.exponent / math.pi
+        return PowerLawKernel(strength, self.exponent), PowerLawKernel(1.0 / math.pi, 0.0)
 
     def lost(self, pixel: tuple[float, float]) -> float:
         """Return zero: a power law has no length that pixels could be too coarse for."""

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.pressed_slender import Pose, PressedSlender, press_slender
 from winkler.numerics.surfaces.slender_grid import SlenderGrid, graded
 from winkler.numerics.surfaces.slender_start import first_overlap
@@ -33,6 +34,8 @@ APART_SHARE = 0.3
 """And at most over the distance of the next end or bend."""
 FIRST_WIDTHS, FIRST_MARGIN = 0.5, 0.2
 """First half-widths over those of the overlap, and how much wider and longer the first box is."""
+FIRST_WAVE = 1.0
+"""Wave number at which a first guess takes the compliance of layers."""
 SAMPLES, FEWEST_SAMPLES, MOST_ZOOMS = 1001, 20, 12
 """Places at which a contact is looked for; fewest of them that bear, or the search goes on between fewer places."""
 OUTER, STEP, FEWEST_ACROSS = 3, 2, 6
@@ -43,7 +46,7 @@ POWERS = np.linspace(0.5, 1.0, 26)
 
 
 class Generator(NamedTuple):
-    """The generator of a slender body: how far it falls back along its length, and its radius across.
+    """The generator of a slender body: how far it falls back along its length, its radius across, what lies below.
 
     Parameters
     ----------
@@ -53,11 +56,14 @@ class Generator(NamedTuple):
         Of curvature across.
     marks
         Places beside which the pressure may change quickly.
+    layers
+        What differs from a homogeneous half-space.
     """
 
     drop: Callable[[Array], Array]
     radius: float
     marks: tuple[float, ...]
+    layers: SurfaceBelow | None = None
 
 
 class SlenderContact(NamedTuple):
@@ -78,7 +84,8 @@ class SlenderContact(NamedTuple):
 
         A slender contact has s = 1/2, where a sharp end presses s is greater, and near one where the contact is much
         wider than long; elements finer than the length see s come back to 1/2 at the edge itself.  Elements at the very
-        edge bear too much; slices of few elements are taken for semi-ellipses of their force.
+        edge bear too much; slices of few elements are taken for semi-ellipses of their force.  On layers the pressure
+        may follow no such power: an edge that lies an element beside those that bear is taken for the last one's end.
         """
         pressure, y = self.pressed.pressure, self.grid.places_across
         counts = np.count_nonzero(pressure, axis=1)
@@ -101,8 +108,10 @@ class SlenderContact(NamedTuple):
         )
         straight = (counts >= FEWEST_ACROSS) & (rise > 0.0)
         edge = np.sqrt(squares[0][:, 0] + far[:, 0] * height / np.where(straight, rise, 1.0))
+        last = counts * self.grid.across
+        edge = np.where(straight & (np.abs(edge - last) <= self.grid.across), edge, last)
         ellipse = 2.0 * self.force_per_length / (math.pi * axis)
-        return np.where(counts > 0, np.where(straight, edge, ellipse), 0.0)
+        return np.where(counts > 0, np.where(counts >= FEWEST_ACROSS, edge, ellipse), 0.0)
 
     @property
     def force_per_length(self) -> Array:
@@ -132,11 +141,19 @@ def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[Sle
     ------
     NotConverged
         If the contact is not found.
+    OutsideValidity
+        If the elements are too coarse for an incompressible layer.
     """
     box, widths = _first_box(generator, pose)
-    found = None
+    found, rough = None, ROUGH_ELEMENTS
     for _ in range(MOST_BOXES):
-        contact = _solved(generator, pose, box, ROUGH_ELEMENTS, found, widths)
+        try:
+            contact = _solved(generator, pose, box, rough, found, widths)
+        except OutsideValidity:  # too coarse for an incompressible layer
+            if rough >= elements:
+                raise
+            rough *= 2
+            continue
         fitting = _fitted(contact, box)
         if fitting is None:
             box, found = _wider(contact, box), contact
@@ -165,6 +182,9 @@ def pressed_levels(generator: Generator, pose: Pose, elements: int) -> tuple[Sle
 def _first_box(generator: Generator, pose: Pose) -> tuple[_Box, tuple[Array, Array]]:
     """Return a first box, and half-widths over places, of slices that bear each for itself."""
     x = np.linspace(-1.0, 1.0, SAMPLES)
+    if generator.layers is not None:  # a load overlaps as on a body as compliant as below a wave of the length
+        compliance = float(generator.layers.whole(np.array([FIRST_WAVE]))[0])
+        pose = pose._replace(force=pose.force * compliance, moment=pose.moment * compliance)
     for _ in range(MOST_ZOOMS):
         overlap = first_overlap(x, generator.drop(x), pose)
         bearing = np.flatnonzero(overlap > 0.0)
@@ -191,7 +211,7 @@ def _solved(
     apart = np.concatenate([[np.inf], np.diff(marks), [np.inf]])
     shares = np.array([FINEST_SHARE, *(BEND_SHARE for _ in bends), FINEST_SHARE])
     finest = np.minimum(shares * box.width, APART_SHARE * np.minimum(apart[1:], apart[:-1]))
-    grid = SlenderGrid.of(graded(box.low, box.high, marks, finest, count), box.width / rows, rows)
+    grid = SlenderGrid.of(graded(box.low, box.high, marks, finest, count), box.width / rows, rows, generator.layers)
     x, y = grid.middles, grid.places_across
     gaps = generator.drop(x)[:, None] + y**2 / (2.0 * generator.radius)
     width = np.interp(x, *widths) if before is None else np.interp(x, before.grid.middles, before.half_width)

@@ -1,12 +1,14 @@
-r"""The surface of a half-space below a slender contact, on elements that are graded along it and equal across it.
+r"""The surface below a slender contact, on elements that are graded along it and equal across it.
 
 Where E* is one, the force on an element times the displacement of another is
 
 .. math:: S_{ij} = \frac1\pi\int_i\!\int_j\frac{\mathrm dA\,\mathrm dA'}{r} \approx
           \tfrac12\left(A_i\,u_{ij} + A_j\,u_{ji}\right) ,
 
-with Love's displacement u_ij at the middle of element i under a unit pressure on element j: symmetric, and of second
-order like either of the two.  Pressures are even across the contact.  Across, the product is a convolution, made by
+with Love's displacement u_ij at the middle of element i under a unit pressure on element j, and what layers and
+gradings add to it: symmetric, and of second order like either of the two.
+
+Pressures are even across the contact.  Across, the product is a convolution, made by
 fast cosine transforms; along, one small matrix for every wave number.
 """
 
@@ -16,6 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import NotConverged
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.types import Array
 
 __all__ = ["SlenderGrid", "graded"]
@@ -82,26 +86,41 @@ class SlenderGrid(NamedTuple):
     factors: Array
 
     @classmethod
-    def of(cls, edges: Array, across: float, rows: int) -> SlenderGrid:
+    def of(cls, edges: Array, across: float, rows: int, layers: SurfaceBelow | None = None) -> SlenderGrid:
         """Return the grid.
 
         Parameters
         ----------
         edges, across, rows
             As of the grid.
+        layers
+            What differs from a homogeneous half-space, in the unit of length of the grid.
+
+        Raises
+        ------
+        NotConverged
+            If the response of the layers is not resolved, or not positive on these elements.
+        OutsideValidity
+            If the elements are too coarse for the layers.
         """
         middles, lengths = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
         y = (np.arange(2 * rows + 1) - 0.5) * across
         x = edges[:, None, None] - middles[:, None]
         corner = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
         love = np.diff(np.diff(corner, axis=2), axis=0).transpose(2, 1, 0)  # rows apart, at the middle, of the element
-        weighted = love * (across / np.pi * lengths[:, None])
+        moved = love / np.pi if layers is None else love / np.pi + layers.slices(edges, across, 2 * rows)
+        weighted = moved * (across * lengths[:, None])
         mutual = 0.5 * (weighted + weighted.transpose(0, 2, 1))
         wrapped = np.concatenate([mutual, np.zeros((1, *mutual.shape[1:])), mutual[:0:-1]])
         waves = np.ascontiguousarray(np.fft.rfft(wrapped, axis=0).real[:-1])
         within, row = np.diagonal(mutual, axis1=1, axis2=2).T, np.arange(rows)
         block = within[:, np.abs(row[:, None] - row)] + within[:, row[:, None] + row + 1]
-        return cls(edges, across, rows, waves, np.linalg.inv(np.linalg.cholesky(block)))
+        try:
+            return cls(edges, across, rows, waves, np.linalg.inv(np.linalg.cholesky(block)))
+        except np.linalg.LinAlgError:
+            raise NotConverged(
+                "the elements do not resolve the layers below them; take more elements, or a thicker layer."
+            ) from None
 
     @property
     def middles(self) -> Array:

@@ -1,10 +1,11 @@
-r"""A roller of finite length pressed on a half-space, crowned or sharp, straight or tilted: boundary elements.
+r"""A roller of finite length pressed on a body, crowned or sharp, straight or tilted: boundary elements.
 
 .. math:: w(x,y) = z(x) + \frac{y^2}{2R} - \theta x - d
           + \frac1{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' , \qquad
           F = \int p\,\mathrm dA , \quad M = \int p\,x\,\mathrm dA ,
 
-with p >= 0, w >= 0 and p w = 0.  Unlike an endless line contact, it has an approach d of its own.
+with p >= 0, w >= 0 and p w = 0; layers and gradings add to the kernel what they
+yield beyond a half-space.  Unlike an endless line contact, it has an approach d of its own.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Advice, Positive, Whole
-from winkler.errors import InvalidInput, NotConverged
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.loading import Depth, Force, Moment, Tilt
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.surfaces.boxed_slender import Generator, SlenderContact, pressed_levels
 from winkler.numerics.surfaces.pressed_slender import Pose
 from winkler.numerics.types import Array, PerLoad, Q, shaped
@@ -39,7 +40,7 @@ SAMPLES = 2001
 
 @value
 class RollerContact(PerLoad[Q]):
-    """A cylindrical roller of finite length pressed on a half-space, without friction.
+    """A cylindrical roller of finite length pressed on a body, without friction.
 
     Parameters
     ----------
@@ -49,8 +50,9 @@ class RollerContact(PerLoad[Q]):
         Of the roller [m]; the raceway is longer.
     ends : SharpEnds, CrownedEnds, RoundedEnds or LogarithmicEnds
         How the roller ends.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
+DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies; the E* of a logarithmic crown is their `modulus`, of layers that of the uppermost ones.
     load : Force or Depth
         What is prescribed; an array is taken load after load.  A depth is the approach of the bodies in the middle.
     alignment : Tilt or Moment, optional
@@ -94,7 +96,7 @@ class RollerContact(PerLoad[Q]):
     radius: Positive
     length: Positive
     ends: RollerEnds
-    medium: Annotated[HomogeneousMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
     load: Force[Q] | Depth[Q]
     alignment: Tilt | Moment = STRAIGHT
     elements: Annotated[int, Whole(16, 320, "elements")] = 160
@@ -144,12 +146,16 @@ class RollerContact(PerLoad[Q]):
         ------
         NotConverged
             If a contact is not found.
+        OutsideValidity
+            If the elements are too coarse for an incompressible layer, or a modulus is proportional to the depth.
         """
         unit, modulus = 0.5 * self.length, self.medium.modulus
+        below = layers_of(self.medium)
         generator = Generator(
             lambda x: self.ends.drop(unit * x, unit, modulus) / unit,
             self.radius / unit,
             tuple(mark / unit for mark in self.ends.marks(unit)),
+            None if below is None else below.in_units_of(unit),
         )
         for load in self._loads.tolist():
             by_force = isinstance(self.load, Force)
@@ -163,6 +169,10 @@ class RollerContact(PerLoad[Q]):
                 coarse, fine = pressed_levels(generator, pose, self.elements)
             except NotConverged as error:
                 raise NotConverged(f"RollerContact: under the load {load:.6g}, {error}") from None
+            except OutsideValidity as error:
+                raise OutsideValidity(
+                    f"RollerContact: elements count as pixels, and {error} More elements are smaller."
+                ) from None
             yield self._state(coarse, fine)
 
     def _state(self, coarse: SlenderContact, fine: SlenderContact) -> RollerState:
@@ -210,7 +220,7 @@ class RollerContact(PerLoad[Q]):
             abs(place) == 1.0 and contact.pressed.pressure[slice_, 0] > 0.0 and math.isfinite(drop)
             for (slice_, place), drop in zip(ends, drops, strict=True)
         )
-        return (math.inf if sharp else float(np.max(on_axis))), middle
+        return (math.inf if sharp else float(max(np.max(on_axis), np.max(contact.pressed.pressure)))), middle
 
     def gathered(self, states: Iterable[RollerState]) -> RollerSolution[Q]:
         """Return the solution made of these states, of all loads or of the first ones."""
@@ -229,8 +239,8 @@ class RollerContact(PerLoad[Q]):
 
         Raises
         ------
-        NotConverged
-            If a contact is not found.
+        NotConverged, OutsideValidity
+            As of `steps`.
         """
         return self.gathered(self.steps())
 

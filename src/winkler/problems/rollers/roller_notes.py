@@ -6,12 +6,14 @@ import math
 
 from winkler.foundation.line import LineFoundation
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.problems.line.greatest_stress import greatest, von_mises
 from winkler.problems.line.stress import LineContact
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.unknown_yield import MISES
+from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.normal.yield_statement import share_of
+from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing, standing_of
 
@@ -19,12 +21,25 @@ __all__ = ["roller_notes"]
 
 HARTNETT = "M. J. Hartnett, J. Lubr. Technol. 101 (1979) 105-109, doi:10.1115/1.3453270"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 5.4, doi:10.1017/CBO9781139171731"
+ELEMENTS_ON_HALF_SPACES = Note(
+    Assumption.RESPONSE,
+    Standing.EXACT,
+    "Frictionless contact of homogeneous, linear elastic half-spaces, every element pressing on all others.",
+    HARTNETT,
+)
+EDGES_ON_LAYERS = Note(
+    Assumption.RESOLUTION,
+    Standing.APPROXIMATE,
+    "On layers and gradings half-widths, and the area with them, are known to one element across: an eighth of the "
+    "elements along lie across each half of the widest contact.",
+    "elements that bear",
+)
 FINE, COARSE = 0.02, 0.1
 """Change from half as many elements up to which results count as fine, and as coarse."""
 
 
 def roller_notes(
-    medium: HomogeneousMedium,
+    medium: MappedMedium,
     radius: float,
     pressures: tuple[float, float],
     half_width: float,
@@ -55,17 +70,14 @@ def roller_notes(
         else "On half as many elements the very end of the roller bears and on these it does not, so that the greatest "
         "pressure is not resolved: take more elements."
     )
+    homogeneous = isinstance(medium, HomogeneousMedium)
     notes = [
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of homogeneous, linear elastic half-spaces, every element pressing on all others.",
-            HARTNETT,
-        ),
+        *((ELEMENTS_ON_HALF_SPACES,) if homogeneous else (PIXELS_ON_LAYERS, *graded_notes(medium))),
         Note(
             Assumption.HALF_SPACE,
             Standing.APPROXIMATE,
-            "The roller is a half-space as well, as if it went on beyond its ends: a free end face beside the contact "
+            f"The roller is {'a half-space' if homogeneous else 'flat below its surface'} as well, as if it went on "
+            "beyond its ends: a free end face beside the contact "
             "would give way and lessen the pressure near the end.",
             JOHNSON,
         ),
@@ -75,6 +87,7 @@ def roller_notes(
             changes,
             "comparison of two grids",
         ),
+        *(() if homogeneous else (EDGES_ON_LAYERS,)),
         steepness_note(max(half_width / radius, slope)),
         large_body_note(half_width / radius, strip=True),
     ]
@@ -92,8 +105,10 @@ def roller_notes(
     return (*notes, *_yield_notes(medium, radius, *pressures))
 
 
-def _yield_notes(medium: HomogeneousMedium, radius: float, peak: float, middle: float) -> tuple[Note, ...]:
+def _yield_notes(medium: MappedMedium, radius: float, peak: float, middle: float) -> tuple[Note, ...]:
     """Return whether the most loaded slice stays elastic, taken as an endless line contact of the same pressure."""
+    if not isinstance(medium, HomogeneousMedium):
+        return unknown_yield(medium, "the stresses below the roller are not computed in layers")
     parts = strong_parts(medium)
     sharp = math.isinf(peak)
     pressure = middle if sharp else peak
