@@ -197,6 +197,8 @@ def _in_utf8(where: str, content: bytes, *, is_cut: bool = False) -> bytes:
             raise InvalidInput(f"{where}: {what}.")
     if not content.startswith(UTF16_MARKS):
         return content
+    if not is_cut and len(content) % 2 and content[-1:] in b"\r\n":  # programs that end lines anew leave half a letter
+        content = content[:-1]
     try:
         return codecs.getincrementaldecoder("utf-16")().decode(content, final=not is_cut).encode()
     except UnicodeDecodeError:

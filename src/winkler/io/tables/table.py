@@ -34,6 +34,8 @@ from winkler.values import value
 __all__ = ["Column", "Table", "read_table"]
 
 
+PADDED = ("\t", ";")
+"""Separators behind which programs leave out empty cells at the end of a row; a comma may be a decimal one."""
 MARK = re.compile(r"<[A-Za-z /]{1,40}>")
 """A line by which some instruments end a block of numbers."""
 END_OF_HEADER = re.compile(r"[A-Za-z*_-]{1,40}")
@@ -124,6 +126,7 @@ def read_table(
     repeats = list[int]()
     cells_read, places, incomplete = array("d"), array("q"), list[int]()
     needed = [number for number, column in enumerate(columns) if column.word not in gaps]
+    short, last = 0, next((n for n in range(len(lines) - 1, -1, -1) if lines[n].strip()), 0)
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
@@ -143,6 +146,10 @@ def read_table(
         if len(cells) < len(header.cells) and separator == "\t":  # spaces in some rows, tabs in others
             spaced = cells_of(line, None)
             cells = spaced if len(spaced) == len(header.cells) and all(map(like_number, spaced)) else cells
+        ends = max(header.places) < len(cells) < len(header.cells)
+        if ends and separator in PADDED and (len(cells) == short or index < last):
+            short = len(cells)
+            cells += [""] * (len(header.cells) - short)
         if len(cells) != len(header.cells):
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
