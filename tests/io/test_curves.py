@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.io.curves import read_curve, read_curves
+from winkler.io.curves import read_curve, read_curves, try_curves
 
 
 def write(folder, text, name="curve.csv"):
