@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.io.curves import read_curve, read_curves
+from winkler.io.curves import read_curve, read_curves, try_curves
 
 
 def write(folder, text, name="curve.csv"):
@@ -162,8 +162,6 @@ def test_files_that_lack_something(shared_data):
         read_curve(folder / "fmt-afm-workshop-fd_single_2020-02-14_13.41.25.csv")
     with pytest.raises(wk.InvalidInput, match="give spring_constant in N/m and sensitivity in m/V"):
         read_curve(next(folder.glob("fmt-ntmdt*")))
-    with pytest.raises(wk.InvalidInput, match="unpack the archive first"):
-        read_curve(next(folder.glob("*.zip")))
     with pytest.raises(wk.InvalidInput, match="there is no table of a force curve in this text"):
         read_curve(shared_data / "nanoindentation" / "ISO.txt")
 
@@ -172,9 +170,33 @@ def test_an_indenter_with_a_cantilever(tmp_path, shared_data):
     with zipfile.ZipFile(next((shared_data / "force_curves").glob("*.zip"))) as archive:
         archive.extractall(tmp_path)
     curve = read_curve(next(tmp_path.glob("*.txt")))
+    packed = read_curve(next((shared_data / "force_curves").glob("*.zip")))
+    assert np.array_equal(packed.force, curve.force)
+    assert packed.name.endswith(curve.name)
     assert curve.count == 13827
     assert curve.machine_stiffness == 0.019
     assert np.max(curve.force) == pytest.approx(4.924e-8)
+
+
+def test_an_archive_of_curves(tmp_path):
+    """Each file of an archive is read as it would be by itself, and one that cannot be read is named."""
+    pytest.importorskip("afmformats")
+    file = tmp_path / "curves.zip"
+    inner = tmp_path / "inner.zip"
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr("c.txt", "h [nm], F [nN]\n0, 0\n1, 1\n2, 3\n")
+    with zipfile.ZipFile(file, "w") as archive:
+        archive.writestr("day/b.txt", "depth [nm], force [nN]\n0, 0\n1, 2\n2, 6\n")
+        archive.writestr("day/a.csv", "h (nm);F (nN)\n0;0\n1;1\n2;3\n")
+        archive.writestr("__MACOSX/a.csv", "x")
+        archive.writestr("notes.txt", "nothing here\n")
+        archive.write(inner, "old.zip")
+    first, second, third, fourth = try_curves(file)
+    assert first.curve.force.tolist() == pytest.approx([0.0, 1e-9, 3e-9])
+    assert second.curve.force.tolist() == pytest.approx([0.0, 2e-9, 6e-9])
+    assert first.curve.name == "curves.zip, day/a.csv"
+    assert third.reason.startswith(f"{file}, notes.txt: ")
+    assert "an archive within an archive is not opened" in fourth.reason
 
 
 def test_where_it_was_taken(shared_data):

@@ -7,8 +7,10 @@ its sign.
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import logging
 import os
+import tempfile
 import zipfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -18,7 +20,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.io.archive_file import is_archive, refuse_large_archive
+from winkler.io.archive_file import archive, is_archive, member, refuse_large_archive
 from winkler.io.foreign import in_file, quiet, reason_of, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.instruments.find import instrument_tests
@@ -37,8 +39,11 @@ from winkler.limits import FILE_BYTES
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
 HDF5_ENDING = ".h5"
-ARCHIVE_ENDINGS = (".jpk", ".zip")
+ARCHIVE = ".zip"
+ARCHIVE_ENDINGS = (".jpk", ARCHIVE)
 """Endings of archives, which may not begin as such: their list of contents stands at the end."""
+HIDDEN, MOST_MEMBERS = "__MACOSX", 10_000
+"""Folder of another system's own files, and most files of an archive."""
 IMAGE_HINT = "; an image without curves is read by read_topography; else export its curves as text"
 HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
@@ -208,7 +213,7 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
     if path.suffix.lower() not in known:
         end = f"files that end in '{path.suffix}' are not known; tables and {', '.join(known)} are read"
         raise _no_table(path, end)
-    exchanged = False
+    exchanged = packed = False
     with _quiet_and_limited(path):
         try:
             _refuse_large_contents(path)
@@ -229,9 +234,14 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
             raise
         except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise many types
             group = _paused(path, overrides)
-            hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else IMAGE_HINT
             if not group:
-                raise _no_table(path, f"afmformats cannot read this file ({reason_of(error)}){hint}") from None
+                packed = path.suffix.lower() == ARCHIVE and zipfile.is_zipfile(path)
+                if not packed:
+                    why = f"afmformats cannot read this file ({reason_of(error)}){IMAGE_HINT}"
+                    raise _no_table(path, why) from None
+    if packed:  # not as afmformats has archives, but one file of curves beside the other
+        yield from _curves_of_archive(path, given)
+        return
     for number, data in enumerate(group):
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
@@ -245,6 +255,37 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
             yield UnreadCurve(name, str(error))
         else:
             yield placed
+
+
+def _curves_of_archive(path: Path, given: GivenFacts) -> Iterator[PlacedCurve | UnreadCurve]:
+    """Yield the curves of all files of an archive, in the order of their names; each stands in a file of its own."""
+    with archive(path, path, remedy="save a part of the curves", members=MOST_MEMBERS) as pack:
+        inside = sorted(
+            (one for one in pack.infolist() if not one.is_dir() and HIDDEN not in one.filename),
+            key=lambda one: one.filename,
+        )
+        if not inside:
+            raise InvalidInput(f"{path}: the archive is empty; give one of files with curves.")
+        for one in inside:
+            with tempfile.TemporaryDirectory(prefix="winkler-") as folder:
+                file = Path(folder, Path(one.filename).name)
+                file.write_bytes(member(pack, one))
+                name = f"{path.name}, {one.filename}"
+                try:
+                    if is_archive(file) and file.suffix.lower() == ARCHIVE:
+                        raise InvalidInput(f"{file}: an archive within an archive is not opened; unpack it.")
+                    for placed in _each(file, given):
+                        yield _renamed(placed, file, f"{path}, {one.filename}", name)
+                except InvalidInput as error:
+                    yield UnreadCurve(name, str(error).replace(str(file), f"{path}, {one.filename}"))
+
+
+def _renamed(placed: PlacedCurve | UnreadCurve, file: Path, where: str, name: str) -> PlacedCurve | UnreadCurve:
+    """Return a curve under the name of its file within an archive."""
+    if isinstance(placed, UnreadCurve):
+        return UnreadCurve(placed.name.replace(file.name, name), placed.reason.replace(str(file), where))
+    curve = dataclasses.replace(placed.curve, name=placed.curve.name.replace(file.name, name))
+    return dataclasses.replace(placed, curve=curve)
 
 
 class _PausedCurve:

@@ -39,6 +39,8 @@ UTF16_MARKS = codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE
 """First bytes of a text in UTF-16."""
 UNMARKED_UTF16 = re.compile(rb"(?:[\t\n\r -~]\x00){4}|(?:\x00[\t\n\r -~]){4}")
 """Four letters of a text in UTF-16 without these bytes."""
+OTHER_ENDS = re.compile(rb"[\x0b\x0c]")
+"""Where a text is cut into lines, and bytes are not."""
 UNREADABLE = "the file cannot be read", "check it"
 MOST_NAMES_COMPARED = 1000
 """Files of a folder among which a similar name is searched."""
@@ -197,6 +199,8 @@ def _in_utf8(where: str, content: bytes, *, is_cut: bool = False) -> bytes:
             raise InvalidInput(f"{where}: {what}.")
     if not content.startswith(UTF16_MARKS):
         return content
+    if not is_cut and len(content) % 2 and content[-1:] in b"\r\n":  # programs that end lines anew leave half a letter
+        content = content[:-1]
     try:
         return codecs.getincrementaldecoder("utf-16")().decode(content, final=not is_cut).encode()
     except UnicodeDecodeError:
@@ -229,11 +233,15 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
         raise InvalidInput(f"{where}: the file looks like UTF-16 without a byte order mark; save it as UTF-8.")
     if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
         raise InvalidInput(f"{where}: the file is not a text; save the table as text (CSV) in UTF-8.")
-    raw = content.removeprefix(codecs.BOM_UTF8).splitlines()
-    try:
-        lines = [line.decode("utf-8") for line in raw]
-    except UnicodeDecodeError:
-        lines = [line.decode("latin-1") for line in raw]
+    content = content.removeprefix(codecs.BOM_UTF8)
+    if content.isascii() and not OTHER_ENDS.search(content):
+        lines = content.decode("ascii").splitlines()
+    else:
+        raw = content.splitlines()
+        try:
+            lines = [line.decode("utf-8") for line in raw]
+        except UnicodeDecodeError:
+            lines = [line.decode("latin-1") for line in raw]
     if not any(line.strip() for line in lines):
         raise InvalidInput(f"{where}: the file is empty; it needs {needs}.")
     return lines

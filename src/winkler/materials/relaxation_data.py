@@ -26,6 +26,7 @@ __all__ = ["CreepData", "DynamicData", "RelaxationData"]
 FEWEST_ROWS = 4
 ROUNDING_RATIO = 1e-13
 """Terms that carry less than this part of every number were left over by rounding."""
+READING = ("", None, "how the file was read")
 PER_DECADE = 8
 """Terms in each decade of time that may be taken; few of them are, since none may be negative."""
 
@@ -68,6 +69,8 @@ class RelaxationData(_MeasuredSolid):
         G(t) [Pa], positive.
     poisson : float, optional
         nu [-].
+    reading : str, optional
+        How the file was read: what stands in it and was computed with, and rows that were averaged.
 
     Raises
     ------
@@ -82,9 +85,12 @@ class RelaxationData(_MeasuredSolid):
     (True, True)
     """
 
+    __words__ = words(reading=READING)
+
     time: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
     shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
+    reading: str = ""
 
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
@@ -103,6 +109,8 @@ class CreepData(_MeasuredSolid):
         J(t) [1/Pa], positive.
     poisson : float, optional
         nu [-].
+    reading : str, optional
+        How the file was read: what stands in it and was computed with, and rows that were averaged.
 
     Raises
     ------
@@ -117,11 +125,12 @@ class CreepData(_MeasuredSolid):
     True
     """
 
-    __words__ = words(compliance=("J", "1/Pa", "shear compliance, one number for each time"))
+    __words__ = words(compliance=("J", "1/Pa", "shear compliance, one number for each time"), reading=READING)
 
     time: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
     compliance: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
+    reading: str = ""
 
     @property
     def _fitted(self) -> tuple[RelaxationSeries, float]:
@@ -140,6 +149,8 @@ class DynamicData(_MeasuredSolid):
         G' and G'' [Pa], positive.
     poisson : float, optional
         nu [-].
+    reading : str, optional
+        How the file was read: what stands in it and was computed with, and rows that were averaged.
 
     Raises
     ------
@@ -154,10 +165,13 @@ class DynamicData(_MeasuredSolid):
     True
     """
 
+    __words__ = words(reading=READING)
+
     angular_frequency: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
     storage_shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     loss_shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
+    reading: str = ""
 
     @property
     def _times(self) -> Array:

@@ -100,6 +100,18 @@ def test_a_sheet_of_any_program(tmp_path):
     assert "1 row without numbers left out" in curve.reading
 
 
+def test_a_list_beside_a_test_is_named(tmp_path):
+    """A sheet with moduli and without time is left out beside a test, whose reading names it; alone it is read."""
+    force = np.append(np.arange(60.0), np.arange(58.0, -1.0, -2.0))
+    test = [["Depth (nm)", "Load (mN)", "Time (s)"], *map(list, zip(force, force, np.arange(90.0), strict=True))]
+    listed = [["Depth (nm)", "Load (mN)", "Modulus (GPa)"], *([100.0 + k, 5.0, 72.0] for k in range(12))]
+    both = new_workbook(tmp_path / "both.xlsx", {"A": test, "Short": listed})
+    (placed,) = read_curves(both)
+    assert "taken for lists of results, without time, and left out: 'Short'" in placed.curve.reading
+    (alone,) = read_curves(new_workbook(tmp_path / "alone.xlsx", {"A": test}))
+    assert "left out" not in alone.curve.reading
+
+
 def test_an_average_whose_time_falls(tmp_path):
     names = ["", "Displacement Into Surface", "STANDARD DEVIATION (Displacement)", "Load On Sample", "Time On Sample"]
     rows = [["", 1.0, 0.1, 1.0, 5.0], ["", 2.0, 0.1, 3.0, 4.0], ["", 3.0, 0.1, 6.0, 7.0]]

@@ -113,3 +113,14 @@ def test_the_reason_is_that_of_the_unit_of_the_file(tmp_path):
     file = _file(tmp_path, "Freq\tG'\tG\"\tTemp\nrad/s\tPa\tPa\tC\n 1 2 3\n 2 3 4\n")
     with pytest.raises(InvalidInput, match=r"line 3: the line has 1 and the header 4 cells; or give header = "):
         read_dynamic(file)
+
+
+def test_half_a_letter_at_the_end(tmp_path):
+    """A program that ends lines anew leaves one byte of the last line's end; no letter is lost with it."""
+    file = tmp_path / "solid.csv"
+    text = "omega [rad/s]\tstorage [Pa]\tloss [Pa]\n" + "".join(f"{2**k}\t{k + 1},5\t{k + 2}\n" for k in range(5))
+    file.write_bytes(text.encode("utf-16")[:-1])
+    assert read_dynamic(str(file)).storage_shear.tolist() == [k + 1.5 for k in range(5)]
+    file.write_bytes(text[:-1].encode("utf-16")[:-1])  # half of the last digit is no end of a line
+    with pytest.raises(InvalidInput, match="damaged UTF-16"):
+        read_dynamic(str(file))

@@ -163,7 +163,7 @@ REFUSED = [
     ("r [um],h [nm]\n1,1e999\n", ": line 2" + MISSING + "."),
     ("r [um],h [nm]\n1,2\n2,\n3,inf\n4,1\n,5\n", ": lines 3, 4, 6" + MISSING + "s."),
     ("r [um],h [nm]\n" + "NaN,1\n" * 9, ": lines 2, 3, 4, 5, 6 and 4 more" + MISSING + "s."),
-    (("r [um],h [nm]\n" + rows(",")).encode("utf-16")[:-1], UTF16),
+    (("r [um],h [nm]\n" + rows(",")).encode("utf-16")[:-3], UTF16),
     (b"\xfe\xff\x00", UTF16),
     (b"PK\x03\x04 and so on", SPREADSHEET),
     (b"\xd0\xcf\x11\xe0\xa1\xb1", SPREADSHEET),

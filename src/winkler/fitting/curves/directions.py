@@ -151,10 +151,10 @@ def _turns(level: Array, least: float) -> list[int]:
     """Return the ends, and the extremes from which the signal returns by more than `least`."""
     size = -(-level.size // MOST_CELLS)
     starts = np.arange(0, level.size, size)
-    cells = np.add.reduceat(level, starts) / np.diff(np.append(starts, level.size))
+    cells = (np.add.reduceat(level, starts) / np.diff(np.append(starts, level.size))).tolist()
     result: list[tuple[int, float]] = []
     highest = lowest = trend = 0
-    for index in range(1, cells.size):
+    for index in range(1, len(cells)):
         highest = index if cells[index] > cells[highest] else highest
         lowest = index if cells[index] < cells[lowest] else lowest
         if trend >= 0 and cells[index] < cells[highest] - least:

@@ -60,17 +60,25 @@ def turn_hold(level: Array, noise: float, before: int, turn: int, behind: int) -
 
 def _best_level(x: Array, y: Array, starts: Array, stops: Array) -> tuple[float, float, float]:
     """Return the ends of the level that leaves least, and the squares that it leaves."""
-    first, last = (grid.ravel() for grid in np.meshgrid(starts, stops, indexing="ij"))
+    of_start, of_stop = (
+        grid.ravel() for grid in np.meshgrid(np.arange(starts.size), np.arange(stops.size), indexing="ij")
+    )
+    first, last = starts[of_start], stops[of_stop]
     possible = (last >= first) & (first > x[0] + 2.0) & (last < x[-1] - 2.0)
-    first, last = first[possible], last[possible]
+    first, last, of_start, of_stop = (one[possible] for one in (first, last, of_start, of_stop))
     if not first.size:
         return 0.0, 0.0, float("inf")
-    columns = np.stack(
-        [np.ones((first.size, x.size)), np.minimum(x - first[:, None], 0.0), np.maximum(x - last[:, None], 0.0)], axis=1
-    )
     centred = y - y.mean()
-    right = columns @ centred
-    numbers = np.linalg.solve(columns @ columns.transpose(0, 2, 1), right[..., None])[..., 0]
+    before, behind = np.minimum(x - starts[:, None], 0.0), np.maximum(x - stops[:, None], 0.0)
+    products = np.zeros((first.size, 3, 3))  # the sides share no point
+    products[:, 0, 0] = x.size
+    for place, side, chosen in ((1, before, of_start), (2, behind, of_stop)):
+        products[:, 0, place] = products[:, place, 0] = side.sum(axis=1)[chosen]
+        products[:, place, place] = np.sum(side**2, axis=1)[chosen]
+    right = np.stack(
+        [np.full(first.size, centred.sum()), (before @ centred)[of_start], (behind @ centred)[of_stop]], axis=1
+    )
+    numbers = np.linalg.solve(products, right[..., None])[..., 0]
     left = float(centred @ centred) - np.einsum("gi,gi->g", numbers, right)
     best = int(np.argmin(left))
     return float(first[best]), float(last[best]), float(left[best])

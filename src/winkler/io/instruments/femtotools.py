@@ -1,11 +1,13 @@
-"""Text files of FemtoTools indenters (FT-NMT, FT-I): comment lines behind ``//``, names with units, many tests.
+"""Text files of FemtoTools indenters (FT-NMT, FT-I, FT-RS): comment lines behind ``//``, names with units, many tests.
 
-A test ends where the phase (approach, loading, unloading) begins again, or at the next comment lines.  The column
+A test ends where the phase (approach, loading, unloading) begins again, where the index counts on by a whole number, or
+at the next comment lines.  The column
 "Sample Displace" is the depth; a "Displacement" still contains the bending of the sensor.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -17,11 +19,14 @@ from winkler.io.instruments.number_block import columns_of, rows_of, split_unit
 __all__ = ["is_femtotools", "tests_of_femtotools"]
 
 COMMENT = "//"
+BETWEEN = re.compile(r"\s{2,}|(?<=\])\s")
+"""Between the names of a header without tabs."""
+PARTED_BY = ("phase", "index")
 HEAD_LINES = 200
 
 
 def is_femtotools(head: Sequence[str]) -> bool:
-    """Return whether a comment line names a displacement, a force and a phase."""
+    """Return whether a comment line names a displacement, a force, and a phase or an index."""
     return any(_names(line) for line in head[:HEAD_LINES])
 
 
@@ -38,11 +43,16 @@ def tests_of_femtotools(lines: Sequence[str], name: str, path: object) -> Iterat
     cells: list[str] = []
     for header in headers:
         cells = _names(lines[header])
-        rows = rows_of(lines, header + 1, len(cells), path)
+        first = header + 1
+        while first < len(lines) and lines[first].startswith(COMMENT) and not _names(lines[first]):
+            first += 1
+        rows = rows_of(lines, first, len(cells), path, separator="\t" if "\t" in lines[header] else None)
         if not rows.size:
             continue
-        phase = rows[:, next(k for k, cell in enumerate(cells) if cell.lower().startswith("phase"))]
-        blocks += [(cells, part) for part in np.split(rows, np.flatnonzero(np.diff(phase) < 0.0) + 1)]
+        word, place = _parting(cells)
+        step = np.diff(np.floor(rows[:, place]))
+        begins = np.flatnonzero(step < 0.0 if word == "phase" else step != 0.0) + 1
+        blocks += [(cells, part) for part in np.split(rows, begins)]
     if not blocks:
         raise InvalidInput(f"{path}: there are no numbers below the names of the columns; export the tests again.")
     for number, (cells, part) in enumerate(blocks):
@@ -54,10 +64,19 @@ def tests_of_femtotools(lines: Sequence[str], name: str, path: object) -> Iterat
 
 
 def _names(line: str) -> list[str]:
-    """Return the names in a comment line, if it names a displacement, a force and a phase; else none."""
+    """Return the names in a comment line, if it names a displacement, a force, and a phase or an index; else none."""
     if not line.startswith(COMMENT):
         return []
-    cells = [cell.strip() for cell in line.lstrip("/ ").rstrip().split("\t")]
+    text = line.lstrip("/ ").rstrip()
+    cells = [cell.strip() for cell in (text.split("\t") if "\t" in text else BETWEEN.split(text))]
     words = [cell.lower() for cell in cells]
-    named = all(any(word in cell for cell in words) for word in ("phase", "displace", "force"))
+    named = all(any(word in cell for cell in words) for word in ("displace", "force")) and _parting(cells)[0]
     return cells if named else []
+
+
+def _parting(cells: Sequence[str]) -> tuple[str, int]:
+    """Return the word of the column by which tests are parted, and its place; no word if there is none."""
+    return next(
+        ((word, place) for word in PARTED_BY for place, cell in enumerate(cells) if cell.lower().startswith(word)),
+        ("", 0),
+    )

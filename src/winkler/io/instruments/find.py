@@ -16,6 +16,7 @@ from winkler.io.instruments.jpk_text import is_jpk_text, tests_of_jpk_text
 from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_micro_materials
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosuite import refuse_method
+from winkler.io.instruments.nanosurf import is_nanosurf_text, tests_of_nanosurf_text
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
@@ -67,6 +68,7 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
         (is_nano_dma(head), lambda lines: tests_of_nano_dma(lines, path.name, path)),
         (is_fischerscope(head), lambda lines: tests_of_fischerscope(lines, path.name, path, dict(given.units))),
         (is_jpk_text(head), lambda lines: tests_of_jpk_text(lines, path.name, path, given)),
+        (is_nanosurf_text(head), lambda lines: tests_of_nanosurf_text(lines, path.name, path, given)),
         (is_femtotools(head), lambda lines: tests_of_femtotools(lines, path.name, path)),
         (is_micro_materials(head, path.name), lambda lines: tests_of_micro_materials(lines, path.name, path)),
     ]

@@ -15,12 +15,12 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
+from winkler.io.instruments.cantilever import force_factor
+from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
 from winkler.io.instruments.number_block import rows_of
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
-from winkler.units import scale
 
 __all__ = ["is_jpk_text", "tests_of_jpk_text"]
 
@@ -74,6 +74,8 @@ def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: Give
     if len(words) != len(units):
         raise InvalidInput(f"{path}: it names {len(words)} columns and {len(units)} units; export the curve again.")
     places = {word.lower(): place for place, word in enumerate(words)}
+    clock = next((word for word in TIMES if word in places), "")
+    segments, turned = _turned(segments, places[clock]) if clock else (segments, 0)
     rows = np.concatenate([one.rows for one in segments])
     height = next((word for word in (*HEIGHTS, *TIP_PLACES) if word in places), "")
     if not height:
@@ -81,22 +83,20 @@ def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: Give
     of_tip = height in TIP_PLACES
     place = "depth" if of_tip else "position"
     spring = given.spring_constant or _number(first, "springConstant")
-    factor, facts = _force_factor(units[places[DEFLECTION]], spring, given.sensitivity, first, path)
+    stated = given.sensitivity or _number(first, "sensitivity")
+    origin = "given" if given.sensitivity else "from the file"
+    factor, facts = force_factor(units[places[DEFLECTION]], spring, stated, origin, path)
     position, force = -rows[:, places[height]], rows[:, places[DEFLECTION]] * factor
     numbers = np.repeat(np.arange(len(segments)), [len(one.rows) for one in segments])
     kinds = ", ".join(one.settings.get("segment", "?") for one in segments)
-    columns = [
-        InstrumentColumn(place, units[places[height]], position),
-        InstrumentColumn("force", "N", force),
-        *(
-            InstrumentColumn("time", units[places[word]], rows[:, places[word]])
-            for word in [word for word in TIMES if word in places][:1]
-        ),
-    ]
+    columns = [InstrumentColumn(place, units[places[height]], position), InstrumentColumn("force", "N", force)]
+    if clock:
+        columns.append(InstrumentColumn("time", units[places[clock]], rows[:, places[clock]]))
     notes = (
         f"{place} from '{words[places[height]]}', its sign changed, force from '{words[places[DEFLECTION]]}'",
         *facts,
         f"segments {kinds}; {segment_fact(position, force, numbers, 'segment')}",
+        *([f"{turned} of {len(segments)} segments, written backwards, are turned round"] if turned else []),
     )
     x, y = (_number(first, key) for key in PLACES)
     return InstrumentTest(
@@ -109,6 +109,16 @@ def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: Give
         directions(position, force, numbers),
         spring_constant=math.inf if of_tip else spring,
     )
+
+
+def _turned(segments: Sequence[_SegmentRows], clock: int) -> tuple[list[_SegmentRows], int]:
+    """Return the segments with their rows in the order of time, and how many were written backwards.
+
+    Older programs wrote the way back from its end, so that both ways have one order of heights.
+    """
+    fall = [bool(np.all(np.diff(one.rows[:, clock]) < 0.0)) and len(one.rows) > 1 for one in segments]
+    turned = [one._replace(rows=one.rows[::-1]) if falls else one for one, falls in zip(segments, fall, strict=True)]
+    return turned, sum(fall)
 
 
 def _segments(lines: Sequence[str], path: object) -> list[_SegmentRows]:
@@ -129,26 +139,6 @@ def _segments(lines: Sequence[str], path: object) -> list[_SegmentRows]:
     if not segments:
         raise InvalidInput(f"{path}: there are no numbers below the names of the columns; export the curve again.")
     return segments
-
-
-def _force_factor(
-    unit: str, spring: float | None, sensitivity: float | None, settings: dict[str, str], path: object
-) -> tuple[float, tuple[str, ...]]:
-    """Return what makes a force [N] of a deflection in N, m or V, and the facts that were used."""
-    if spring is None:
-        raise InvalidInput(f"{path}: it states no spring constant, from which the depth follows; give spring_constant.")
-    if measures(unit, "N"):
-        return scale(unit, "N"), ()
-    if measures(unit, "m"):
-        return spring * scale(unit, "m"), ()
-    stated = sensitivity or _number(settings, "sensitivity")
-    if not measures(unit, "V") or stated is None:
-        raise InvalidInput(
-            f"{path}: the deflection is in {unit} and no sensitivity is stated; give sensitivity in m/V, or export the "
-            "curve with a calibrated deflection."
-        )
-    origin = "given" if sensitivity else "from the file"
-    return spring * stated * scale(unit, "V"), (f"sensitivity {stated:g} m/V {origin}",)
 
 
 def _number(settings: dict[str, str], key: str) -> float | None:

@@ -59,7 +59,10 @@ def tests_of_workbook(path: Path) -> Iterator[InstrumentTest]:
         raise InvalidInput(
             f"{path}: no sheet of the workbook has a row that names a depth and a force; there are {listed}."
         )
-    yield from [test for test in tests if not is_results(test)] or tests
+    kept = [test for test in tests if not is_results(test)]
+    lists = [f"'{test.name.removeprefix(f'{path.name}, ')}'" for test in tests if kept and is_results(test)]
+    told = (f"taken for lists of results, without time, and left out: {', '.join(lists)}",) if lists else ()
+    yield from [test._replace(notes=(*test.notes, *told)) for test in kept] or tests
 
 
 def _header_row(sheet: WorkbookSheet) -> int | None:

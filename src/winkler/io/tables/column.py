@@ -23,12 +23,15 @@ class Column:
         SI unit in which it is returned; empty for a plain number, which needs no unit in the header.
     usual : str, optional
         A customary unit, for messages; the SI unit unless given.
+    foremost : str, optional
+        Which of the names is meant where several of them stand in a header.
     """
 
     word: str
     names: tuple[str, ...]
     unit: str
     usual: str = ""
+    foremost: str = ""
 
     @property
     def example(self) -> str:

@@ -32,10 +32,12 @@ __all__ = [
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 CELSIUS, CELSIUS_ZERO = ("degC", "°C", "deg C", "C"), 273.15
 """Units of a temperature in degrees Celsius; of another quantity C is the coulomb."""
+PER_CENT = "%"
+"""Unit of a part that stands in per cent or as a plain number, and must say which: as "-" where it is the number."""
 PER_SECOND = ("1/s", "s-1", "s^-1")
 """Units in which an angular frequency is written too: its name says that it counts radians."""
 COMMENT_MARKS = "#% \t"
-MOST_BETWEEN = 1
+MOST_BETWEEN = 3
 """Most rows between the names and their units: empty, or such as "Waveform"."""
 LONGEST_UNIT = 12
 MOSTLY = 0.6
@@ -199,8 +201,15 @@ def stated_header(lines: Sequence[str], columns: Sequence[Column], text: str, fi
 def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
     """Return the places whose unit fits, or else those without a unit, if there is one such.
 
-    Instruments repeat a depth in m and in volts; and "Storage Compliance" is no storage in a unit of "Compliance".
+    Instruments repeat a depth in m and in volts; and "Storage Compliance" is no storage in a unit of "Compliance".  Of
+    several that fit, the one with the foremost name is meant; of t and T, which have one name, the one in its own case.
     """
+    if column.foremost:
+        first = [place for place in places if named(cells[place], (column.foremost,))[0]]
+        places = first if len(first) == 1 else places
+    if all(len(cells[place]) == 1 for place in places):
+        own = [place for place in places if cells[place] in column.names]
+        places = own if len(own) == 1 else places
     fitting, bare = [], []
     for place in places:
         unit = named(cells[place], column.names)[1]
@@ -233,6 +242,9 @@ def _with_units(
                 units=filled_units(header.units, header.cells, header.places, columns, given, where)
             )
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
+    plain = tuple(
+        "1" if column.unit == PER_CENT and unit == "-" else unit for column, unit in zip(columns, plain, strict=True)
+    )
     plain = tuple(
         "rad/s" if column.word.startswith("angular") and unit in PER_SECOND else unit
         for column, unit in zip(columns, plain, strict=True)

@@ -25,7 +25,7 @@ __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
-TIME = Column("time", ("time", "t", "step time", "test time", "zeit"), "s", "s")
+TIME = Column("time", ("time", "t", "step time", "test time", "zeit"), "s", "s", "step time")
 FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz", "fréquence", "frecuencia"), "Hz")
 FREQUENCY_IN_RADIANS = Column(FREQUENCY.word, FREQUENCY.names, "rad/s")
 ANGULAR = Column(
@@ -45,6 +45,8 @@ SHEAR_COMPLIANCE = Column(
     "shear compliance", ("compliance", "j", "j(t)", "shear compliance", "creep compliance"), "1/Pa"
 )
 TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
+STRAIN = Column("shear strain", ("strain", "shear strain", "γ", "gamma", "scherdeformation"), "%", "%")
+STRESS = Column("shear stress", ("stress", "shear stress", "τ", "tau", "schubspannung"), "Pa", "Pa")
 SHEAR_STORAGE = Column(
     "storage modulus in shear",
     ("storage_shear", "storage", "g'", "gp", "g_stor", "storage modulus", "speichermodul"),
@@ -96,8 +98,11 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
 SAME_MODULUS = 0.2
 """Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater."""
-RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
-CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
+HELD = 0.1
+"""Greatest deviation of a stress or strain that is held, relative to its median."""
+STRAINED = (TIME, STRAIN, STRESS)
+RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS), STRAINED)
+CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE), STRAINED)
 DYNAMIC_HEADERS = tuple((frequency, *one[:2]) for frequency in (ANGULAR, FREQUENCY) for one in MODULI)
 
 
@@ -177,8 +182,10 @@ def read_relaxation(
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.  A row at
-        time zero is left out; rows of one time whose numbers agree within a fifth are averaged.
+        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.  In place of
+        the modulus, a shear strain [% or -] that is held, within a tenth, and the shear stress.  A row at time zero is
+        left out; rows of one time whose numbers agree within a fifth are averaged, and the ``reading`` of the data
+        says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -198,9 +205,14 @@ def read_relaxation(
     """
 
     def read(part: str | os.PathLike[str]) -> RelaxationData:
-        table, tensile = _read(part, *RELAXATION_HEADERS, header)
+        table, columns = _read(part, RELAXATION_HEADERS, header)
+        if columns is STRAINED:
+            time, strain, stress = table.values.T
+            _refuse_unheld(table, strain, "strain", "relaxation")
+            return _data(RelaxationData, table, (time, 100.0 * stress / strain), poisson, "shear = stress / strain")
         time, modulus = table.values.T
-        return _data(RelaxationData, table, (time, modulus / (young_over_shear(poisson) if tensile else 1.0)), poisson)
+        divisor = young_over_shear(poisson) if columns[1] is YOUNG_MODULUS else 1.0
+        return _data(RelaxationData, table, (time, modulus / divisor), poisson)
 
     return of_one_test(path, RELAXATION_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
@@ -212,8 +224,10 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  A row
-        at time zero is left out; rows of one time whose numbers agree within a fifth are averaged.
+        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  In
+        place of the compliance, a shear strain [% or -] and the shear stress that is held, within a tenth.  A row at
+        time zero is left out; rows of one time whose numbers agree within a fifth are averaged, and the ``reading``
+        of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -233,9 +247,14 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     """
 
     def read(part: str | os.PathLike[str]) -> CreepData:
-        table, tensile = _read(part, *CREEP_HEADERS, header)
+        table, columns = _read(part, CREEP_HEADERS, header)
+        if columns is STRAINED:
+            time, strain, stress = table.values.T
+            _refuse_unheld(table, stress, "stress", "creep")
+            return _data(CreepData, table, (time, strain / (100.0 * stress)), poisson, "compliance = strain / stress")
         time, compliance = table.values.T
-        return _data(CreepData, table, (time, compliance * (young_over_shear(poisson) if tensile else 1.0)), poisson)
+        factor = young_over_shear(poisson) if columns[1] is TENSILE_COMPLIANCE else 1.0
+        return _data(CreepData, table, (time, compliance * factor), poisson)
 
     return of_one_test(path, CREEP_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
@@ -250,7 +269,7 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
         The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
         ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of the
         loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).  Rows of one
-        frequency whose moduli agree within a fifth are averaged.
+        frequency whose moduli agree within a fifth are averaged, and the ``reading`` of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -277,12 +296,22 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
 
 
 def _read(
-    path: str | os.PathLike[str], sheared: tuple[Column, ...], tensile: tuple[Column, ...], header: str
-) -> tuple[Table, bool]:
-    """Return the columns of shear or, where the table has those alone, of tension; and whether it was tension."""
+    path: str | os.PathLike[str], headers: tuple[tuple[Column, ...], ...], header: str
+) -> tuple[Table, tuple[Column, ...]]:
+    """Return the table by the first columns that it has: of shear, of tension, or strain and stress; and these."""
     head = [header] if header else None
-    tension = names_columns(path, tensile, head=head) and not names_columns(path, sheared, head=head)
-    return moduli_table(path, tensile if tension else sheared, header), tension
+    columns = next((one for one in headers if names_columns(path, one, head=head)), headers[0])
+    return moduli_table(path, columns, header), columns
+
+
+def _refuse_unheld(table: Table, held: Array, what: str, test: str) -> None:
+    """Refuse a test in which what must be one number is none, as in a ramp, a recovery, or a test until fracture."""
+    usual = float(np.median(held))
+    if not np.all(np.abs(held - usual) <= HELD * abs(usual)) or usual == 0.0:
+        raise InvalidInput(
+            f"{table.path}: a {test} has one {what}, and here it goes from {held.min():.4g} to {held.max():.4g} "
+            f"{'Pa' if what == 'stress' else '%'}; leave out the rows in which it is not held."
+        )
 
 
 def young_over_shear(poisson: float) -> float:
@@ -292,7 +321,7 @@ def young_over_shear(poisson: float) -> float:
     return 2.0 * (1.0 + poisson)
 
 
-def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
+def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float, reading: str = "") -> T:
     """Return the data of rows in the order of their times or frequencies; those that stand twice are averaged."""
     order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
     sorted_rows = np.array([row[order] for row in rows])
@@ -305,6 +334,9 @@ def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], po
         if np.all(highest - lowest <= SAME_MODULUS * np.abs(highest)):
             counts = np.diff(begins, append=sorted_rows.shape[1])
             means = np.add.reduceat(moduli, begins, axis=1) / counts
+            again, size = int(np.count_nonzero(counts > 1)), "frequencies" if kind is DynamicData else "times"
+            averaged = f"{counts[counts > 1].sum()} rows at {again} {size} are averaged"
+            reading = f"{reading}; {averaged}" if reading else averaged
             sorted_rows = np.vstack([sorted_rows[0, begins], means])
     with in_file(table.path):
-        return kind(*sorted_rows, poisson=poisson)
+        return kind(*sorted_rows, poisson=poisson, reading=reading)

@@ -34,6 +34,10 @@ from winkler.values import value
 __all__ = ["Column", "Table", "read_table"]
 
 
+PADDED = ("\t", ";")
+"""Separators behind which programs leave out empty cells at the end of a row; a comma may be a decimal one."""
+PLAIN, PLAIN_AND_COMMAS = re.compile(r"[0-9eE.+\- \t;]*[0-9.]\r?"), re.compile(r"[0-9eE.+\- \t,]*[0-9.]\r?")
+"""Rows of plain numbers, which hold no mark of a comment and no comma within a number."""
 MARK = re.compile(r"<[A-Za-z /]{1,40}>")
 """A line by which some instruments end a block of numbers."""
 END_OF_HEADER = re.compile(r"[A-Za-z*_-]{1,40}")
@@ -68,6 +72,27 @@ class Table:
     read_as: tuple[str, ...] = ()
     numbers: tuple[int, ...] = ()
     repeats: tuple[int, ...] = ()
+
+
+def _plain_rows(lines: Sequence[str], separator: str | None, count: int, wanted: Sequence[int]) -> Array | None:
+    """Return the wanted numbers of rows that all hold so many plain numbers and nothing else; None of other ones.
+
+    They are parsed at once, to the same numbers as cell by cell.
+    """
+    decimal = PLAIN if separator != "," else PLAIN_AND_COMMAS
+    if not lines or any(decimal.fullmatch(line) is None for line in lines):
+        return None
+    if separator is None:
+        sized = all(len(line.split()) == count for line in lines)
+    else:
+        sized = all(line.count(separator) == count - 1 for line in lines)
+    if not sized:
+        return None
+    try:
+        numbers = np.loadtxt(lines, dtype=float, comments=None, delimiter=separator, usecols=list(wanted), ndmin=2)
+    except ValueError:
+        return None
+    return numbers if numbers.shape[0] == len(lines) and np.all(np.isfinite(numbers)) else None
 
 
 def read_table(
@@ -124,7 +149,12 @@ def read_table(
     repeats = list[int]()
     cells_read, places, incomplete = array("d"), array("q"), list[int]()
     needed = [number for number, column in enumerate(columns) if column.word not in gaps]
-    for index in range(header.line, len(lines)):
+    short, last = 0, next((n for n in range(len(lines) - 1, -1, -1) if lines[n].strip()), 0)
+    plain = _plain_rows(lines[header.line :], separator, len(header.cells), header.places)
+    if plain is not None:
+        cells_read.frombytes(plain.tobytes())
+        places.extend(range(header.line + 1, len(lines) + 1))
+    for index in range(header.line, len(lines) if plain is None else 0):
         line = lines[index].partition("#")[0]
         if not line.strip():
             continue
@@ -143,6 +173,10 @@ def read_table(
         if len(cells) < len(header.cells) and separator == "\t":  # spaces in some rows, tabs in others
             spaced = cells_of(line, None)
             cells = spaced if len(spaced) == len(header.cells) and all(map(like_number, spaced)) else cells
+        ends = max(header.places) < len(cells) < len(header.cells)
+        if ends and separator in PADDED and (len(cells) == short or index < last):
+            short = len(cells)
+            cells += [""] * (len(header.cells) - short)
         if len(cells) != len(header.cells):
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"

@@ -109,7 +109,6 @@ FREQUENCIES = (
 )
 MODULI = tuple((size, other) for size, other, _, _ in relaxation_table.MODULI)
 RELAXATIONS = ((relaxation_table.SHEAR_MODULUS,), (relaxation_table.YOUNG_MODULUS,))
-COMPLIANCES = ((relaxation_table.SHEAR_COMPLIANCE,), (relaxation_table.TENSILE_COMPLIANCE,))
 WAVES = ((spectrum_table.WAVE_NUMBER,), (spectrum_table.WAVELENGTH,), (spectrum_table.FREQUENCY,))
 NORMALS = tuple(path_table.NORMAL_COLUMNS.values())
 LATERALS = tuple(path_table.LATERAL_COLUMNS.values())
@@ -128,8 +127,8 @@ SPECIFIC = (
         "relaxation_sweeps",
     ),
     TableKind("storage and loss", _headers(FREQUENCIES, MODULI), relaxation_table.read_dynamic, "dynamic"),
-    TableKind("relaxation", _headers(((TIME,),), RELAXATIONS), relaxation_table.read_relaxation, "relaxation"),
-    TableKind("creep", _headers(((TIME,),), COMPLIANCES), relaxation_table.read_creep, "creep"),
+    TableKind("relaxation", relaxation_table.RELAXATION_HEADERS, relaxation_table.read_relaxation, "relaxation"),
+    TableKind("creep", relaxation_table.CREEP_HEADERS, relaxation_table.read_creep, "creep"),
     TableKind(
         "map of pressures",
         ((surface_load_table.X, surface_load_table.Y, surface_load_table.PRESSURE),),

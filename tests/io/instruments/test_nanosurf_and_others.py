@@ -1,0 +1,90 @@
+"""Made exports of Nanosurf, FemtoTools by point and JPK with a way back written backwards: the curve comes back."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from winkler.errors import InvalidInput
+from winkler.io.curves import read_curve, read_curves
+
+SPRING, SENSITIVITY = 0.125, 6.4e-8
+PLACE = np.linspace(-4e-6, 1e-6, 101)
+FORCE = 2e-9 * np.clip(PLACE / 1e-6, 0.0, None) ** 1.5
+
+
+def nanosurf(numbers, unit):
+    head = [
+        r"#Filename=C:\curve.nid",
+        f"#Spring-Constant={SPRING}N/m",
+        f"#Deflection-Sensitivity={SENSITIVITY}m/V",
+        "#SpecMap-CurIndex=3",
+    ]
+    lines = [*head, ""]
+    for number, (name, way) in enumerate((("Spec forward", slice(None)), ("Spec backward", slice(None, None, -1)))):
+        lines += [f"#Spec-Phase={number}", f"#Spec-Name={name}", f"#Spec-Points={PLACE.size}"]
+        lines.append(f"#Spec-Data=Z-Axis Sensor [m];Deflection [{unit}];Z-Axis-Out [m]")
+        lines += [f"{z:.10g};{d:.10g};{2.0 * z:.10g}" for z, d in zip(PLACE[way], numbers[way], strict=True)]
+        lines.append("")
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize(("factor", "unit"), [(1.0, "N"), (1.0 / SPRING, "m"), (1.0 / (SPRING * SENSITIVITY), "V")])
+def test_nanosurf(tmp_path, factor, unit):
+    file = tmp_path / "curve.txt"
+    file.write_text(nanosurf(FORCE * factor, unit), encoding="utf-8")
+    curve = read_curve(file)
+    np.testing.assert_allclose(curve.position, np.append(PLACE, PLACE[::-1]), rtol=1e-9)
+    np.testing.assert_allclose(curve.force, np.append(FORCE, FORCE[::-1]), rtol=1e-8, atol=1e-20)
+    assert curve.machine_stiffness == SPRING
+    assert np.sign(curve.direction[[50, -50]]).tolist() == [1.0, -1.0]
+    assert "point 3 of a map" in curve.reading
+
+
+def test_volts_that_are_called_newtons(tmp_path):
+    """A force that would bend the cantilever by many times its travel is refused, and read with the sensitivity."""
+    file = tmp_path / "curve.txt"
+    file.write_text(nanosurf(FORCE / (SPRING * SENSITIVITY), "N"), encoding="utf-8")
+    with pytest.raises(InvalidInput, match="give sensitivity in m/V"):
+        read_curve(file)
+    curve = read_curve(file, sensitivity=SENSITIVITY)
+    np.testing.assert_allclose(curve.force, np.append(FORCE, FORCE[::-1]), rtol=1e-8, atol=1e-20)
+    assert "stated in N, are taken as V" in curve.reading
+
+
+def test_points_of_femtotools(tmp_path):
+    """Names behind a comment mark, spaces between them, and one test for each whole number of the index."""
+    names = ("Index", "Time [s]", "Displacement [um]", "Pos X [um]", "Pos Z [um]", "Force A [uN]", "Force B [uN]")
+    head = ["", "// ====", "// 2024-11-06", "//" + " ".join(f"{name:>17}" for name in names), "// ===="]
+    depth = np.linspace(0.0, 30.0, 40)
+    rows = [
+        f"{point}.001 {0.1 * k + 100 * point:.3f} {d:.5f} 5.0 {-d:.5f} {point * d**1.5:.6f} 0.01"
+        for point in (1, 2, 3)
+        for k, d in enumerate(depth)
+    ]
+    file = tmp_path / "points.dat"
+    file.write_text("\n".join([*head, *rows]) + "\n", encoding="utf-8")
+    curves = [placed.curve for placed in read_curves(file)]
+    assert len(curves) == 3
+    for point, curve in enumerate(curves, start=1):
+        np.testing.assert_allclose(curve.position, depth * 1e-6, atol=6e-12)
+        np.testing.assert_allclose(curve.force, point * depth**1.5 * 1e-6, atol=1e-12)
+        assert "Force A" in curve.reading
+
+
+def test_way_back_written_backwards(tmp_path):
+    """JPK's older programs wrote the way back from its end: time says so, and the points come in the order of time."""
+    lines = []
+    times = np.arange(2 * PLACE.size) * 1e-3
+    ways = (slice(None), slice(None))  # both in the order of falling heights
+    for number, way in enumerate(ways):
+        clock = times[: PLACE.size] if number == 0 else times[: PLACE.size - 1 : -1]
+        lines += ["# springConstant: 0.125", "# columns: height vDeflection time", "# units: m N s", "#"]
+        lines += [f"{-z:.10g} {f:.10g} {t:.10g}" for z, f, t in zip(PLACE[way], FORCE[way], clock, strict=True)]
+        lines.append("")
+    file = tmp_path / "curve.out"
+    file.write_text("\n".join(lines), encoding="utf-8")
+    curve = read_curve(file)
+    np.testing.assert_allclose(curve.time, times, atol=1e-12)
+    np.testing.assert_allclose(curve.position, np.append(PLACE, PLACE[::-1]), rtol=1e-9)
+    assert "1 of 2 segments, written backwards, are turned round" in curve.reading
