@@ -28,7 +28,7 @@ def refused(path, **given):
         (b"   \n \n", "the file is empty"),
         (bytes(range(256)) * 20, "cannot read this file"),
         (np.random.default_rng(1).bytes(5000), "cannot read this file"),
-        (TABLE.encode("utf-16")[:-1], "the file is damaged UTF-16; save it anew as UTF-8"),
+        (TABLE.encode("utf-16")[:-3], "the file is damaged UTF-16; save it anew as UTF-8"),
         (TABLE.encode("utf-32"), "the file is written in UTF-32; save it as UTF-8"),
         (TABLE.encode("utf-16-le"), "looks like UTF-16 without a byte order mark; save it as UTF-8"),
         (TABLE.encode("utf-16-be"), "looks like UTF-16 without a byte order mark; save it as UTF-8"),

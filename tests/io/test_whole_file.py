@@ -244,6 +244,7 @@ WRITING = {
     "calculators/build.py": "a tool of developers",
     "cli/streams.py": "messages into nothing, where stdout is closed",
     "exporting/targets/compilers.py": "sources for a compiler, in a temporary folder",
+    "io/curves.py": "one member of an archive at a time, in a temporary folder",
     "io/processes/locking.py": "locks, and what the one writer opens",
     "io/software.py": "a digest of the sources, which is made again where it cannot be read",
     "io/whole_file.py": "the one writer",

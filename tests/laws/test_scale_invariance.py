@@ -177,6 +177,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         ("ProfilePairSolution", name): PRESSED
         for name in ("peak_pressure", "height", "lateral_force", "place", "angle")
     },
+    **{("ThermalJointSolution", name): PRESSED for name in ("spot_conductance", "gap_conductance")},
     **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
     **{("LineSlidingSolution", name): STEPS for name in ("half_width", "worn_depth", "mean_pressure")},
     **{

@@ -26,6 +26,8 @@ from winkler.numerics.types import Array
 
 __all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
 
+RELAXED_MODULI = RELAXATION_HEADERS[:2]
+"""Columns of a modulus; strain and stress are read of one test."""
 TEMPERATURE = Column("temperature", ("temperature", "temp", "temp.", "t_c", "temperatur"), "K", "degC")
 TEMPERATURE_OR_T = Column(TEMPERATURE.word, (*TEMPERATURE.names, "t"), "K", "degC")
 """Where there is no time, T is the temperature."""
@@ -101,7 +103,7 @@ def read_relaxation_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5
     def read(part: str | os.PathLike[str], first: tuple[Column, ...]) -> Array:
         return _moduli(part, first, poisson, header)
 
-    rows = [_rows(file, RELAXATION_HEADERS, read, TEMPERATURE, header) for file in _files(path)]
+    rows = [_rows(file, RELAXED_MODULI, read, TEMPERATURE, header) for file in _files(path)]
     with in_file(str(path)):
         temperature, time, shear = np.concatenate(rows).T
         return RelaxationSweeps(temperature, time, shear, poisson=poisson)
@@ -136,7 +138,7 @@ def _rows(
 def _moduli(file: str | os.PathLike[str], first: tuple[Column, ...], poisson: float, header: str) -> Array:
     """Return the rows of a table with moduli in shear."""
     head = [header] if header else None
-    sheared, tensile = ((*first, *columns) for columns in RELAXATION_HEADERS)
+    sheared, tensile = ((*first, *columns) for columns in RELAXED_MODULI)
     tension = names_columns(file, tensile, head=head) and not names_columns(file, sheared, head=head)
     values = np.array(moduli_table(file, tensile if tension else sheared, header).values)
     if tension:
