@@ -111,7 +111,7 @@ class NormalCurve(NamedTuple):
         return linear, square
 
     def _within(self, panel: int, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
-        """Return as `between` for a small part of a panel: by few points, one by one, which is faster than in arrays."""
+        """Return as `between` for a small part of a panel: by few points, one after the other, without arrays."""
         low, high = self.edges[panel], self.edges[panel + 1]
         row = self.rows[panel][:, 0].tolist()
         half, linear, square = 0.5 * (depth - gap), 0.0, 0.0
