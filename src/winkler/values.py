@@ -53,8 +53,8 @@ def frozen_array(array: Any) -> np.ndarray:
     return result
 
 
-FROZEN_TYPES = frozenset((float, int, str, bool))
-"""What is frozen already; a sweep has a million of them."""
+FROZEN_TYPES = {float, int, str, bool}
+"""What is frozen already, values themselves among it; a sweep has a million of them."""
 
 
 def _frozen(content: Any) -> Any:
@@ -221,5 +221,6 @@ def value(cls: type[T]) -> type[T]:
     made: Any = dataclasses.dataclass(frozen=True, eq=False, repr=False)(cls)
     made.__init__ = checked_arguments(made, made.__init__)
     checks_of_fields = functools.cache(functools.partial(checks_of, made))
+    FROZEN_TYPES.add(made)
     result: type[T] = made
     return result

@@ -70,10 +70,10 @@ def _without_nan(result: Any) -> Any:
     """Return a result without undefined numbers; compiled kernels raise no error for those."""
     for name in _fields_of(result.__class__):
         inside = getattr(result, name)
-        if isinstance(inside, np.ndarray):
-            undefined = inside.dtype == float and bool(np.isnan(inside).any())
+        if isinstance(inside, float):
+            undefined = math.isnan(inside)
         else:
-            undefined = isinstance(inside, float) and math.isnan(inside)
+            undefined = isinstance(inside, np.ndarray) and inside.dtype == float and bool(np.isnan(inside).any())
         if undefined:
             raise FloatingPointError(f"the {name} comes out undefined")
     return result

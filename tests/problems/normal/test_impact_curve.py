@@ -8,7 +8,7 @@ import mpmath as mp
 import pytest
 
 import winkler as wk
-from winkler.problems.normal.force_curve import deepest, normal_curve
+from winkler.problems.normal.force_curve import NormalCurves, deepest, normal_curve
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import common_ratio
 
@@ -77,3 +77,24 @@ def test_springs_that_are_not_alike_are_refused():
     coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(4.0, 0.3), thickness=0.05)], on=wk.Elastic(1.0, 0.3))
     with pytest.raises(wk.OutsideValidity, match="tangential"):
         common_ratio("Impact", wk.Foundation(wk.Paraboloid(1.0), coated), 0.1, "give another medium")
+
+
+@pytest.mark.parametrize("width", [1e-9, 1e-6, 1e-3, 2e-3])
+def test_a_narrow_ring_is_summed_to_rounding(width):
+    """K of a paraboloid is 2 E* sqrt(R d): both sums in closed form with 40 digits."""
+    bed = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    curve, modulus = NormalCurves(bed, 1e-6), bed.medium.modulus
+    with mp.workdps(40):
+        for share in (1e-3, 0.0917, 0.31, 0.73, 0.99):
+            gap = share * 1e-6
+            depth = gap * (1.0 + width)
+            low, high = mp.mpf(gap), mp.mpf(depth)
+            inner = 2 * modulus * mp.sqrt(mp.mpf(10e-3) * low)
+            power = 2 * modulus * mp.sqrt(mp.mpf(10e-3)) * mp.mpf(2) / 3
+            first = power * (high**1.5 - low**1.5) - (high - low) * inner
+            second = 2 * (power * (mp.mpf(2) / 5 * (high**2.5 - low**2.5) - (high - low) * low**1.5))
+            second -= (high - low) ** 2 * inner
+            found = curve.between(gap, curve.at(gap)[0], depth)
+            scale = float(inner) * (depth - gap)
+            assert abs(found[0] - float(first)) <= 2e-15 * scale
+            assert abs(found[1] - float(second)) <= 2e-15 * scale * (depth - gap)

@@ -380,3 +380,38 @@ def test_notes_name_the_span():
     assert any("linear viscoelastic" in note.statement.lower() for note in result.validity)
     # the elastic body that stands for the other has no notes of its own
     assert not any("dissimilar" in note.statement for note in result.validity)
+
+
+def swung(points, tolerance=1e-7, solid=MAXWELL):
+    t = np.linspace(0.0, 2.0, points)
+    return pressed(solid, t, Force(0.01 * np.sin(np.pi * t) ** 2), tolerance=tolerance)
+
+
+@pytest.mark.parametrize("points", [9, 33, 300, 1000])
+def test_the_depth_under_a_rising_force_is_that_of_lee_and_radok(points):
+    """While the contact grows d^(3/2) is the integral of 3/4 J dF over sqrt(R): J = 1 + t/tau of a Maxwell solid."""
+    found = swung(points)
+    t = found.time[found.time <= 0.5]
+    force = 0.01 * np.sin(np.pi * t) ** 2
+    impulse = np.append(0.0, np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(t)))
+    exact = (0.75 * (force + impulse / 0.3)) ** (2.0 / 3.0)
+    assert np.abs(found.depth[: t.size] - exact).max() <= 2e-5 * exact.max()  # of 500 springs
+
+
+@pytest.mark.parametrize("solid", [MAXWELL, STANDARD, VOIGT, Prony(0.05, [0.1, 0.1], [1e-3, 10.0])])
+@pytest.mark.parametrize("points", [9, 600])
+def test_under_forces_no_step_is_wrong_by_more_than_allowed(solid, points):
+    """Whether a step is compared with its halves or judged by how its rate changes: errors add up to the tolerance."""
+    tolerance = 1e-6
+    found, best = swung(points, tolerance, solid), swung(points, 1e-9 if points < 100 else 1e-8, solid)
+    steps = max(points, 100)
+    for name in ("depth", "work", "dissipation"):
+        one, two = getattr(found, name), getattr(best, name)
+        assert np.abs(one - two).max() <= steps * tolerance * np.abs(two).max(), name
+
+
+def test_under_forces_a_path_is_the_same_in_blocks_and_point_by_point():
+    found = swung(600)
+    states = list(found.problem.steps())
+    for name in ("depth", "radius", "work", "stored_energy", "dissipation"):
+        assert np.array_equal(getattr(found, name), [getattr(state, name) for state in states])

@@ -19,18 +19,24 @@ from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_spring import carry, jump
 
-__all__ = ["STEP_NUMBERS", "advance_springs", "advance_to_force"]
+__all__ = ["FORCED_NUMBERS", "STEP_NUMBERS", "advance_springs", "advance_to_force", "advance_under_forces"]
 
 STEP_NUMBERS = 10
 """Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring, loss.
 
 The loss is that of every dashpot, not what is missing from the work.
 """
+FORCED_NUMBERS = 6
+"""Of a stretch under a force: depth, radius, work, energy stored, loss, a ring."""
 STEP_FACTORS = 7
 """Of a step: of every memory its decay, gain with the rate, and three of `losses`; of every mode its fade and loss."""
 MOST_TRIALS = 200
 FORCE_TOLERANCE = 1e-13
 """Part of the forces to which a prescribed one is met."""
+SHORTEST_STEP = 1e-12
+"""Part of a stretch of forces below which no step falls."""
+SURELY_LITTLE = 0.1
+"""Part of the error allowed below which that of a step is estimated from how the rate has changed alone."""
 NEGLIGIBLE_MEMORY = 1e-200
 """Memories below this are none: numbers that small are slow."""
 
@@ -282,3 +288,119 @@ def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # 
             stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, target, dt), 1e-6 * abs(change))
             change += stride if excess < 0.0 else -stride
     return np.nan, 0
+
+
+@compiled
+def _towards(law, springs, state, motion, force, dt, guess, scale):  # type: ignore[no-untyped-def]
+    """Return the change of depth after which the springs bear a force, or not-a-number.
+
+    With a dashpot alongside, whose forces jump with the rate, the mean force of the step is meant.
+    """
+    wanted = np.zeros(4)
+    wanted[0] = force
+    if law[1] > 0.0 and dt > 0.0:
+        wanted[2] = 1.0 / dt
+    else:
+        wanted[1] = 1.0
+    return advance_to_force(law, springs, state, motion, wanted, dt, guess, scale)[0]
+
+
+@compiled
+def _curved(law, whole, dt, rate):  # type: ignore[no-untyped-def]
+    """Return about by how much the depth after a step is wrong that is straight, while its rate has been changing.
+
+    What relaxes forgets where between the ends of the step it was pressed in: of the parabola over the straight line,
+    whose area is d'' dt^3 / 12, each memory forgets at most the part dt / tau.
+    """
+    forgotten, glassy = 0.0, law[0]
+    for i in range(law[2].size):
+        forgotten += law[2][i] * min(dt / law[3][i], 1.0)
+        glassy += law[2][i]
+    return abs(whole - rate * dt) * forgotten / glassy / 12.0
+
+
+@compiled
+def advance_under_forces(law, springs, state, motion, forces, times, limits, course, numbers):  # type: ignore[no-untyped-def]
+    """Carry the springs through stretches in which a force changes steadily, in place; write `FORCED_NUMBERS` of each.
+
+    The depth is straight within steps, which are halved until both halves reach the depth of the whole.
+
+    Parameters
+    ----------
+    law, springs, state, motion
+        As above.
+    forces : ndarray, (n + 1,)
+        At the ends of the stretches.
+    times : ndarray, (n,)
+        How long they take; none for a force that is put on suddenly, and not by a dashpot.
+    limits : ndarray, (2,)
+        The error of depth that a step may have, and a force that matters.
+    course : ndarray, (2,)
+        The rate of the last step, and how long the next one should take; zero before the first.
+    numbers : ndarray, (n, FORCED_NUMBERS)
+        What comes of it; work and loss of the stretch alone.
+
+    Returns
+    -------
+    tuple of int
+        How many stretches were carried through, and what has ended the next: 0 nothing, 1 no depth bears the force,
+        2 steps become too short.
+    """
+    u, memory, pressed, counts = state
+    there = np.empty_like(u), np.empty_like(memory), np.empty_like(pressed), np.empty_like(counts)
+    away, changes, spans, own = np.empty(3), np.empty(1), np.empty(1), np.zeros((1, STEP_NUMBERS))
+    little, scale, viscous = limits[0], limits[1], law[1] > 0.0
+    # where the force of a step is given by its mean, and where by its end: of the whole and of both halves
+    places = np.array([0.5, 0.25, 0.75] if viscous else [1.0, 0.5, 1.0])
+    for n in range(times.size):
+        start, duration, done = forces[n], times[n], 0.0
+        rise, work, lost = forces[n + 1] - start, 0.0, 0.0
+        sudden = duration == 0.0 and not viscous
+        pace = min(course[1], duration) if course[1] > 0.0 else 0.125 * duration
+        while sudden or done < duration:
+            dt = min(pace, duration - done)
+            if duration - done - dt < 1e-9 * duration:
+                dt = duration - done
+            last = dt == duration - done
+            there[0][:], there[1][:], there[2][:], there[3][:], away[:] = u, memory, pressed, counts, motion
+            whole, moved, worked, wasted, error, halves = 0.0, 0.0, 0.0, 0.0, 0.0, False
+            for stage in range(3):
+                span = dt if stage == 0 else 0.5 * dt
+                guess = course[0] * dt if stage == 0 else 0.5 * whole if stage == 1 else whole - moved
+                share = 1.0 if sudden else (done + places[stage] * dt) / duration
+                change = _towards(law, springs, there, away, start + rise * share, span, guess, scale)
+                if np.isnan(change):
+                    return n, 1
+                if stage == 0:
+                    whole = change
+                    if not sudden:
+                        error = np.inf if viscous else _curved(law, whole, dt, course[0])
+                    halves = error > SURELY_LITTLE * little
+                    if halves:
+                        continue
+                changes[0], spans[0] = change, span
+                advance_springs(law, springs, there, away, changes, spans, own)
+                moved, worked, wasted = moved + change, worked + own[0, 2], wasted + own[0, 9]
+                if not halves:
+                    break
+            if halves:
+                error = abs(moved - whole)
+                if error > little:
+                    if dt < SHORTEST_STEP * duration:
+                        return n, 2
+                    pace = dt * max(0.2, 0.9 * (little / error) ** (1.0 / 3.0))
+                    continue
+            u[:], memory[:], pressed[:], counts[:], motion[:] = there[0], there[1], there[2], there[3], away
+            work, lost = work + worked, lost + wasted
+            if sudden:
+                sudden = False
+                continue
+            course[0] = moved / dt
+            done = duration if last else done + dt
+            grow = dt * min(4.0, max(0.3, 0.9 * (little / max(error, 1e-6 * little)) ** (1.0 / 3.0)))
+            pace = max(pace, grow) if last else grow  # a step that the end has cut short says little of the next
+        if duration > 0.0:
+            course[1] = pace
+        numbers[n, 0], numbers[n, 1], numbers[n, 2] = motion[0], own[0, 6], work
+        numbers[n, 3], numbers[n, 4], numbers[n, 5] = own[0, 5], lost, own[0, 8]
+    return times.size, 0

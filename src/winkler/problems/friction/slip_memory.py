@@ -307,7 +307,10 @@ def _joined(ring: SlipRing | None, dragged: float, pieces: list[SpringPiece]) ->
             allowed = SLOPE_TOLERANCE * max(map(abs, ends)) + ROUNDING * abs(dragged)
             straight = piece.slides != 0 or abs(behind - before) <= SLOPE_TOLERANCE * max(abs(before), abs(behind))
             if straight and abs(piece.left - dragged - last.right) <= allowed:
-                ring = SlipRing(ring.inner, last._replace(stop=piece.stop, right=piece.right - dragged))
+                ring = SlipRing(
+                    ring.inner, SpringPiece(last.start, piece.stop, last.left, piece.right - dragged, piece.slides)
+                )
                 continue
-        ring = SlipRing(ring, piece._replace(left=piece.left - dragged, right=piece.right - dragged))
+        left, right = piece.left - dragged, piece.right - dragged
+        ring = SlipRing(ring, SpringPiece(piece.start, piece.stop, left, right, piece.slides))
     return ring

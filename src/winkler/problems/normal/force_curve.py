@@ -94,6 +94,8 @@ class NormalCurve(NamedTuple):
             return 0.0, 0.0
         edges = self.edges
         first, last = bisect_right(edges, gap), bisect_left(edges, depth)
+        if first == last and depth - gap <= NARROW * (edges[first] - edges[first - 1]):
+            return self._within(first - 1, gap, stiffness, depth)
         cuts = [gap, *edges[first:last], depth]
         linear = square = 0.0
         for low, high in pairwise(cuts):
@@ -108,7 +110,27 @@ class NormalCurve(NamedTuple):
             square += 2.0 * float(excess @ (depth - place))
         return linear, square
 
+    def _within(self, panel: int, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
+        """Return as `between` for a small part of a panel: by few points, one after the other, without arrays."""
+        low, high = self.edges[panel], self.edges[panel + 1]
+        row = self.rows[panel][:, 0].tolist()
+        half, linear, square = 0.5 * (depth - gap), 0.0, 0.0
+        for point, weight in FEW_POINTS:
+            rest = half * (1.0 - point)
+            t = (2.0 * (depth - rest) - low - high) / (high - low)
+            above, above_that = 0.0, 0.0
+            for coefficient in row[:0:-1]:
+                above, above_that = coefficient + 2.0 * t * above - above_that, above
+            excess = half * weight * (row[0] + t * above - above_that - stiffness)
+            linear += excess
+            square += 2.0 * excess * rest
+        return linear, square
 
+
+NARROW = 1.0 / 32.0
+"""Part of a panel on which its polynomial is one of fifth order to rounding."""
+FEW_POINTS = tuple(zip(*(each.tolist() for each in np.polynomial.legendre.leggauss(4)), strict=True))
+"""Exact for polynomials of sixth order, times a straight line."""
 GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(10)
 """Exact for the panels' polynomials, times a straight line."""
 

@@ -33,7 +33,6 @@ from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth, at_force
-from winkler.problems.viscoelastic.force_driven import ForceDriven
 from winkler.problems.viscoelastic.layered_march import MarchedPoint
 from winkler.problems.viscoelastic.layered_notes import layered_notes
 from winkler.problems.viscoelastic.layered_path import is_layered, marched
@@ -49,6 +48,8 @@ ROW_MARGIN = 1.001
 """The row reaches a little farther than the contact that is expected under forces."""
 BLOCK = 4096
 """Points of the path in one go."""
+BLOCK_UNDER_FORCES = 256
+"""The same under forces, where one may take many steps, and a march can be interrupted between blocks alone."""
 
 
 @value
@@ -189,7 +190,7 @@ class ViscoelasticIndentation:
         if isinstance(self.path.normal, Depth):
             yield from self._by_depth(row, length)
         else:
-            yield from self._by_force(row, deepest)
+            yield from self._by_force(row, deepest, min(length, BLOCK_UNDER_FORCES))
 
     def _by_depth(self, row: SpringRow, length: int) -> Iterator[tuple[SpringRow, Array]]:
         times, depths = self.path.time, self.path.across
@@ -215,22 +216,28 @@ class ViscoelasticIndentation:
                 "to which a dashpot alongside responds with an infinite force; give the step some time."
             )
 
-    def _by_force(self, row: SpringRow, deepest: float) -> Iterator[tuple[SpringRow, Array]]:
-        times, forces = self.path.time.tolist(), self.path.across.tolist()
-        driven = ForceDriven(row, self.tolerance * deepest, max(forces))
-        for i, (time, force) in enumerate(zip(times, forces, strict=True)):
-            if i and time > times[i - 1]:
-                driven.ramp(forces[i - 1], force, time - times[i - 1])
-            elif row.series.viscosity == 0.0:
-                driven.jump(force)
-            row = driven.row
-            if row.depth > deepest and math.isinf(row.bed.rim):
+    def _by_force(self, row: SpringRow, deepest: float, length: int) -> Iterator[tuple[SpringRow, Array]]:
+        times, forces = self.path.time, self.path.across
+        spans, before = np.diff(times, prepend=times[0]), np.append(0.0, forces)
+        limits, course = np.array([self.tolerance * deepest, np.max(forces)]), np.zeros(2)
+        work = lost = 0.0
+        for start in range(0, times.size, length):
+            part = slice(start, min(start + length, times.size))
+            done, why = row.march_under(before[part.start : part.stop + 1], spans[part], limits, course)
+            part = slice(start, start + len(done))
+            depth, radius, worked, stored, wasted, ring = done.T
+            far = np.nonzero(depth > deepest)[0] if math.isinf(row.bed.rim) else np.empty(0, dtype=int)
+            refuse_rings("ViscoelasticIndentation", times[part][: far[0] if far.size else None], ring > 0.0)
+            if far.size:
                 raise NotConverged(
-                    f"ViscoelasticIndentation: at {time:.6g} s the body has come deeper than the greatest force would "
-                    "have pressed it; allow a smaller tolerance."
+                    f"ViscoelasticIndentation: at {times[part][far[0]]:.6g} s the body has come deeper than the "
+                    "greatest force would have pressed it; allow a smaller tolerance."
                 )
-            refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
-            yield row, np.array([[time, row.depth, force, driven.radius, driven.work, driven.stored, driven.lost]])
+            if why:
+                raise NotConverged(f"ViscoelasticIndentation: at {times[part.stop]:.6g} s {why}")
+            worked, wasted = (np.cumsum(np.append(*each))[1:] for each in ((work, worked), (lost, wasted)))
+            work, lost = float(worked[-1]), float(wasted[-1])
+            yield row, np.stack([times[part], depth, forces[part], radius, worked, stored, wasted], axis=1)
 
     def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

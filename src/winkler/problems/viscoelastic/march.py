@@ -17,10 +17,21 @@ from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
-from winkler.numerics.springs.relaxing_springs import STEP_NUMBERS, advance_springs, advance_to_force
+from winkler.numerics.springs.relaxing_springs import (
+    FORCED_NUMBERS,
+    STEP_NUMBERS,
+    advance_springs,
+    advance_to_force,
+    advance_under_forces,
+)
 from winkler.numerics.types import Array
 
-__all__ = ["SpringMemory", "SpringRow", "elastic_like", "refuse_rings", "relaxation_of"]
+__all__ = ["RESTING_FORCE", "SpringMemory", "SpringRow", "elastic_like", "refuse_rings", "relaxation_of"]
+
+NO_DEPTH = "the springs find no depth at which they bear its force; take more of them."
+TOO_SHORT = "the depth under this force needs ever shorter steps; allow a greater tolerance."
+RESTING_FORCE = 1e-11
+"""A body under no force rests on the surface with this part of the greatest one."""
 
 
 class SpringMemory(NamedTuple):
@@ -133,6 +144,32 @@ class SpringRow:
         if math.isnan(change):
             raise NotConverged(f"The springs find no depth at which they bear {force:.6g} N; take more of them.")
         return float(change)
+
+    def march_under(self, forces: Array, spans: Array, limits: Array, course: Array) -> tuple[Array, str]:
+        """Carry the row through stretches in which a force changes steadily [N], or suddenly where a span [s] is zero.
+
+        Parameters
+        ----------
+        forces : ndarray, (n + 1,)
+            At the ends of the stretches.
+        spans : ndarray, (n,)
+        limits, course : ndarray, (2,)
+            As `advance_under_forces` takes them; `course` is carried on.
+
+        Returns
+        -------
+        numbers : ndarray, (m, 6)
+            Depth [m], radius [m], work [J], stored energy [J], loss [J] and whether the contact is a ring, after each
+            stretch that was carried through.
+        why : str
+            What has kept the row from the next, if anything has.
+        """
+        numbers = np.empty((spans.size, FORCED_NUMBERS))
+        least = np.maximum(forces, RESTING_FORCE * limits[1])
+        reached, failure = advance_under_forces(
+            self.law, self.row, self._state, self.motion, least, spans, limits, course, numbers
+        )
+        return numbers[:reached], ("", NO_DEPTH, TOO_SHORT)[failure]
 
     def struck(self, velocity: float, mass: float, dt: float) -> tuple[float, int]:
         """Return what becomes of a body that flies against the row for a time; the row stays where it is.

@@ -20,8 +20,7 @@ from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
 from winkler.problems.row import Reached, Row, over
-from winkler.problems.viscoelastic.force_driven import RESTING_FORCE
-from winkler.problems.viscoelastic.march import SpringRow
+from winkler.problems.viscoelastic.march import RESTING_FORCE, SpringRow
 
 __all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation"]
 
