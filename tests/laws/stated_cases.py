@@ -133,12 +133,16 @@ def exported_springs(rng):
 
 @states("RollerSolution.grid_error", "RollerState.grid_error", "problems.rollers.roller_notes")
 def roller(rng):
-    """Depth, force and pressures of a roller."""
+    """Depth, force and pressures of a roller, on layers every second time."""
     logarithmic = wk.LogarithmicEnds(10.0 ** rng.uniform(-4, -3), load_factor=1.5, crowned_share=0.7)
     ends = (wk.CrownedEnds(10.0 ** rng.uniform(0, 2)), wk.RoundedEnds(rng.uniform(0.05, 0.5)), logarithmic)
     load = wk.Force(10.0 ** rng.uniform(-4.5, -3))
     length, kind = rng.uniform(1.5, 4.0), rng.integers(3)
-    rough, fine = (wk.RollerContact(1.0, length, ends[kind], UNIT, load, elements=count).solve() for count in (64, 256))
+    film = wk.Layer(
+        wk.Elastic(10.0 ** rng.uniform(-1, 1), rng.uniform(0.0, 0.45)), thickness=10.0 ** rng.uniform(-3, -0.5)
+    )
+    body = (UNIT, wk.CoatedHalfSpace([film], on=wk.Elastic(1.0, 0.2)))[rng.integers(2)]
+    rough, fine = (wk.RollerContact(1.0, length, ends[kind], body, load, elements=count).solve() for count in (64, 256))
     names = ("depth", "peak_pressure", "middle_pressure")
     return rough.grid_error, max(abs(getattr(rough, name) / getattr(fine, name) - 1.0) for name in names)
 
