@@ -173,7 +173,7 @@ QUICK_CELLS = [
     ("torsion", "stacked_half_space", "approximate"),
     ("torsion", "coated_half_space", "exact"),
     ("elliptic_indentation", "coated_half_space", "exact"),
-    ("roller_contact", "coated_half_space", "refused"),
+    ("roller_contact", "coated_half_space", "exact"),
     ("tangential", "relaxing_in_proportion", "refused"),
 ]
 
