@@ -272,7 +272,7 @@ def _curves_of_archive(path: Path, given: GivenFacts) -> Iterator[PlacedCurve | 
                 file.write_bytes(member(pack, one))
                 name = f"{path.name}, {one.filename}"
                 try:
-                    if is_archive(file) and file.suffix.lower() == ARCHIVE:
+                    if file.suffix.lower() == ARCHIVE and zipfile.is_zipfile(file):
                         raise InvalidInput(f"{file}: an archive within an archive is not opened; unpack it.")
                     for placed in _each(file, given):
                         yield _renamed(placed, file, f"{path}, {one.filename}", name)

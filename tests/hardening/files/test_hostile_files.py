@@ -19,6 +19,7 @@ from bounded import sentence_within
 
 import winkler as wk
 from winkler.errors import InvalidInput, WinklerError
+from winkler.io.curves import try_curves
 from winkler.io.wear_states import read_wear
 from winkler.limits import MOST_NUMBERS
 from winkler.study.language.reading import read_study
@@ -338,3 +339,25 @@ def test_columns_of_a_header_are_known_as_before(tmp_path):
         rows = [f"{i}{mark}{i**2}" for i in range(8)]
         path.write_text("\n".join([text, *rows]) + "\n")
         assert wk.read_profile(path).radii[1] == pytest.approx(1e-6, rel=1e-15), text
+
+
+def zip_of(path, members, before=b""):
+    pack = io.BytesIO()
+    with zipfile.ZipFile(pack, "w") as archive:
+        for name, content in members.items():
+            archive.writestr(name, content)
+    path.write_bytes(before + pack.getvalue())
+
+
+@pytest.mark.parametrize("before", [b"", b"in front of the list of contents"])
+def test_an_archive_within_an_archive_of_curves_stays_closed(before, tmp_path):
+    zip_of(tmp_path / "inner.zip", {"curve.csv": "depth [nm],force [nN]\n0,0\n1,1\n2,3\n"}, before)
+    zip_of(tmp_path / "outer.zip", {"inner.zip": (tmp_path / "inner.zip").read_bytes()})
+    (found,) = try_curves(tmp_path / "outer.zip")
+    assert "an archive within an archive is not opened" in found.reason
+
+
+def test_an_archive_of_too_many_curves(tmp_path):
+    pytest.importorskip("afmformats")
+    zip_of(tmp_path / "many.zip", {f"{number}.txt": "" for number in range(10_001)})
+    assert "10001" in sentence_within(lambda: list(wk.read_curves(tmp_path / "many.zip"))).replace(",", "")
