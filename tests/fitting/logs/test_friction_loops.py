@@ -148,8 +148,7 @@ def _held(estimate, error, freedom, truth):
     return abs(estimate - truth) <= student.ppf(0.975, freedom) * error
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("cycles", [2, 24])
+@pytest.mark.parametrize("cycles", [pytest.param(2, marks=pytest.mark.slow), pytest.param(24, marks=pytest.mark.long)])
 def test_intervals_hold_the_truth(cycles):
     """Of few cycles (by residuals) and of many (by scatter): 95 % intervals hold it in 0.92 to 0.98 of 200 worlds."""
     way, force = followed(MU, 2.5e-6, cycles + 1, points=60)

@@ -41,8 +41,9 @@ def test_some_curves(kind):
     assert np.min(hits(kind, range(5))) >= int(binom.ppf(1e-3, 5, 0.95))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", FREE)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=pytest.mark.long if kind == "loop" else pytest.mark.slow) for kind in FREE]
+)
 def test_two_hundred_curves(kind):
     """Other seeds than those of the quick test; 301 points cannot exclude slow noise, and the intervals are wide.
 

@@ -104,8 +104,13 @@ class RelaxingFilm(RelaxingHalfPlane):
 HISTORY = [0.0, 1.0, 2.0, 2.5, 3.5], [0.0, 1.0, 1.0, 0.25, 1.3]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("contrast", "ratio"), [(0.1, 0.3), (0.1, 3.0), (10.0, 3.0), (10.0, 10.0)])
+@pytest.mark.parametrize(
+    ("contrast", "ratio"),
+    [
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in ((0.1, 0.3), (10.0, 3.0))),
+        *(pytest.param(*case, marks=pytest.mark.long) for case in ((0.1, 3.0), (10.0, 10.0))),
+    ],
+)
 def test_a_history_agrees_with_boundary_elements_that_step_through_time(contrast, ratio):
     thickness = 0.04 / ratio
     level = 0.3 * OWN * collocated(contrast, 0.04, thickness)
@@ -150,7 +155,7 @@ def test_equal_layers_are_the_half_plane_and_under_a_thin_film_the_base_decides(
     assert 0.0 < errors[1] < errors[0]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_pressure_bears_the_force_and_converges_with_the_square_of_the_count():
     bed = bed_of(0.1, thickness=0.01)
     states = [solved(bed, IN_AND_OUT, count=count).at(-1) for count in (25, 50, 200)]

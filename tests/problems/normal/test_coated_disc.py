@@ -151,7 +151,7 @@ def test_waves_that_fade_round_off_the_edge_alone(monkeypatch):
     assert wk.Standing.EXACT not in [note.standing for note in said]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_ball_that_is_weaker_than_its_disc_is_in_the_table():
     """The ball and the coated disc, sliding: the ball as below a half-space that carries the same pressure."""
     weak = wk.Elastic(310e9, 0.27, strength=1.2e9)

@@ -110,7 +110,8 @@ def test_a_stress_that_is_not_found_says_at_which_radius(monkeypatch):
         wk.YieldOnset(coated(E, H)).solve()
 
 
-@pytest.mark.parametrize("places", [pytest.param(12, marks=pytest.mark.slow), pytest.param(60, marks=pytest.mark.long)])
+@pytest.mark.long
+@pytest.mark.parametrize("places", [12, 60])
 def test_a_base_that_yields_far_below_a_stiff_layer(places):
     """An incompressible base under a layer a million times as stiff: nowhere on the axis more than its strength."""
     base = wk.Elastic(1e3, 0.5, strength=10.0)

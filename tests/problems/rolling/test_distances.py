@@ -22,7 +22,7 @@ def script():
     return module
 
 
-@pytest.mark.few(0, slow=1)
+@pytest.mark.long
 @pytest.mark.parametrize("row", range(len(RATIOS)))
 def test_the_table_of_ellipses_is_that_of_the_script(script, row):
     for column, poisson in enumerate(POISSON):
