@@ -114,7 +114,7 @@ def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: Give
 def _turned(segments: Sequence[_SegmentRows], clock: int) -> tuple[list[_SegmentRows], int]:
     """Return the segments with their rows in the order of time, and how many were written backwards.
 
-    Older programs wrote the way back from its end, so that both ways have one order of heights.
+    Older programs wrote the retraction from its end, so that approach and retraction have one order of heights.
     """
     fall = [bool(np.all(np.diff(one.rows[:, clock]) < 0.0)) and len(one.rows) > 1 for one in segments]
     turned = [one._replace(rows=one.rows[::-1]) if falls else one for one, falls in zip(segments, fall, strict=True)]

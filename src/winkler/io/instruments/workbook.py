@@ -61,8 +61,8 @@ def tests_of_workbook(path: Path) -> Iterator[InstrumentTest]:
         )
     kept = [test for test in tests if not is_results(test)]
     lists = [f"'{test.name.removeprefix(f'{path.name}, ')}'" for test in tests if kept and is_results(test)]
-    told = (f"taken for lists of results, without time, and left out: {', '.join(lists)}",) if lists else ()
-    yield from [test._replace(notes=(*test.notes, *told)) for test in kept] or tests
+    left_out = (f"taken for lists of results, without time, and left out: {', '.join(lists)}",) if lists else ()
+    yield from [test._replace(notes=(*test.notes, *left_out)) for test in kept] or tests
 
 
 def _header_row(sheet: WorkbookSheet) -> int | None:
