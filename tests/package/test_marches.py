@@ -8,11 +8,13 @@ import typing
 
 import numpy as np
 import pytest
+from answer_types import hints_of, names_of, public_problems
 from example_answers import lasting_slow, solved
 
 from winkler.io.processes.stopping import INTERRUPTED
 from winkler.plot import sheet_of
 from winkler.problems.answer import is_march
+from winkler.problems.last_cycle import Cycled, Looped
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.language.build import build
@@ -31,6 +33,11 @@ FEW = {
     **dict.fromkeys(("line_fretting_wear", "line_sliding_wear"), 3),
 }
 """States after which a march is interrupted, where it has hardly more, or its solution needs more than five."""
+
+PER_LENGTH = {"LineTangential"}
+"""Half-planes move without bound under a load per length, so that only their loss is known."""
+PLACED = {"LineViscoelasticIndentation"}
+"""What it loses depends on how much of the half-planes lies between two points, which are arguments."""
 
 
 def stopping(count):
@@ -119,3 +126,14 @@ def test_every_answer_has_a_picture(name):
     assert sheet_of.dispatch(result) is not sheet_of.dispatch(object), (
         f"register a picture of {result.__name__} in winkler.plot"
     )
+
+
+def test_each_path_that_loses_energy_has_the_numbers_of_its_cycle():
+    """A walk over the public problems: those that take a path, and answer with what was lost along it."""
+    moved = {name: each for name, each in public_problems().items() if "path" in each.__dataclass_fields__}
+    answers = {name: hints_of(problem.solve) for name, problem in moved.items()}
+    losing = {name for name, answer in answers.items() if any("dissipation" in word for word in names_of(answer))}
+    assert len(losing) >= 10
+    assert answers.keys() - losing == PLACED
+    assert {name for name in losing if not issubclass(answers[name], Looped)} == PER_LENGTH
+    assert all(issubclass(answers[name], Cycled) for name in PER_LENGTH)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import math
 
 import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.cli import main
 from winkler.errors import OutsideValidity
 from winkler.problems.last_cycle import cycle_ends
 from winkler.study.batch.outcome import answers_of
@@ -16,6 +18,7 @@ STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
 BALL = wk.Foundation(wk.Paraboloid(10e-3), PAIR)
 MU, LOAD, SHEAR = 0.3, 100.0, 18.0
+NUMBERS = "loss_per_cycle", "secant_stiffness", "loss_factor", "damping_ratio"
 
 
 def test_a_ball_loses_what_its_first_loading_says_by_masing():
@@ -32,12 +35,9 @@ def test_a_ball_loses_what_its_first_loading_says_by_masing():
     assert loop.loss_per_cycle == pytest.approx(loss, rel=1e-11)
     assert loop.secant_stiffness == pytest.approx(SHEAR / shift, rel=1e-12)
     assert loop.damping_ratio == pytest.approx(loss / (2.0 * math.pi * SHEAR * shift), rel=1e-11)
+    assert loop.loss_factor == 2.0 * loop.damping_ratio
     found = answers_of(loop)
-    assert {name: found[name] for name in ("loss_per_cycle", "secant_stiffness", "damping_ratio")} == {
-        "loss_per_cycle": loop.loss_per_cycle,
-        "secant_stiffness": loop.secant_stiffness,
-        "damping_ratio": loop.damping_ratio,
-    }
+    assert {name: found[name] for name in NUMBERS} == {name: getattr(loop, name) for name in NUMBERS}
 
 
 def test_a_twist_loses_its_work():
@@ -129,3 +129,129 @@ def test_a_line_that_begins_at_rest_does_not_close_its_first_loop():
     again = wk.LineTangential(bed, wk.Coulomb(0.5), wk.LinePath(1e5, [0.0, 30e3, -30e3, 30e3], count=60)).solve()
     named = [any("not closed" in note.statement for note in line.validity) for line in (first, again)]
     assert named == [True, False]
+
+
+RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=1e6, relaxation_time=0.1, poisson=0.5)
+SOFT = wk.Foundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(RUBBER))
+UNIT = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
+SWING = np.concatenate([np.linspace(a, b, 4000) for a, b in ((-0.1, 0.1), (0.1, -0.1))])
+PRESSES = np.concatenate([np.linspace(a, b, 400) for a, b in ((0.0, 5e-5), (5e-5, 2e-5), (2e-5, 5e-5))])
+LOOPS = {
+    "springs": lambda: wk.SpringMarch(
+        BALL, wk.StaticKinetic(0.4, 0.3), wk.Path.oscillation(force=LOAD, amplitude=4e-7, cycles=2, count=400)
+    ),
+    "pressed rubber": lambda: wk.ViscoelasticIndentation(
+        SOFT, wk.Path(np.linspace(0.0, 2.0, 401), wk.Depth(1e-4 + 2e-5 * np.sin(2 * np.pi * np.linspace(0, 2, 401))))
+    ),
+    "adhesion": lambda: wk.AdhesiveCycle(UNIT, wk.ShortRange(1e-3), wk.Depth(SWING)),
+    "adhesion on a soft machine": lambda: wk.AdhesiveCycle(UNIT, wk.ShortRange(1e-3), wk.Depth(2.0 * SWING), 0.2),
+    "a particle": lambda: wk.ElasticPlasticParticle(1e-3, wk.Elastic(1e9, 0.3, strength=2e7), wk.Depth(PRESSES)),
+}
+
+
+@pytest.mark.parametrize("name", LOOPS)
+def test_the_loss_of_a_cycle_is_the_area_of_its_loop(name):
+    loop = LOOPS[name]().solve()
+    part = slice(loop.last_cycle.first, loop.last_cycle.last + 1)
+    along = getattr(loop, "shift" if name == "springs" else "position" if "adhesion" in name else "depth")[part]
+    load = (loop.shear_force if name == "springs" else loop.force)[part]
+    assert loop.loss_per_cycle == pytest.approx(np.trapezoid(load, along), rel=3e-3, abs=1e-9 * np.ptp(load * along))
+    factor = loop.loss_per_cycle / (0.25 * np.pi * np.ptp(load) * np.ptp(along))
+    assert loop.loss_factor == pytest.approx(factor, rel=1e-12)
+    assert loop.secant_stiffness == pytest.approx(np.ptp(load) / np.ptp(along), rel=1e-12)
+
+
+def test_a_small_swing_of_rubber_has_the_dynamic_stiffness():
+    """Loss and stiffness by the complex modulus, of a ball that swings by a hundredth of its depth."""
+    time = np.linspace(0.0, 3.0, 241)
+    path = wk.Path(time, wk.Depth(1e-4 + 1e-6 * np.sin(2.0 * np.pi * time)))
+    loop = wk.ViscoelasticIndentation(SOFT, path, count=200).solve()
+    stated = wk.HarmonicIndentation(SOFT, wk.Depth(1e-4), 2.0 * np.pi).solve()
+    assert loop.loss_per_cycle == pytest.approx(np.pi * stated.loss_stiffness * 1e-12, rel=5e-3)
+    assert loop.secant_stiffness == pytest.approx(math.hypot(stated.storage_stiffness, stated.loss_stiffness), rel=5e-3)
+
+
+def test_a_particle_that_stays_pressed_does_not_close_its_cycle():
+    pressed = wk.ElasticPlasticParticle(1e-3, wk.Elastic(1e9, 0.3, strength=2e7), wk.Depth([0.0, 5e-5, 0.0, 5e-5, 0.0]))
+    first = wk.ElasticPlasticParticle(1e-3, wk.Elastic(1e9, 0.3, strength=2e7), wk.Force([0.01, 5.0, 0.01]))
+    named = [any("not closed" in note.statement for note in each.solve().validity) for each in (pressed, first)]
+    assert named == [False, True]
+
+
+def test_a_map_that_is_twisted_has_the_numbers_of_the_twist():
+    ball = wk.SampledProfile([6e-4, 6e-4], wk.Paraboloid(10e-3), (16, 16))
+    turns = wk.Torque([0.0, 1e-3, -1e-3, 1e-3])
+    inside = wk.SurfaceTangential(ball, PAIR, wk.Coulomb(MU), wk.Path.through(wk.Force(LOAD), turns)).solve()
+    still = wk.Path.through(wk.Force(LOAD), wk.Shift(np.zeros(4)))
+    beside = wk.SurfaceTangential(ball, PAIR, wk.Coulomb(MU), still, twist=turns).solve()
+    round_ = wk.Torsion(BALL, wk.Coulomb(MU), wk.Path.through(wk.Force(LOAD), turns)).solve()
+    assert beside.loss_per_cycle == inside.loss_per_cycle > 0.0
+    stiffness = inside.last_cycle.load / inside.last_cycle.motion
+    assert stiffness == pytest.approx(round_.secant_stiffness, rel=3e-2)
+    with pytest.raises(OutsideValidity, match=r"the cycle turns the bodies.* \[N m/rad\]"):
+        _ = inside.secant_stiffness
+    pushed = wk.Path.through(wk.Force(LOAD), wk.ShearForce([0.0, 12.0, -12.0, 12.0]))
+    both = wk.SurfaceTangential(ball, PAIR, wk.Coulomb(MU), pushed, twist=turns).solve()
+    assert both.loss_per_cycle > inside.loss_per_cycle
+    with pytest.raises(OutsideValidity, match="turns the bodies beside a push"):
+        _ = both.loss_factor
+
+
+def test_a_circle_has_a_loss_and_no_stiffness():
+    angle = np.linspace(0.0, 4.0 * np.pi, 161)
+    path = wk.Path.through(wk.Force(LOAD), wk.Shift(4e-7 * np.stack([np.cos(angle), np.sin(angle)], axis=1)))
+    loop = wk.Tangential(BALL, wk.Coulomb(MU), path).solve()
+    middle = 0.5 * (loop.shear_force[80:-1] + loop.shear_force[81:])
+    assert loop.loss_per_cycle == pytest.approx(np.sum(middle * np.diff(loop.shift[80:], axis=0)), rel=1e-2)
+    with pytest.raises(OutsideValidity, match="leaves a line"):
+        _ = loop.secant_stiffness
+    assert answers_of(loop).keys() & set(NUMBERS) == {"loss_per_cycle"}
+
+
+SWEPT = """
+[problem]
+kind = "tangential"
+law = { kind = "coulomb", coefficient = 0.3 }
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "10 mm" }
+[problem.bed.medium]
+kind = "half_space"
+first = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
+second = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
+[problem.path]
+kind = "path"
+time = ["0 s", "1 s", "2 s", "3 s"]
+normal = { kind = "force", force = "100 N" }
+lateral = { kind = "shear_force", shear_force = ["0 N", "10 N", "-10 N", "10 N"] }
+[sweep]
+"problem.path.normal.force" = ["80 N", "100 N"]
+"problem.path.lateral.shear_force" = [
+    ["0 N", "10 N", "-10 N", "10 N"], ["0 N", "18 N", "-18 N", "18 N"], ["0 N", "20 N", "-4 N", "20 N"]
+]
+[output]
+figures = []
+report = false
+"""
+
+
+def test_energy_over_force_and_turning_points_is_one_sweep_on_the_command_line(tmp_path):
+    """Half of the range counts alone: of 20 and -4 N it is 12 N; the loss is that of `FrictionDamping`."""
+    (tmp_path / "loops.toml").write_text(SWEPT, encoding="utf-8")
+    assert main(["run", str(tmp_path / "loops.toml"), "--output", str(tmp_path / "out")]) == 0
+    with open(tmp_path / "out" / "results.csv", encoding="utf-8", newline="") as table:
+        lines = [line for line in csv.reader(table) if not line[0].startswith("#")]
+    place = next(place for place, name in enumerate(lines[0]) if "loss_per_cycle" in name)
+    found = [float(line[place]) for line in lines[1:] if line[place]]
+    sought = [
+        wk.FrictionDamping(BALL, wk.Coulomb(MU), wk.Force(force), wk.ShearForce([10.0, 18.0, 12.0])).solve()
+        for force in (80.0, 100.0)
+    ]
+    losses = np.concatenate([each.loss_per_cycle for each in sought])
+    assert np.unique(found).size == losses.size
+    assert np.sort(np.unique(found)) == pytest.approx(np.sort(losses), rel=1e-9)
+    assert sought[1].loss_factor[1] == pytest.approx(
+        wk.Tangential(
+            BALL, wk.Coulomb(MU), wk.Path.oscillation(force=100.0, amplitude=wk.ShearForce(18.0), cycles=2)
+        ).solve().loss_factor, rel=1e-9,
+    )  # fmt: skip

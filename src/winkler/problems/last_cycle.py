@@ -13,21 +13,51 @@ moved for the first time begins without slip and does not end so: its loop is op
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, N, Quantity, shaped
 from winkler.validity import Assumption, Note, Standing
+from winkler.values import words
 
-__all__ = ["Cycled", "LastCycle", "Looped", "cycle_ends", "cycle_notes", "cycle_of", "loss_factor", "per_unit"]
+__all__ = [
+    "Cycled",
+    "LastCycle",
+    "Looped",
+    "PathLoop",
+    "cycle_ends",
+    "cycle_notes",
+    "cycle_of",
+    "loss_factor",
+    "per_unit",
+]
 
 SAME = 1e-9
 """Part of the range of a load within which two of its values are the same."""
 CLOSED = 1e-3
 """Part of its range by which motion or load may miss its beginning at the end of a closed loop; boundary elements err
 by as much."""
+
+
+class PathLoop(NamedTuple):
+    """What a path prescribes, and what it has cost.
+
+    Parameters
+    ----------
+    prescribed : sequence of ndarray, (points,) or (points, 2)
+        The loads that are prescribed, also at points that were not reached.
+    motion, load : ndarray, (steps,), in the plane (steps, 2), with a turn beside (steps, 3)
+        What moves [m or rad], and what it takes [N or N m].
+    lost : ndarray, (steps,)
+        Energy lost since the beginning [J], of lines per length [J/m].
+    """
+
+    prescribed: Sequence[Array]
+    motion: Array
+    load: Array
+    lost: Array
 
 
 class LastCycle(NamedTuple):
@@ -40,7 +70,7 @@ class LastCycle(NamedTuple):
     loss
         Energy that it loses [J], of lines per length [J/m].
     motion, load
-        Amplitudes: half of the ranges, zero of what has none.
+        Amplitudes: half of the ranges, zero of what has none; not a number of what leaves a line.
     gap
         By how much motion or load misses its beginning, over its range [-].
     """
@@ -84,52 +114,48 @@ def cycle_ends(prescribed: Sequence[Array]) -> tuple[int, int] | None:
     return None
 
 
-def cycle_of(who: str, prescribed: Sequence[Array], lost: Array, motion: Array, load: Array) -> LastCycle:
+def cycle_of(who: str, loop: PathLoop) -> LastCycle:
     """Return the last cycle of a path.
 
     Parameters
     ----------
     who : str
         Name of the problem, for messages.
-    prescribed : sequence of ndarray, (points,)
-        The loads that are prescribed.
-    lost : ndarray, (steps,)
-        Energy lost since the beginning [J], at the points that were reached.
-    motion, load : ndarray, (steps,) or (steps, 2)
-        What moves, and what it takes.
+    loop : PathLoop
 
     Raises
     ------
     OutsideValidity
-        If the path closes no cycle, or a planar motion is not along a line.
+        If the path closes no cycle.
     """
-    ends = cycle_ends([column[: lost.size] for column in prescribed]) if lost.size else None
+    lost = loop.lost
+    ends = cycle_ends([column[: lost.size] for column in loop.prescribed]) if lost.size else None
     if ends is None:
         raise OutsideValidity(
             f"{who}: the path of {lost.size} points closes no cycle, since it does not come back to the loads of an "
             "earlier point in the same direction; let it end where a cycle began, as Path.oscillation(...) does."
         )
     first, last = ends
-    along = [_along_line(who, column[first : last + 1]) for column in (motion, load)]
-    ranges = [float(np.ptp(row)) for row in along]
-    missed = (abs(float(row[-1] - row[0])) / reach for row, reach in zip(along, ranges, strict=True) if reach > 0.0)
-    return LastCycle(
-        first, last, float(lost[last] - lost[first]), 0.5 * ranges[0], 0.5 * ranges[1], max(missed, default=0.0)
-    )
+    rows = [np.reshape(column[first : last + 1], (last + 1 - first, -1)) for column in (loop.motion, loop.load)]
+    missed = [
+        float(np.max(np.abs(row[-1] - row[0]))) / reach for row in rows if (reach := float(np.max(np.ptp(row, axis=0))))
+    ]
+    motion, load = map(_amplitude, rows)
+    return LastCycle(first, last, float(lost[last] - lost[first]), motion, load, max(missed, default=0.0))
 
 
-def _along_line(who: str, column: Array) -> Array:
-    """Return a row that runs along a line, as numbers; refuse one that runs through a plane."""
-    if column.ndim == 1:
-        return column
-    away = column - np.mean(column, axis=0)
-    sizes, axes = np.linalg.svd(away, full_matrices=False)[1:]
-    if sizes[1] > CLOSED * sizes[0]:
-        raise OutsideValidity(
-            f"{who}: the cycle runs through the plane, not along a line, and has no single amplitude; its loss is the "
-            "difference of dissipation between its ends."
-        )
-    return np.asarray(column @ axes[0])
+def _amplitude(row: Array) -> float:
+    """Return half of the range along a line, not a number of what leaves a line or turns while it is pushed."""
+    if row.shape[1] > 2:
+        return np.nan
+    away = row - np.mean(row, axis=0)
+    along = away[:, 0]
+    if row.shape[1] > 1:
+        _, sizes, axes = np.linalg.svd(away, full_matrices=False)
+        if sizes[1] > CLOSED * sizes[0]:
+            return np.nan
+        along = away @ axes[0]
+    return 0.5 * float(np.ptp(along))
 
 
 def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
@@ -141,7 +167,7 @@ def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
         f"ends {100.0 * cycle.gap:.2g} per cent of its range from where it began. Its loss holds for this cycle only; "
         "append cycles until it closes."
     )
-    return (Note(Assumption.SLIP, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
+    return (Note(Assumption.ENERGY, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
 
 
 def per_unit(loss: N, whole: Quantity) -> N:
@@ -158,10 +184,17 @@ def loss_factor(loss: N, motion: Quantity, load: Quantity) -> N:
 class Cycled:
     """The part of a solution that knows the last cycle of its path."""
 
+    problem: Any
+
+    @property
+    def _loop(self) -> PathLoop:
+        """What the path prescribes, and what it has cost."""
+        raise NotImplementedError
+
     @property
     def last_cycle(self) -> LastCycle:
-        """Where the last cycle runs, its loss, its amplitudes, and by how much it is open."""
-        raise NotImplementedError
+        """Where the last cycle of the path runs, its loss, its amplitudes, and by how much it is open."""
+        return cycle_of(type(self.problem).__name__, self._loop)
 
     @property
     def _cycle_notes(self) -> tuple[Note, ...]:
@@ -174,6 +207,12 @@ class Cycled:
 
 class Looped(Cycled):
     """The part of a solution that has the numbers of the last cycle of its path."""
+
+    __words__ = words(
+        loss_per_cycle=("W", "J", "energy lost in the last cycle of the path"),
+        secant_stiffness=("k_s", "N/m", "amplitude of the load over that of the motion, in the last cycle of the path"),
+        loss_factor=(r"\eta", "", "loss per cycle over pi times the amplitudes of motion and load"),
+    )
 
     @property
     def loss_per_cycle(self) -> float:
@@ -193,28 +232,46 @@ class Looped(Cycled):
         Raises
         ------
         OutsideValidity
-            If the path closes no cycle, or nothing moves in it.
+            If the path closes no cycle, nothing moves in it, or it leaves a line.
         """
-        return self._moving.load / self._moving.motion
+        cycle = self._swing
+        return cycle.load / cycle.motion
 
     @property
-    def damping_ratio(self) -> float:
-        """W / (2 pi F U) of the last cycle of the path [-], 2/pi if all slides throughout; half of the loss factor.
+    def loss_factor(self) -> float:
+        """W / (pi F U) of the last cycle of the path [-], 4/pi if all slides throughout; twice the damping ratio.
 
         Raises
         ------
         OutsideValidity
-            If the path closes no cycle, or nothing moves in it.
+            As `secant_stiffness`.
         """
-        cycle = self._moving
-        return 0.5 * float(loss_factor(cycle.loss, cycle.motion, cycle.load))
+        cycle = self._swing
+        return float(loss_factor(cycle.loss, cycle.motion, cycle.load))
 
     @property
-    def _moving(self) -> LastCycle:
-        cycle = self.last_cycle
+    def damping_ratio(self) -> float:
+        """W / (2 pi F U) of the last cycle of the path [-], half of the loss factor.
+
+        Raises
+        ------
+        OutsideValidity
+            As `secant_stiffness`.
+        """
+        return 0.5 * self.loss_factor
+
+    @property
+    def _swing(self) -> LastCycle:
+        """The last cycle, if it has amplitudes."""
+        cycle, who = self.last_cycle, type(self.problem).__name__
         if cycle.motion == 0.0 or cycle.load == 0.0:
             raise OutsideValidity(
-                f"{type(self).__name__}: between the points {cycle.first} and {cycle.last} nothing is moved along the "
-                "surface, so that the cycle has no stiffness and no damping; let the lateral load oscillate."
+                f"{who}: between the points {cycle.first} and {cycle.last} nothing is moved against a load, so that "
+                "the cycle has no stiffness and no damping; let what moves the bodies oscillate."
+            )
+        if np.isnan(cycle.motion * cycle.load):
+            raise OutsideValidity(
+                f"{who}: the cycle leaves a line, or turns the bodies beside a push, and has no single amplitude; read "
+                "its loss_per_cycle."
             )
         return cycle

@@ -31,7 +31,8 @@ from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachin
 from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -96,7 +97,7 @@ class AdhesiveCycle:
     machine_stiffness: Annotated[float, MACHINE_STIFFNESS_RANGE] = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
-    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | BALANCED
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
@@ -180,7 +181,7 @@ class AdhesiveCycle:
 
 
 @value
-class AdhesiveCycleSolution:
+class AdhesiveCycleSolution(Looped):
     """The solution of an `AdhesiveCycle`, point by point.
 
     Parameters
@@ -215,6 +216,10 @@ class AdhesiveCycleSolution:
     jumps: tuple[AdhesiveJump, ...]
 
     @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((numbers_of(self.problem.path),), self.position, self.force, self.dissipation)
+
+    @property
     def energy(self) -> Array:
         """Energy of bodies, machine and surfaces, less what closing has gained [J], ``(steps,)``; zero apart."""
         inner = self.problem._edge.energy(self.depth, self.force, self.radius)
@@ -241,6 +246,7 @@ class AdhesiveCycleSolution:
                 "is lost, to vibrations and sound: it does not carry the edge beyond the next radius that holds it.",
                 "Griffith's balance at every limit of stability",
             ),
+            *self._cycle_notes,
         )
 
 

@@ -25,7 +25,8 @@ __all__ = [
 ]
 
 BALANCED: Final = frozenset((Assumption.ENERGY,))
-"""A march whose energies are checked against each other, beside all else that it assumes."""
+"""A march whose energies are checked against each other, or at both ends of its last cycle, beside all else that it
+assumes."""
 
 PRESSED: Final = frozenset(
     (

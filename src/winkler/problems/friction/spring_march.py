@@ -29,6 +29,7 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.spring_run import SingleSprings, pressed_along, springs_under
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -40,7 +41,7 @@ BLOCK = 256
 
 
 @value
-class SpringTrace:
+class SpringTrace(Looped):
     """What springs bore and lost along a path; arrays over its points.
 
     Parameters
@@ -72,9 +73,15 @@ class SpringTrace:
         return self.problem.path.time
 
     @property
+    def _loop(self) -> PathLoop:
+        path = self.problem.path
+        return PathLoop((path.across, path.along), self.shift, self.shear_force, self.dissipation)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.problem.validity, energy_note(self.work, self.stored_energy, self.dissipation))
+        balance = energy_note(self.work, self.stored_energy, self.dissipation)
+        return (*self.problem.validity, balance, *self._cycle_notes)
 
     @property
     def work(self) -> Array:

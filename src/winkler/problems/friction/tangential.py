@@ -35,7 +35,7 @@ from winkler.problems.friction.spring_run import SingleSprings
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipRow
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
-from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.method import Method
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
@@ -319,10 +319,9 @@ class TangentialSolution(Looped, OfPath[State]):
         return np.array([getattr(state, name) for state in self.states])
 
     @property
-    def last_cycle(self) -> LastCycle:
-        """Where the last cycle of the path runs, its loss and its amplitudes."""
+    def _loop(self) -> PathLoop:
         path = self.problem.path
-        return cycle_of("Tangential", (path.across, path.along), self.dissipation, self.shift, self.shear_force)
+        return PathLoop((path.across, path.along), self.shift, self.shear_force, self.dissipation)
 
     @property
     def validity(self) -> tuple[Note, ...]:

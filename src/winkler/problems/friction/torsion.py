@@ -29,7 +29,7 @@ from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
-from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
@@ -201,10 +201,9 @@ class TorsionSolution(Looped, OfPath[TorsionState]):
     states: tuple[TorsionState, ...]
 
     @property
-    def last_cycle(self) -> LastCycle:
-        """Where the last cycle of the path runs, its loss and its amplitudes."""
+    def _loop(self) -> PathLoop:
         path = self.problem.path
-        return cycle_of("Torsion", (path.across, path.along), self.dissipation, self.angle, self.torque)
+        return PathLoop((path.across, path.along), self.angle, self.torque, self.dissipation)
 
     @property
     def validity(self) -> tuple[Note, ...]:

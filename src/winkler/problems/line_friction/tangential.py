@@ -27,8 +27,8 @@ from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.declared import SHEARED
-from winkler.problems.last_cycle import Cycled, LastCycle, cycle_of
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.last_cycle import Cycled, PathLoop
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line_friction.bulk import has_closed_form, refuse_bulk
 from winkler.problems.line_friction.element_row import ElementRow
@@ -106,7 +106,7 @@ class LineTangential:
         "ciavarella_1998",
         "nowell_hills_1987",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         refuse_method("LineTangential", self.method, METHODS)
@@ -256,11 +256,10 @@ class LineTangentialSolution(Cycled, OfPath["LineTangentialState | LineMarchedSt
         return spread
 
     @property
-    def last_cycle(self) -> LastCycle:
-        """Where the last cycle of the path runs, and its loss per length; motions are those beyond what Q causes."""
+    def _loop(self) -> PathLoop:
+        """Motions are those beyond what Q causes."""
         path, shear = self.problem.path, self.shear_force_per_length
-        given = path.across, path.along, path.bulk
-        return cycle_of("LineTangential", given, self.dissipation_per_length, self.slip_shift, shear)
+        return PathLoop((path.across, path.along, path.bulk), self.slip_shift, shear, self.dissipation_per_length)
 
     @property
     def loss_per_cycle_per_length(self) -> float:

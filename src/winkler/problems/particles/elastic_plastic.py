@@ -25,6 +25,8 @@ from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import BALANCED
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.particles.elastic_plastic_march import ParticleHistory, ParticleMarch
 from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
@@ -104,7 +106,7 @@ class ElasticPlasticParticle:
         "johnson_kendall_roberts_1971",
         "popov_hess_2015",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESPONSE,))
+    assumptions: ClassVar[frozenset[Assumption]] = BALANCED | {Assumption.RESPONSE}
 
     def __post_init__(self) -> None:
         owner = "ElasticPlasticParticle"
@@ -204,7 +206,7 @@ class ParticleState:
 
 
 @value
-class ParticleSolution:
+class ParticleSolution(Looped):
     """The solution of an `ElasticPlasticParticle`, point by point of its path.
 
     Parameters
@@ -240,6 +242,10 @@ class ParticleSolution:
     dissipation: Array
 
     @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((self.problem._levels,), self.depth, self.force, self.dissipation)
+
+    @property
     def work(self) -> Array:
         """What was spent since the beginning, the integral of the force over the depth [J], ``(steps,)``."""
         return np.asarray(self.energy + self.dissipation)
@@ -255,4 +261,4 @@ class ParticleSolution:
         notes = [ELASTIC]
         if float(np.max(self.depth)) > self.problem.yield_depth:
             notes.append(ENGINEERING)
-        return tuple(notes)
+        return (*notes, *self._cycle_notes)

@@ -26,7 +26,8 @@ from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.declared import ATTRACTED
+from winkler.problems.assumptions.declared import ATTRACTED, BALANCED
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.map_memory import state_memory
 from winkler.problems.surface_adhesion.input_checks import check_adhesion, memory_of
@@ -110,7 +111,7 @@ class SurfaceAdhesion:
     tolerance: Annotated[float, between(1e-10, 0.01)] = 1e-6
 
     references: ClassVar[tuple[str, ...]] = ("rey_2017", "steihaug_1983", "tabor_1977", "stanley_kato_1997")
-    assumptions: ClassVar[frozenset[Assumption]] = ATTRACTED
+    assumptions: ClassVar[frozenset[Assumption]] = ATTRACTED | BALANCED
 
     def __post_init__(self) -> None:
         check_adhesion(self.topography, self.path)
@@ -229,7 +230,7 @@ class SurfaceAdhesion:
 
 
 @value
-class SurfaceAdhesionSolution:
+class SurfaceAdhesionSolution(Looped):
     """The solution of a `SurfaceAdhesion`, displacement by displacement.
 
     Parameters
@@ -273,6 +274,10 @@ class SurfaceAdhesionSolution:
     jumps: tuple[SurfaceJump, ...]
 
     @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((numbers_of(self.problem.path),), self.depth, self.force, self.dissipation)
+
+    @property
     def pull_off_force(self) -> float:
         """The lowest force [N]: below it a dead load tears the bodies apart."""
         return float(np.min(self.force))
@@ -297,4 +302,5 @@ class SurfaceAdhesionSolution:
                 float(np.max(self.residual)), float(self.energy_misfit[-1]), len(self.jumps),
             ),
             *unknown_yield(stated.medium, "the stresses below attracted surfaces are not searched"),
+            *self._cycle_notes,
         )  # fmt: skip

@@ -23,8 +23,8 @@ from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
-from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.last_cycle import LastCycle, Looped, cycle_of
+from winkler.problems.assumptions.declared import BALANCED, MAPPED
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.mapped_medium import homogeneous
@@ -107,7 +107,7 @@ class SurfaceTangential:
     references: ClassVar[tuple[str, ...]] = (
         "kalker_1990", "cattaneo_1938", "mindlin_1949", "spence_1975", "polonsky_keer_1999",
     )  # fmt: skip
-    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {Assumption.UNCOUPLED, Assumption.SLIP}
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | BALANCED | {Assumption.UNCOUPLED, Assumption.SLIP}
 
     def __post_init__(self) -> None:
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
@@ -278,10 +278,33 @@ class SurfaceTangentialSolution(Looped, LastMap):
         return homogeneous("SurfaceTangentialSolution", "the stress below the surface", self.problem.medium)
 
     @property
-    def last_cycle(self) -> LastCycle:
-        """Where the last cycle of the path runs, its loss and its amplitudes."""
-        path, who = self.problem.path, "SurfaceTangential"
-        return cycle_of(who, (path.across, path.along), self.dissipation, self.shift, self.shear_force)
+    def _loop(self) -> PathLoop:
+        stated = self.problem
+        given, _ = stated._motions()
+        pushed, turned = np.any(np.ptp(given[:, :2], axis=0) > 0.0), np.ptp(given[:, 2]) > 0.0
+        motion, load = self.shift, self.shear_force
+        if turned and pushed:  # three components, of which the third turns the far side of the map
+            arm = stated.topography.lengths[0]
+            motion, load = np.column_stack((motion, arm * self.angle)), np.column_stack((load, self.torque / arm))
+        elif turned:
+            motion, load = self.angle, self.torque
+        return PathLoop((stated.path.across, given), motion, load, self.dissipation)
+
+    @property
+    def secant_stiffness(self) -> float:
+        """Amplitude of the shear force over that of the shift in the last cycle of the path [N/m].
+
+        Raises
+        ------
+        OutsideValidity
+            If the path closes no cycle, nothing is shifted in it, it leaves a line, or the bodies turn.
+        """
+        if self._loop.motion is self.angle:
+            raise OutsideValidity(
+                "SurfaceTangential: the cycle turns the bodies, so that its stiffness is a torque over an angle; read "
+                "last_cycle.load / last_cycle.motion [N m/rad]."
+            )
+        return super().secant_stiffness
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -37,6 +37,7 @@ from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.viscoelastic.adhesion_crack import Crack
 from winkler.validity import Assumption, Note, Standing
@@ -238,7 +239,7 @@ class ViscoelasticAdhesion:
 
 
 @value
-class ViscoelasticAdhesionSolution:
+class ViscoelasticAdhesionSolution(Looped):
     """The solution of a `ViscoelasticAdhesion`, point by point of its path.
 
     Parameters
@@ -277,13 +278,17 @@ class ViscoelasticAdhesionSolution:
     dissipation: Array
 
     @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((self.problem.path.across,), self.position, self.force, self.dissipation)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
         law = ShortRange(problem.law.work)
         contact = adhesive_notes(problem._relaxed, law, self.depth, self.radius)
         balance = energy_note(self.work, self.energy, self.dissipation)
-        return (SEPARATED, *contact, balance, *relaxing_yield(problem.bed.medium))
+        return (SEPARATED, *contact, balance, *relaxing_yield(problem.bed.medium), *self._cycle_notes)
 
 
 SEPARATED = Note(

@@ -32,6 +32,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
+from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.viscoelastic.layered_march import MarchedPoint
 from winkler.problems.viscoelastic.layered_notes import layered_notes
@@ -261,7 +262,7 @@ class ViscoelasticIndentation:
 
 
 @value
-class ViscoelasticSolution:
+class ViscoelasticSolution(Looped):
     """The solution of a `ViscoelasticIndentation`, point by point of its path.
 
     Parameters
@@ -296,11 +297,15 @@ class ViscoelasticSolution:
     dissipation: Array
 
     @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((self.problem.path.across,), self.depth, self.force, self.dissipation)
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
         balance = energy_note(self.work, self.stored_energy, self.dissipation)
+        own = (*path_notes(bed, self.time), balance, *self._cycle_notes)
         if is_layered("validity", bed):
-            own = (*path_notes(bed, self.time), balance)
             return layered_notes(self.problem, self, own)
-        return relaxing_notes(bed, self.depth, self.radius, (*path_notes(bed, self.time), balance))
+        return relaxing_notes(bed, self.depth, self.radius, own)

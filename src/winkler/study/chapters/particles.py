@@ -29,7 +29,7 @@ PARTICLES = Chapter(
     answers={
         "elastic_plastic_particle": answer(
             "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
-            headline=("residual_depth", "yield_depth", "dissipation"),
+            headline=("residual_depth", "yield_depth", "dissipation", "loss_per_cycle"),
             curvature_radius="1 mm",
             solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},
             path={"kind": "depth", "depth": ["20 um", "40 um", "0 um"]},

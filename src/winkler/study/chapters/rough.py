@@ -173,7 +173,7 @@ ROUGH = Chapter(
         ),
         "surface_adhesion": answer(
             "winkler.problems.surface_adhesion.adhesion:SurfaceAdhesion",
-            headline=("pull_off_force", "dissipation", "force", "area", "attracted_area"),
+            headline=("pull_off_force", "dissipation", "force", "area", "attracted_area", "loss_per_cycle"),
             topography=SOFT_BALL,
             medium={"kind": "half_space", "first": {"kind": "elastic", "young": "1 MPa", "poisson": 0.5}},
             law={"kind": "exponential_attraction"},

@@ -75,7 +75,7 @@ SURFACE_FRICTION = Chapter(
     answers={
         "surface_tangential": answer(
             "winkler.problems.surface_friction.tangential:SurfaceTangential",
-            headline=("dissipation", "shear_force_x", "stick_share", "peak_pressure", "force"),
+            headline=("dissipation", "shear_force_x", "stick_share", "peak_pressure", "force", "loss_per_cycle"),
             topography=BALL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
             path={"kind": "program", "steps": TO_AND_FRO},

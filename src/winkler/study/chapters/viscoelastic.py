@@ -202,7 +202,7 @@ VISCOELASTIC = Chapter(
     answers={
         "viscoelastic_indentation": answer(
             "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
-            headline=("dissipation", "force", "depth", "radius"),
+            headline=("dissipation", "force", "depth", "radius", "loss_per_cycle"),
             bed=BED,
             path={"kind": "program", "steps": IN_AND_OUT},
             count=200,

@@ -100,7 +100,7 @@ VISCOELASTIC_SURFACES = Chapter(
         ),
         "viscoelastic_adhesion": answer(
             "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
-            headline=("lowest_force", "dissipation"),
+            headline=("lowest_force", "dissipation", "loss_per_cycle"),
             bed=BED,
             path={
                 "kind": "program",
