@@ -89,7 +89,8 @@ def test_nothing_is_longer_than_ten_lines():
         lines = repr(one).splitlines()
         assert len(lines) <= 10, one
         assert len(repr(one)) <= 1000, one
-    assert repr(march).splitlines()[-1] == "  and work, stored_energy, dissipation, states"
+    assert repr(march).splitlines()[1].startswith("  problem ")
+    assert repr(march).splitlines()[-1] == "  and stored_energy, dissipation, stick_radius, states"
     assert repr(found).splitlines()[1].startswith("  bed.medium.first.young  2.1e+11 +- ")
     assert "<td" in found._repr_html_()
     assert "210 GPa ± " in found._repr_html_()

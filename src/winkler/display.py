@@ -93,7 +93,7 @@ def _rows(content: Any) -> Iterator[FieldRow]:
         for path, number, error in zip(content.names, content.values, content.standard_errors, strict=True):
             yield _row(_owner(content.model, path), path.rpartition(".")[2], number)._replace(name=path, error=error)
         fields = [name for name in fields if name not in {*FIT_FIELDS, "correlation"}]
-    for name in fields:
+    for name in sorted(fields, key=lambda name: name != "problem"):
         yield _row(type(content), name, getattr(content, name))
 
 

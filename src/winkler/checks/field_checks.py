@@ -173,6 +173,8 @@ def _array(argument: Argument, masks: bool, *, alone: bool) -> Check:
     """Return the check of numbers in any shape; of truth values where an array stands alone and has no unit."""
 
     def checked(content: Any) -> Any:
+        if type(content) is float:
+            return content
         if type(content) is np.ndarray and content.dtype.kind == "f":
             return content  # long histories are kept in single precision
         found = plain(content, argument)

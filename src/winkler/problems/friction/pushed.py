@@ -31,6 +31,7 @@ from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
 from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.problems.ring_slip.ring_notes import ring_notes
 from winkler.problems.ring_slip.ring_path import ring_points
+from winkler.problems.round_march import RoundSlip
 from winkler.validity import Note
 from winkler.values import value, words
 
@@ -116,33 +117,20 @@ class MovedSprings:
 
 
 @value
-class PushedState:
-    """A pushed contact on layers, or a grading, at one moment.
+class PushedState(RoundSlip[float]):
+    """A pushed contact on layers, or a grading, at one moment; its numbers are those of `RoundSlip`.
 
     Parameters
     ----------
-    time, depth, force, radius, shift, shear_force, stick_radius : float
-        As in `winkler.problems.friction.tangential.TangentialSolution`.
-    work, stored_energy, dissipation : float
-        As there.
+    stick_radius : float
+        c [m]: rings within stick; a where all do, zero where the bodies slide or are apart.
     nested : bool
         Whether all that slid in the step was one outer ring, and slid to one side.
     springs : PushedSprings
         Their load.
     """
 
-    __words__ = words(work=("W", "J", "what the lateral motion has spent since the beginning"))
-
-    time: float
-    depth: float
-    force: float
-    radius: float
-    shift: float
-    shear_force: float
     stick_radius: float
-    work: float
-    stored_energy: float
-    dissipation: float
     nested: bool
     springs: PushedSprings
 
@@ -242,8 +230,8 @@ def pushed_states(bed: Bed, coefficient: float, path: Path) -> Iterator[PushedSt
     forced = not isinstance(path.normal, Depth)
     for point in ring_points(bed, coefficient, path, pushed_body(bed).shear_modulus, push_bound):
         yield PushedState(
-            point.time, point.depth, point.force, point.radius, point.motion, point.load, point.stick_radius,
-            point.work, point.stored, point.lost, point.nested,
+            point.time, point.depth, point.force, point.radius, point.motion, point.load,
+            point.work, point.stored, point.lost, point.stick_radius, point.nested,
             PushedSprings(bed, coefficient, point.bound.widest, forced, point.memory),
         )  # fmt: skip
 

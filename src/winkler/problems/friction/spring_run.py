@@ -230,12 +230,12 @@ class SingleSprings(Row[int, SpringPlaces]):
         for index, (places, work, lost) in enumerate(follow(self, range(self.path.time.size))):
             line = self.line
             yield SpringState(
-                self.bed,
-                self.springs,
                 float(self.path.time[index]),
                 float(self.depth[index]),
                 float(self.force[index]),
                 float(self.radius[index]),
+                self.bed,
+                self.springs,
                 float(places.shift[0]) if line else places.shift,
                 float(places.force) if line else places.force,
                 self._stick_radius(index, places),

@@ -13,6 +13,7 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.round_march import RoundNormal
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -41,8 +42,8 @@ SpringLaw = Coulomb | StaticKinetic | OwnLaw
 
 
 @value
-class SpringState:
-    """The springs at one point of the path.
+class SpringState(RoundNormal[float]):
+    """The springs at one point of the path; its normal contact is that of `RoundNormal`.
 
     Parameters
     ----------
@@ -50,8 +51,6 @@ class SpringState:
         Profile and medium.
     springs : Springs
         The row.
-    time, depth, force, radius : float
-        t [s], d [m], F_N [N], a [m].
     shift, shear_force : float or ndarray, (2,)
         u_x [m] and F_x [N]; vectors in the plane.
     stick_radius : float
@@ -71,10 +70,6 @@ class SpringState:
 
     bed: Bed
     springs: Springs
-    time: float
-    depth: float
-    force: float
-    radius: float
     shift: Quantity
     shear_force: Quantity
     stick_radius: float

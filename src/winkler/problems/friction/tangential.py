@@ -41,6 +41,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
+from winkler.problems.round_march import RoundSlip
 from winkler.problems.row import follow
 from winkler.problems.viscoelastic.tangential import DraggedState, dragged_notes, dragged_states, pressed_alone
 from winkler.validity import Assumption, Note
@@ -213,8 +214,8 @@ class Tangential:
         for (time, depth, force, radius), (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
             memory, shift = state
             yield TangentialState(
-                self.bed, self.law, ratio, time, depth, force, radius, shift, row.shear_force(memory), work,
-                row.stored(memory), lost, memory,
+                time, depth, force, radius, shift, row.shear_force(memory), work, row.stored(memory), lost,
+                self.bed, self.law, ratio, memory,
             )  # fmt: skip
 
     def gathered(self, states: Iterable[State]) -> TangentialSolution:
@@ -238,45 +239,21 @@ class Tangential:
 
 
 @value
-class TangentialSolution(Looped, OfPath[State]):
-    """The solution of a `Tangential` problem, point by point.
+class TangentialSolution(RoundSlip[Array], Looped, OfPath[State]):
+    """The solution of a `Tangential` problem, point by point; its numbers are those of `RoundSlip`.
 
     Parameters
     ----------
     problem : Tangential
         The problem that was solved.
-    time : ndarray, (steps,)
-        t [s].
-    depth, force, radius : ndarray, (steps,)
-        d [m], F_N [N], a [m].
-    shift, shear_force : ndarray, (steps,) or (steps, 2)
-        u_x [m] and F_x [N]; what drags the upper body along, positive towards +x.
     stick_radius : ndarray, (steps,)
         c [m]: springs within stick; a where all do, zero where the bodies slide or are apart.
-    work, stored_energy : ndarray, (steps,)
-        Spent by the lateral motion since the beginning, and in the springs' displacement along the surface [J]; of
-        bodies that relax in both directions.
-    dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J]; of bodies that relax to friction and in their dashpots.
     states : tuple
         The states themselves, from which fields are restored.
     """
 
-    __words__ = words(
-        work=("W", "J", "what the lateral motion, of bodies that relax all motion, has spent since the beginning"),
-    )
-
     problem: Tangential
-    time: Array
-    depth: Array
-    force: Array
-    radius: Array
-    shift: Array
-    shear_force: Array
     stick_radius: Array
-    work: Array
-    stored_energy: Array
-    dissipation: Array
     states: tuple[State, ...]
 
     @property

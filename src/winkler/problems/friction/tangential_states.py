@@ -22,6 +22,7 @@ from winkler.problems.friction.spring_states import SpringLaw, SpringState, spri
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
+from winkler.problems.round_march import RoundSlip
 from winkler.problems.row import CURVED_STEP_TOLERANCE
 from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.validity import Assumption, Note, Standing
@@ -39,8 +40,8 @@ LEAST_ANGLE = 1e-9
 
 
 @value
-class TangentialState:
-    """The contact at one point of the path.
+class TangentialState(RoundSlip[float]):
+    """The contact at one point of the path; its numbers are those of `RoundSlip`.
 
     Parameters
     ----------
@@ -50,36 +51,15 @@ class TangentialState:
         Friction.
     mindlin_ratio : float
         c_T/c_N [-], the same for all springs.
-    time : float
-        t [s].
-    depth, force, radius : float
-        d [m], F_N [N], a [m].
-    shift, shear_force : float
-        u_x [m] and F_x [N].
-    work, stored_energy, dissipation : float
-        Spent by the lateral motion since the beginning, stored in the springs' displacement along the surface, and lost
-        since the beginning [J].
     memory : SlipMemory
         What the springs remember.
     """
 
-    __words__ = words(
-        sliding=("", None, "whether all springs in contact slide"),
-        work=("W", "J", "what the lateral motion has spent since the beginning"),
-    )
+    __words__ = words(sliding=("", None, "whether all springs in contact slide"))
 
     bed: Bed
     law: Coulomb
     mindlin_ratio: float
-    time: float
-    depth: float
-    force: float
-    radius: float
-    shift: float
-    shear_force: float
-    work: float
-    stored_energy: float
-    dissipation: float
     memory: SlipMemory
 
     @property

@@ -33,6 +33,7 @@ from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
+from winkler.problems.round_march import RoundTwist
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -155,48 +156,22 @@ class Torsion:
 
 
 @value
-class TorsionSolution(Looped, OfPath[TorsionState]):
-    """The solution of a `Torsion`, point by point.
+class TorsionSolution(RoundTwist[Array], Looped, OfPath[TorsionState]):
+    """The solution of a `Torsion`, point by point; its numbers are those of `RoundTwist`.
 
     Parameters
     ----------
     problem : Torsion
         The problem that was solved.
-    time : ndarray, (steps,)
-        [s].
-    depth, force, radius : ndarray, (steps,)
-        Of the normal contact: d [m], F_N [N], a [m], zero without contact.
-    angle, torque : ndarray, (steps,)
-        phi [rad] and M_z [N m].
-    torque_limit : ndarray, (steps,)
-        At which everything would slide [N m].
-    stick_radius : ndarray, (steps,)
-        Of the part that is not at its bound [m].
-    work, stored_energy, dissipation : ndarray, (steps,)
-        Spent by the twist since the beginning, its elastic energy, and energy lost since the beginning [J].
     nested : ndarray of bool, (steps,)
         Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
     states : tuple of TorsionState
         One by one, with the springs from which fields are restored.
     """
 
-    __words__ = words(
-        work=TorsionState.__words__["work"],
-        secant_stiffness=("k_s", "N m/rad", "amplitude of the torque over that of the angle"),
-    )
+    __words__ = words(secant_stiffness=("k_s", "N m/rad", "amplitude of the torque over that of the angle"))
 
     problem: Torsion
-    time: Array
-    depth: Array
-    force: Array
-    radius: Array
-    angle: Array
-    torque: Array
-    torque_limit: Array
-    stick_radius: Array
-    work: Array
-    stored_energy: Array
-    dissipation: Array
     nested: Array
     states: tuple[TorsionState, ...]
 

@@ -15,6 +15,7 @@ from winkler.media.layered.wave_constants import twist_constants
 from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
+from winkler.problems.round_march import RoundTwist
 from winkler.values import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]
@@ -123,32 +124,17 @@ class TwistedSprings:
 
 
 @value
-class TorsionState:
-    """A twisted contact at one moment.
+class TorsionState(RoundTwist[float]):
+    """A twisted contact at one moment; its numbers are those of `RoundTwist`.
 
     Parameters
     ----------
-    time, depth, force, radius, angle, torque, torque_limit, stick_radius : float
-        As in `winkler.problems.friction.torsion.TorsionSolution`.
-    work, stored_energy, dissipation, nested : float or bool
-        As there.
+    nested : bool
+        Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
     springs : TwistedSprings
         Their load.
     """
 
-    __words__ = words(work=("W", "J", "what the twist has spent since the beginning"))
-
-    time: float
-    depth: float
-    force: float
-    radius: float
-    angle: float
-    torque: float
-    torque_limit: float
-    stick_radius: float
-    work: float
-    stored_energy: float
-    dissipation: float
     nested: bool
     springs: TwistedSprings
 

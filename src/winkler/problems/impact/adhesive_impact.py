@@ -33,7 +33,7 @@ from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.impact.approach_and_rebound import impact_motion
-from winkler.problems.impact.states import AdhesiveImpactState
+from winkler.problems.impact.states import AdhesiveImpactHistory, AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -167,27 +167,13 @@ SEPARATION_MARGIN = 1e-9
 
 
 @value
-class AdhesiveImpactSolution:
-    """The solution of an `AdhesiveImpact`, moment by moment.
+class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
+    """The solution of an `AdhesiveImpact`, moment by moment; its numbers are those of `AdhesiveImpactHistory`.
 
     Parameters
     ----------
     problem : AdhesiveImpact
         The problem that was solved.
-    time : ndarray, (steps,)
-        Since first touch [s]; the last one is when the bodies part, or stand still during the rebound.
-    depth : ndarray, (steps,)
-        d [m].
-    velocity : ndarray, (steps,)
-        Of approach [m/s].
-    force : ndarray, (steps,)
-        F_N [N], compression positive.
-    radius : ndarray, (steps,)
-        a [m].
-    energy : ndarray, (steps,)
-        Of bodies and surfaces, less what closing has gained [J]; zero apart.
-    dissipation : ndarray, (steps,)
-        Energy lost since first touch [J], in jumps and by hysteresis.
     jumps : tuple of AdhesiveJump
         Snap-in, pull-off and all between.
     duration : float
@@ -197,16 +183,7 @@ class AdhesiveImpactSolution:
         Whether the body stays: it then swings on in contact.
     """
 
-    __words__ = AdhesiveImpactState.__words__
-
     problem: AdhesiveImpact
-    time: Array
-    depth: Array
-    velocity: Array
-    force: Array
-    radius: Array
-    energy: Array
-    dissipation: Array
     jumps: tuple[AdhesiveJump, ...]
     duration: float
     captured: bool

@@ -29,7 +29,7 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.impact.moments import joined_stages, ring_states, states_along
 from winkler.problems.impact.motion import ImpactProblem
-from winkler.problems.impact.states import ImpactStage, ImpactState
+from winkler.problems.impact.states import ImpactHistory, ImpactStage, ImpactState
 from winkler.problems.impact.validity import Moments, gravity_note, slip_notes
 from winkler.problems.normal.force_curve import deepest, normal_curve
 from winkler.problems.normal.solve_contact import at_depth
@@ -202,27 +202,13 @@ class Impact:
 
 
 @value
-class ImpactSolution:
-    """The solution of an `Impact`, moment by moment.
+class ImpactSolution(ImpactHistory[Array]):
+    """The solution of an `Impact`, moment by moment; its numbers are those of `ImpactHistory`.
 
     Parameters
     ----------
     problem : Impact
         The problem that was solved.
-    time : ndarray, (steps,)
-        Since first touch [s]; the last one is the end of contact.
-    depth, shift : ndarray, (steps,)
-        d and u_x [m]: how far the bodies have approached, and moved along the surface, since first touch.
-    velocity, sliding_velocity : ndarray, (steps,)
-        Of approach, and of the touching points along the surface [m/s].
-    force, shear_force : ndarray, (steps,)
-        F_N and F_x [N], which press the body back and hold it up.
-    radius, stick_radius : ndarray, (steps,)
-        Of the contact, and of the part of it that sticks [m].
-    energy, stored_energy : ndarray, (steps,)
-        Elastic energy of the normal and of the tangential displacement [J].
-    dissipation : ndarray, (steps,)
-        Energy lost since first touch [J].
     stages : tuple of ImpactStage
         When nothing slides, and when the edge of the contact slides to which side.
     duration : float
@@ -230,18 +216,6 @@ class ImpactSolution:
     """
 
     problem: Impact
-    time: Array
-    depth: Array
-    shift: Array
-    velocity: Array
-    sliding_velocity: Array
-    force: Array
-    shear_force: Array
-    radius: Array
-    stick_radius: Array
-    energy: Array
-    stored_energy: Array
-    dissipation: Array
     stages: tuple[ImpactStage, ...]
     duration: float
 

@@ -27,23 +27,16 @@ PLACES = 400
 class LineMarchedState(ShearedStrip):
     """A sheared line contact at one point of a path that was marched along on boundary elements.
 
+    Its numbers are those of `LineSlip`.
+
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
-    force_per_length, half_width : float
-        P [N/m], a [m].
-    shear_force_per_length, bulk_stress : float
-        Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
     stick_half_width, stick_middle : float
         Half-width and middle of the widest strip that does not slip [m].
-    slip_shift : float
-        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
-        and because the strip was narrower before.
-    dissipation_per_length : float
-        Energy lost since the beginning, per length [J/m].
     places, used_friction, ahead, rubbed : ndarray, (elements,)
         Middles of the elements that touch [m]; traction over mu times the pressure [-]; how far the second body is
         ahead of the first there [m]; what friction has lost there since the beginning, per area [J/m^2].
@@ -59,14 +52,8 @@ class LineMarchedState(ShearedStrip):
 
     bed: LineFoundation | LayeredLineFoundation
     law: Coulomb
-    force_per_length: float
-    half_width: float
-    shear_force_per_length: float
-    bulk_stress: float
     stick_half_width: float
     stick_middle: float
-    slip_shift: float
-    dissipation_per_length: float
     places: Array
     used_friction: Array
     ahead: Array
@@ -174,7 +161,7 @@ def marched_state(
     used = row.traction / row.bound
     middle, half = stuck_strip(row, used, half_width)
     return LineMarchedState(
-        bed, law, force, half_width, shear, bulk, half, middle, row.slip_shift, lost, row.x, used, row.ahead,
+        force, half_width, shear, bulk, row.slip_shift, lost, bed, law, half, middle, row.x, used, row.ahead,
         row.rubbed,
     )  # fmt: skip
 

@@ -7,20 +7,44 @@ import numpy as np
 from winkler.checks.place_checks import common_places, finite_places
 from winkler.errors import OutsideValidity
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.types import Array, ArrayLike
+from winkler.numerics.types import Array, ArrayLike, PerLoad, Q
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineFields
 from winkler.problems.which_body import in_first_body
+from winkler.values import value
 
-__all__ = ["ShearedStrip"]
+__all__ = ["LineSlip", "ShearedStrip"]
 
 
-class ShearedStrip:
+@value
+class LineSlip(PerLoad[Q]):
+    """A sheared line contact at a point, or at all points of its path.
+
+    Parameters
+    ----------
+    force_per_length, half_width : float or ndarray, (points,)
+        P [N/m], a [m].
+    shear_force_per_length, bulk_stress : float or ndarray, (points,)
+        Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
+    slip_shift : float or ndarray, (points,)
+        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
+        and because the strip was narrower before.
+    dissipation_per_length : float or ndarray, (points,)
+        Energy lost since the beginning, per length [J/m].
+    """
+
+    force_per_length: Q
+    half_width: Q
+    shear_force_per_length: Q
+    bulk_stress: Q
+    slip_shift: Q
+    dissipation_per_length: Q
+
+
+class ShearedStrip(LineSlip[float]):
     """The part of a sheared line contact at one point of its path that no friction alters, and its stresses."""
 
     bed: LineBed
-    force_per_length: float
-    half_width: float
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure [Pa] at places x [m], zero outside of the contact."""

@@ -22,7 +22,7 @@ __all__ = ["LineTangentialState"]
 
 @value
 class LineTangentialState(ShearedStrip):
-    """A sheared line contact at one point of its path.
+    """A sheared line contact at one point of its path; its numbers are those of `LineSlip`.
 
     Parameters
     ----------
@@ -30,15 +30,6 @@ class LineTangentialState(ShearedStrip):
         Profile and bodies.
     law : Coulomb
         Friction.
-    force_per_length, half_width : float
-        P [N/m], a [m].
-    shear_force_per_length, bulk_stress : float
-        Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
-    slip_shift : float
-        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
-        and because the strip was narrower before.
-    dissipation_per_length : float
-        Energy lost since the beginning, per length [J/m].
     lean : float
         Shift of an earlier contact's middle over the load per length over E* that it lacks [-], by the bulk stress.
     memory : SlipMemory
@@ -53,12 +44,6 @@ class LineTangentialState(ShearedStrip):
 
     bed: LineFoundation | LayeredLineFoundation
     law: Coulomb
-    force_per_length: float
-    half_width: float
-    shear_force_per_length: float
-    bulk_stress: float
-    slip_shift: float
-    dissipation_per_length: float
     lean: float
     memory: SlipMemory
 

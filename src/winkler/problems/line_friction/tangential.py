@@ -34,6 +34,7 @@ from winkler.problems.line_friction.bulk import has_closed_form, refuse_bulk
 from winkler.problems.line_friction.element_row import ElementRow
 from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
 from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.sheared_strip import LineSlip
 from winkler.problems.line_friction.slip_work import SummedRow
 from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.line_friction.validity import sheared_line_notes
@@ -151,7 +152,7 @@ class LineTangential:
             row = SummedRow(bed, mu, self.path)
             for (force, width, shear, bulk), (state, _, lost) in zip(points, follow(row, row.goals), strict=True):
                 yield LineTangentialState(
-                    bed, self.law, force, width, shear, bulk, state.shift, lost, row.lean, state.memory
+                    force, width, shear, bulk, state.shift, lost, bed, self.law, row.lean, state.memory
                 )
             return
         cells = ElementRow(bed, mu, self.path)
@@ -183,24 +184,15 @@ class LineTangential:
 
 
 @value
-class LineTangentialSolution(Cycled, OfPath["LineTangentialState | LineMarchedState"]):
-    """The solution of a `LineTangential` problem, point by point; all arrays ``(points,)``.
+class LineTangentialSolution(LineSlip[Array], Cycled, OfPath["LineTangentialState | LineMarchedState"]):
+    """The solution of a `LineTangential` problem, point by point; its numbers are those of `LineSlip`.
 
     Parameters
     ----------
     problem : LineTangential
         The problem that was solved.
-    force_per_length, half_width : ndarray
-        P [N/m], a [m].
-    shear_force_per_length, bulk_stress : ndarray
-        Q [N/m] along x on the first body; stress along x in it far from the contact [Pa].
-    stick_half_width, stick_middle : ndarray
+    stick_half_width, stick_middle : ndarray, (points,)
         Half-width and middle of the strip that does not slip [m].
-    slip_shift : ndarray
-        By how much the second body is shifted along x beyond what Q causes where the present strip sticks [m]: by slip,
-        and because the strip was narrower before.
-    dissipation_per_length : ndarray
-        Energy lost since the beginning, per length [J/m].
     states : tuple of LineTangentialState or LineMarchedState
         The states themselves, which have traction, slip and stresses; the latter where the path was marched along.
     """
@@ -210,14 +202,8 @@ class LineTangentialSolution(Cycled, OfPath["LineTangentialState | LineMarchedSt
     )
 
     problem: LineTangential
-    force_per_length: Array
-    half_width: Array
-    shear_force_per_length: Array
-    bulk_stress: Array
     stick_half_width: Array
     stick_middle: Array
-    slip_shift: Array
-    dissipation_per_length: Array
     states: tuple[LineTangentialState | LineMarchedState, ...]
 
     def friction_work(self, x: ArrayLike) -> Array:

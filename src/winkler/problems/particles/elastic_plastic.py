@@ -22,7 +22,7 @@ from winkler.checks.number_checks import NonNegative, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, PerLoad, Q
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED
@@ -32,7 +32,7 @@ from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["ElasticPlasticParticle", "ParticleSolution", "ParticleState"]
+__all__ = ["ElasticPlasticParticle", "ParticlePress", "ParticleSolution", "ParticleState"]
 
 ZUNKER = "W. Zunker, K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, doi:10.1016/j.jmps.2023.105492"
 ENGINEERING = Note(
@@ -186,60 +186,54 @@ def _state_of(march: ParticleMarch, state: ParticleHistory, path: Depth | Force,
 
 
 @value
-class ParticleState:
-    """A particle at one point of its path.
+class ParticlePress(PerLoad[Q]):
+    """A particle at a moment, or at the points of its path.
 
     Parameters
     ----------
-    depth, force, radius, residual_depth, energy, dissipation : float
-        As in `ParticleSolution`.
+    depth : float or ndarray, (steps,)
+        d [m].
+    force : float or ndarray, (steps,)
+        F_N [N], compression positive; a prescribed one that falls into the jump where yield begins is held at that
+        depth.
+    radius : float or ndarray, (steps,)
+        a [m], zero without contact.
+    residual_depth : float or ndarray, (steps,)
+        d0 [m], the depth at which the unloaded particle would just touch the plane.
+    energy : float or ndarray, (steps,)
+        Stored in the particle, less what closing its surfaces has gained [J].
+    dissipation : float or ndarray, (steps,)
+        Energy lost since the beginning [J], in yielding and in jumps of the edge.
     """
 
     __words__ = words(energy=("U", "J", "stored in the particle, less what closing its surfaces has gained"))
 
-    depth: float
-    force: float
-    radius: float
-    residual_depth: float
-    energy: float
-    dissipation: float
+    depth: Q
+    force: Q
+    radius: Q
+    residual_depth: Q
+    energy: Q
+    dissipation: Q
 
 
 @value
-class ParticleSolution(Looped):
-    """The solution of an `ElasticPlasticParticle`, point by point of its path.
+class ParticleState(ParticlePress[float]):
+    """A particle at one point of its path; its numbers are those of `ParticlePress`."""
+
+
+@value
+class ParticleSolution(ParticlePress[Array], Looped):
+    """The solution of an `ElasticPlasticParticle`, point by point; its numbers are those of `ParticlePress`.
 
     Parameters
     ----------
     problem : ElasticPlasticParticle
         The problem that was solved.
-    depth : ndarray, (steps,)
-        d [m].
-    force : ndarray, (steps,)
-        F_N [N], compression positive; a prescribed one that falls into the jump where yield begins is held at that
-        depth.
-    radius : ndarray, (steps,)
-        a [m], zero without contact.
-    residual_depth : ndarray, (steps,)
-        d0 [m], the depth at which the unloaded particle would just touch the plane.
-    energy : ndarray, (steps,)
-        Stored in the particle, less what closing its surfaces has gained [J].
-    dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J], in yielding and in jumps of the edge.
     """
 
-    __words__ = words(
-        energy=("U", "J", "stored in the particle, less what closing its surfaces has gained"),
-        work=("W", "J", "what was spent since the beginning"),
-    )
+    __words__ = words(work=("W", "J", "what was spent since the beginning"))
 
     problem: ElasticPlasticParticle
-    depth: Array
-    force: Array
-    radius: Array
-    residual_depth: Array
-    energy: Array
-    dissipation: Array
 
     @property
     def _loop(self) -> PathLoop:

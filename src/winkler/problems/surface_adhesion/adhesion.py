@@ -34,7 +34,7 @@ from winkler.problems.surface_adhesion.input_checks import check_adhesion, memor
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
 from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
 from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
-from winkler.problems.surface_adhesion.states import SurfaceAdhesionState, SurfaceJump
+from winkler.problems.surface_adhesion.states import MapAdhesion, SurfaceAdhesionState, SurfaceJump
 from winkler.problems.surface_adhesion.without_range import (
     PullOffWithoutRange,
     cut_off,
@@ -230,17 +230,13 @@ class SurfaceAdhesion:
 
 
 @value
-class SurfaceAdhesionSolution(Looped):
-    """The solution of a `SurfaceAdhesion`, displacement by displacement.
+class SurfaceAdhesionSolution(MapAdhesion[Array], Looped):
+    """The solution of a `SurfaceAdhesion`, displacement by displacement; its numbers are those of `MapAdhesion`.
 
     Parameters
     ----------
     problem : SurfaceAdhesion
         The problem that was solved.
-    depth, force, area, area_error, attracted_area, energy, path_work, dissipation : ndarray, (steps,)
-        As in `SurfaceAdhesionState`.
-    mean_gap, residual, energy_misfit : ndarray, (steps,)
-        As in `SurfaceAdhesionState`.
     last : SurfaceAdhesionState
         The contact at the last displacement, with its maps of pressure and separation.
     tightest : SurfaceAdhesionState
@@ -250,7 +246,6 @@ class SurfaceAdhesionSolution(Looped):
     """
 
     __words__ = words(
-        **SurfaceAdhesionState.__words__,
         tightest=("", None, "the contact that pulls most"),
         pull_off_force=("F_c", "N", "lowest force of the path, tension negative"),
         pull_off_depth=("d_c", "m", "displacement at the lowest force"),
@@ -258,17 +253,6 @@ class SurfaceAdhesionSolution(Looped):
     )
 
     problem: SurfaceAdhesion
-    depth: Array
-    force: Array
-    area: Array
-    area_error: Array
-    attracted_area: Array
-    energy: Array
-    path_work: Array
-    dissipation: Array
-    mean_gap: Array
-    residual: Array
-    energy_misfit: Array
     last: SurfaceAdhesionState
     tightest: SurfaceAdhesionState
     jumps: tuple[SurfaceJump, ...]

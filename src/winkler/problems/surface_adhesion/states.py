@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, PerLoad, Q
 from winkler.values import value, words
 
-__all__ = ["SurfaceAdhesionState", "SurfaceJump"]
+__all__ = ["MapAdhesion", "SurfaceAdhesionState", "SurfaceJump"]
 
 
 @value
@@ -44,40 +44,34 @@ class SurfaceJump:
 
 
 @value
-class SurfaceAdhesionState:
-    """An attracted height map at one displacement.
+class MapAdhesion(PerLoad[Q]):
+    """An attracted height map at a displacement, or at those of its path.
 
     Parameters
     ----------
-    depth : float
+    depth : float or ndarray, (steps,)
         d [m], as of `SurfaceContact`; negative while the undeformed surfaces are apart.
-    force : float
+    force : float or ndarray, (steps,)
         F_N [N], negative where the machine pulls; of a periodic map on one period.
-    area : float
+    area : float or ndarray, (steps,)
         Of what touches [m^2], pixels counted and the excess along its edge taken off: on the wall, or nearer than the
         spacing at which surfaces repel each other.
-    area_error : float
+    area_error : float or ndarray, (steps,)
         Estimated error of the area that the grid leaves [m^2].
-    attracted_area : float
+    attracted_area : float or ndarray, (steps,)
         Of pixels that attract each other by more than a hundredth of the strength, and do not touch [m^2].
-    energy : float
+    energy : float or ndarray, (steps,)
         Of bodies and surfaces [J]; zero far apart.
-    path_work : float
+    path_work : float or ndarray, (steps,)
         What the machine has spent since bodies were far apart [J].
-    dissipation : float
+    dissipation : float or ndarray, (steps,)
         Lost in jumps since the first displacement [J].
-    mean_gap : float
+    mean_gap : float or ndarray, (steps,)
         Mean distance of the surfaces over the map [m].
-    residual : float
+    residual : float or ndarray, (steps,)
         Greatest traction out of balance over the greatest traction.
-    energy_misfit : float
+    energy_misfit : float or ndarray, (steps,)
         What the balance of energies lacks since the first displacement, over the greatest energy.
-    pressure : ndarray, (nx, ny)
-        p [Pa] in every pixel, tension negative.
-    separation : ndarray, (nx, ny)
-        Distance of the surfaces [m].
-    jumps : tuple of SurfaceJump
-        Those since the displacement before.
     """
 
     __words__ = words(
@@ -88,17 +82,33 @@ class SurfaceAdhesionState:
         energy_misfit=("", "", "what the balance of energies lacks, over the greatest energy"),
     )
 
-    depth: float
-    force: float
-    area: float
-    area_error: float
-    attracted_area: float
-    energy: float
-    path_work: float
-    dissipation: float
-    mean_gap: float
-    residual: float
-    energy_misfit: float
+    depth: Q
+    force: Q
+    area: Q
+    area_error: Q
+    attracted_area: Q
+    energy: Q
+    path_work: Q
+    dissipation: Q
+    mean_gap: Q
+    residual: Q
+    energy_misfit: Q
+
+
+@value
+class SurfaceAdhesionState(MapAdhesion[float]):
+    """An attracted height map at one displacement; its numbers are those of `MapAdhesion`.
+
+    Parameters
+    ----------
+    pressure : ndarray, (nx, ny)
+        p [Pa] in every pixel, tension negative.
+    separation : ndarray, (nx, ny)
+        Distance of the surfaces [m].
+    jumps : tuple of SurfaceJump
+        Those since the displacement before.
+    """
+
     pressure: Array
     separation: Array
     jumps: tuple[SurfaceJump, ...]

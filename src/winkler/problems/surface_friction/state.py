@@ -2,38 +2,72 @@
 
 from __future__ import annotations
 
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, PerLoad, Q
 from winkler.values import value, words
 
-__all__ = ["SurfaceShearState"]
+__all__ = ["MapSlip", "SurfaceShearState"]
 
 
 @value
-class SurfaceShearState:
-    """A height map that is pressed and sheared, at one point of its path.
+class MapSlip(PerLoad[Q]):
+    """A height map that is pressed and sheared, at a moment, or at the points of its path.
 
     Parameters
     ----------
-    time : float
+    time : float or ndarray, (points,)
         t [s].
-    depth, force : float
+    depth, force : float or ndarray, (points,)
         d [m] since the highest pixel touched, F_N [N]; of a periodic map on one period.
-    shift, shear_force : ndarray, (2,)
+    shift, shear_force : ndarray, (2,) or (points, 2)
         (u_x, u_y) [m] and (F_x, F_y) [N]: what drags the second body along.
-    angle, torque : float
+    angle, torque : float or ndarray, (points,)
         phi [rad] and M_z [N m] about the middle of the map, anticlockwise positive.
-    peak_pressure : float
+    peak_pressure : float or ndarray, (points,)
         Greatest pressure [Pa].
-    area, area_error : float
+    area, area_error : float or ndarray, (points,)
         Of the contact, and its error [m^2]; as of `SurfaceState`.
-    stick_share : float
+    stick_share : float or ndarray, (points,)
         Part of the contact that does not slip in the last step [-].
-    stored_energy, dissipation : float
+    stored_energy, dissipation : float or ndarray, (points,)
         Of the tractions along the surface, and lost by friction since the beginning [J].
-    misfit : float
+    misfit : float or ndarray, (points,)
         Sum of mu p |s| - tau s with the slip s of the last step, over that of mu p |s| and of twice the stored energy.
-    penetration : float
+    penetration : float or ndarray, (points,)
         Greatest overlap that the solver left, over the depth.
+    """
+
+    __words__ = words(
+        shift=("u_i", "m", "sideways displacement of the bodies against each other, along x and y"),
+        shear_force=("F_i", "N", "sideways force, along x and y"),
+        stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
+        misfit=("", "", "what the solver left of the law of friction, over the energy"),
+        peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
+        stick_share=("A_s/A", "", "part of the contact that does not slip in the last step"),
+    )
+
+    time: Q
+    depth: Q
+    force: Q
+    shift: Array
+    shear_force: Array
+    angle: Q
+    torque: Q
+    peak_pressure: Q
+    area: Q
+    area_error: Q
+    stick_share: Q
+    stored_energy: Q
+    dissipation: Q
+    misfit: Q
+    penetration: Q
+
+
+@value
+class SurfaceShearState(MapSlip[float]):
+    """A height map that is pressed and sheared, at one point of its path; its numbers are those of `MapSlip`.
+
+    Parameters
+    ----------
     pressure : ndarray, (nx, ny)
         p [Pa] in every pixel.
     traction : ndarray, (2, nx, ny)
@@ -49,32 +83,11 @@ class SurfaceShearState:
     """
 
     __words__ = words(
-        shift=("u_i", "m", "sideways displacement of the bodies against each other, along x and y"),
-        shear_force=("F_i", "N", "sideways force, along x and y"),
-        stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
-        misfit=("", "", "what the solver left of the law of friction, over the energy"),
-        peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
-        stick_share=("A_s/A", "", "part of the contact that does not slip in the last step"),
         slip_path=("s", "m", "length of the path of slip since the beginning"),
         slipping=("", None, "which pixels slip"),
         friction_work=("w", "J/m^2", "lost by friction since the beginning, per area"),
     )
 
-    time: float
-    depth: float
-    force: float
-    shift: Array
-    shear_force: Array
-    angle: float
-    torque: float
-    peak_pressure: float
-    area: float
-    area_error: float
-    stick_share: float
-    stored_energy: float
-    dissipation: float
-    misfit: float
-    penetration: float
     pressure: Array
     traction: Array
     slip: Array

@@ -33,7 +33,7 @@ from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
-from winkler.problems.surface_friction.state import SurfaceShearState
+from winkler.problems.surface_friction.state import MapSlip, SurfaceShearState
 from winkler.profiles.rough.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -201,21 +201,13 @@ class SurfaceTangential:
 
 
 @value
-class SurfaceTangentialSolution(Looped, LastMap):
-    """The solution of a `SurfaceTangential` problem, point by point.
+class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
+    """The solution of a `SurfaceTangential` problem, point by point; its numbers are those of `MapSlip`.
 
     Parameters
     ----------
     problem : SurfaceTangential
         The problem that was solved.
-    time, depth, force : ndarray, (points,)
-        t [s], d [m], F_N [N].
-    shift, shear_force : ndarray, (points, 2)
-        (u_x, u_y) [m] and (F_x, F_y) [N]; what drags the second body along.
-    angle, torque : ndarray, (points,)
-        phi [rad] and M_z [N m] about the middle of the map.
-    peak_pressure, area, area_error, stick_share, stored_energy, dissipation, misfit, penetration : ndarray, (points,)
-        As in `SurfaceShearState`.
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
@@ -225,30 +217,11 @@ class SurfaceTangentialSolution(Looped, LastMap):
     """
 
     __words__ = words(
-        **{
-            name: SurfaceShearState.__words__[name]
-            for name in ("shift", "shear_force", "peak_pressure", "stick_share", "stored_energy", "misfit")
-        },
         heaviest=("", None, "states among which the greatest stress is sought"),
         frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceTangential
-    time: Array
-    depth: Array
-    force: Array
-    shift: Array
-    shear_force: Array
-    angle: Array
-    torque: Array
-    peak_pressure: Array
-    area: Array
-    area_error: Array
-    stick_share: Array
-    stored_energy: Array
-    dissipation: Array
-    misfit: Array
-    penetration: Array
     last: SurfaceShearState
     heaviest: tuple[LoadedMap, ...]
     frames: tuple[TractionFrame, ...]

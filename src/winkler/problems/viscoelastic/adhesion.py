@@ -30,7 +30,7 @@ from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, PerLoad, Q
 from winkler.path import Path
 from winkler.problems.adhesion.edge import LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.validity import adhesive_notes
@@ -43,32 +43,32 @@ from winkler.problems.viscoelastic.adhesion_crack import Crack
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
+__all__ = ["RubberCrack", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
 
 RESTING_EXCESS = 1e-8
 """An edge that is driven by this part more than slow opening takes does not move."""
 
 
 @value
-class ViscoelasticAdhesionState:
-    """An adhesive contact of rubber at one moment.
+class RubberCrack(PerLoad[Q]):
+    """An adhesive contact of rubber at a moment, or at the points of its path.
 
     Parameters
     ----------
-    time : float
+    time : float or ndarray, (steps,)
         [s].
-    position : float
+    position : float or ndarray, (steps,)
         D [m], where the far end of the machine stands.
-    depth, force, radius : float
+    depth, force, radius : float or ndarray, (steps,)
         d [m], F_N [N], a [m]; force and radius are zero apart.
-    crack_speed : float
+    crack_speed : float or ndarray, (steps,)
         How fast the edge recedes [m/s]; zero where it rests or closes, infinite where nothing holds it.
-    lowest_force : float
+    lowest_force : float or ndarray, (steps,)
         The lowest force since the beginning [N], negative if the bodies were pulled.
-    work, energy : float
+    work, energy : float or ndarray, (steps,)
         What the machine has spent since the beginning, and energy of bodies, machine and surfaces, less what closing
         has gained [J]; zero apart.
-    dissipation : float
+    dissipation : float or ndarray, (steps,)
         Energy lost since the beginning [J], in jumps and by opening.
     """
 
@@ -77,16 +77,21 @@ class ViscoelasticAdhesionState:
         work=("W", "J", "what the machine has spent since the beginning"),
     )
 
-    time: float
-    position: float
-    depth: float
-    force: float
-    radius: float
-    crack_speed: float
-    lowest_force: float
-    work: float
-    energy: float
-    dissipation: float
+    time: Q
+    position: Q
+    depth: Q
+    force: Q
+    radius: Q
+    crack_speed: Q
+    lowest_force: Q
+    work: Q
+    energy: Q
+    dissipation: Q
+
+
+@value
+class ViscoelasticAdhesionState(RubberCrack[float]):
+    """An adhesive contact of rubber at one moment; its numbers are those of `RubberCrack`."""
 
 
 MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
@@ -239,43 +244,16 @@ class ViscoelasticAdhesion:
 
 
 @value
-class ViscoelasticAdhesionSolution(Looped):
-    """The solution of a `ViscoelasticAdhesion`, point by point of its path.
+class ViscoelasticAdhesionSolution(RubberCrack[Array], Looped):
+    """The solution of a `ViscoelasticAdhesion`, point by point; its numbers are those of `RubberCrack`.
 
     Parameters
     ----------
     problem : ViscoelasticAdhesion
         The problem that was solved.
-    time : ndarray, (steps,)
-        [s].
-    position, depth : ndarray, (steps,)
-        D, where the far end of the machine stands, and d [m].
-    force, radius : ndarray, (steps,)
-        F_N [N] and a [m], zero apart.
-    crack_speed : ndarray, (steps,)
-        How fast the edge recedes [m/s]; zero where it rests or closes.
-    lowest_force : ndarray, (steps,)
-        The lowest force since the beginning [N], also between the points; in the end the pull-off force.
-    work, energy : ndarray, (steps,)
-        What the machine has spent since the beginning, and energy of bodies, machine and surfaces, less what closing
-        has gained [J]; zero apart.
-    dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J], in jumps and by opening.
     """
 
-    __words__ = ViscoelasticAdhesionState.__words__
-
     problem: ViscoelasticAdhesion
-    time: Array
-    position: Array
-    depth: Array
-    force: Array
-    radius: Array
-    crack_speed: Array
-    lowest_force: Array
-    work: Array
-    energy: Array
-    dissipation: Array
 
     @property
     def _loop(self) -> PathLoop:

@@ -34,6 +34,7 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.round_march import RoundPress
 from winkler.problems.viscoelastic.layered_march import MarchedPoint
 from winkler.problems.viscoelastic.layered_notes import layered_notes
 from winkler.problems.viscoelastic.layered_path import is_layered, marched
@@ -162,7 +163,7 @@ class ViscoelasticIndentation:
         if is_layered("ViscoelasticIndentation", self.bed):
             for cells, point in self._layered():
                 state, places = point.state, cells.displacement(point.state)
-                yield ViscoelasticState(self.bed, *point.numbers(), cells.middle, state.load, places)
+                yield ViscoelasticState(*point.numbers(), self.bed, cells.middle, state.load, places)
             return
         stiffness: Array = np.empty(0)
         for row, numbers in self._stretches(1):
@@ -171,7 +172,7 @@ class ViscoelasticIndentation:
             time, depth, force, radius, work, stored, lost = numbers[0].tolist()
             loads = stiffness * row.loads()
             yield ViscoelasticState(
-                self.bed, time, depth, force, radius, work, stored, lost, springs.position, loads, row.place
+                time, depth, force, radius, work, stored, lost, self.bed, springs.position, loads, row.place
             )
 
     def _layered(self) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
@@ -257,44 +258,24 @@ class ViscoelasticIndentation:
             As `steps`.
         """
         if is_layered("ViscoelasticIndentation", self.bed):
-            return ViscoelasticSolution(self, *np.array([point.numbers() for _, point in self._layered()]).T)
-        return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
+            rows = np.array([point.numbers() for _, point in self._layered()])
+        else:
+            rows = np.concatenate([numbers for _, numbers in self._stretches(BLOCK)])
+        time, depth, force, radius, work, stored, lost = rows.T
+        return ViscoelasticSolution(time, depth, force, radius, work, stored, lost, self)
 
 
 @value
-class ViscoelasticSolution(Looped):
-    """The solution of a `ViscoelasticIndentation`, point by point of its path.
+class ViscoelasticSolution(RoundPress[Array], Looped):
+    """The solution of a `ViscoelasticIndentation`, point by point; its numbers are those of `RoundPress`.
 
     Parameters
     ----------
     problem : ViscoelasticIndentation
         The problem that was solved.
-    time : ndarray, (steps,)
-        [s].
-    depth : ndarray, (steps,)
-        d [m].
-    force : ndarray, (steps,)
-        F_N [N], just before anything sudden that happens at this time next.
-    radius : ndarray, (steps,)
-        a [m], zero without contact.
-    work : ndarray, (steps,)
-        What was spent since the beginning, the integral of F dd [J].
-    stored_energy : ndarray, (steps,)
-        Of all springs, also of those that recover freely [J].
-    dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J], summed up over the dashpots of all springs.
     """
 
-    __words__ = ViscoelasticState.__words__
-
     problem: ViscoelasticIndentation
-    time: Array
-    depth: Array
-    force: Array
-    radius: Array
-    work: Array
-    stored_energy: Array
-    dissipation: Array
 
     @property
     def _loop(self) -> PathLoop:

@@ -13,28 +13,21 @@ from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.round_march import RoundPress
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
-from winkler.values import value, words
+from winkler.values import value
 
 __all__ = ["ViscoelasticState"]
 
 
 @value
-class ViscoelasticState:
-    """A viscoelastic contact at one moment.
+class ViscoelasticState(RoundPress[float]):
+    """A viscoelastic contact at one moment; its numbers are those of `RoundPress`.
 
     Parameters
     ----------
     bed : Bed
         The relaxing springs.
-    time : float
-        [s].
-    depth, radius : float
-        d and a [m].
-    force : float
-        F_N [N].
-    work, stored_energy, dissipation : float
-        What was spent since the beginning, what all springs store, and what their dashpots have lost [J].
     position : ndarray, (n,)
         Places x of the springs [m].
     line_load : ndarray, (n,)
@@ -44,19 +37,7 @@ class ViscoelasticState:
         its own also how far the loads of others move it.
     """
 
-    __words__ = words(
-        stored_energy=("U", "J", "energy stored in all springs, also in those set free"),
-        work=("W", "J", "what was spent since the beginning, the integral of the force"),
-    )
-
     bed: Bed
-    time: float
-    depth: float
-    force: float
-    radius: float
-    work: float
-    stored_energy: float
-    dissipation: float
     position: Array
     line_load: Array
     recess: Array

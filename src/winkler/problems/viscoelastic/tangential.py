@@ -30,6 +30,7 @@ from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
+from winkler.problems.round_march import RoundSlip
 from winkler.problems.row import follow
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
@@ -41,23 +42,15 @@ __all__ = ["DraggedState", "dragged_notes", "dragged_states", "pressed_alone", "
 
 
 @value
-class DraggedState:
-    """A dragged viscoelastic contact at one moment.
+class DraggedState(RoundSlip[float]):
+    """A dragged viscoelastic contact at one moment; its numbers are those of `RoundSlip`.
 
     Parameters
     ----------
-    time : float
-        [s].
-    depth, force, radius : float
-        d [m], F_N [N], a [m].
-    shift, shear_force : float
-        u_x [m] and F_x [N].
     stick_radius : float
         Up to which all springs stick [m]: a where all do, zero where that on the axis slides.
-    work, stored_energy : float
-        What was spent since the beginning, and what all springs store, in both directions [J].
-    friction_loss, bulk_loss, dissipation : float
-        Lost since the beginning to friction, in the dashpots of the bodies, and both together [J].
+    friction_loss, bulk_loss : float
+        Lost since the beginning to friction, and in the dashpots of the bodies [J].
     position : ndarray, (n,)
         Places x of the springs [m].
     line_load, shear_load : ndarray, (n,)
@@ -69,23 +62,13 @@ class DraggedState:
     """
 
     __words__ = words(
-        work=("W", "J", "what the machine has spent since the beginning"),
         stored_energy=("U", "J", "energy stored in all springs, both directions"),
         displacement=("u_t", "m", "displacement of every spring along the surface"),
     )
 
-    time: float
-    depth: float
-    force: float
-    radius: float
-    shift: float
-    shear_force: float
     stick_radius: float
-    work: float
-    stored_energy: float
     friction_loss: float
     bulk_loss: float
-    dissipation: float
     position: Array
     line_load: Array
     shear_load: Array
@@ -147,9 +130,9 @@ def dragged_states(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: fl
         place = springs.springs.position
         slack = state.bounds - np.abs(state.loads)
         yield DraggedState(
-            time, springs.depth, state.force, state.radius, state.shift, state.shear_force,
-            stick_radius(place, state.stuck, slack, state.radius), work, state.stored, state.friction, state.bulk,
-            lost, place, density * springs.loads(), density * state.loads, springs.place, state.displaced, state.stuck,
+            time, springs.depth, state.force, state.radius, state.shift, state.shear_force, work, state.stored, lost,
+            stick_radius(place, state.stuck, slack, state.radius), state.friction, state.bulk, place,
+            density * springs.loads(), density * state.loads, springs.place, state.displaced, state.stuck,
         )  # fmt: skip
 
 
