@@ -6,6 +6,7 @@ validation from the cases of the package, which so shows no number of yesterday.
 
 from __future__ import annotations
 
+import dataclasses
 import inspect
 import re
 import tomllib
@@ -160,7 +161,18 @@ def public_names_page() -> str:
     rest = [name for name in names if name not in written]
     if rest:
         text += ["More", "----", "", _links(rest), "", *map(_entry, rest)]
+    title = "Numbers that answers share with their states"
+    text += [title, "-" * len(title), "", *(f".. autoclass:: {place}\n" for place in shared_records())]
     return "\n".join(text)
+
+
+def shared_records() -> list[str]:
+    """Return the paths of the classes that hold numbers of public answers, and are no public names."""
+    public = [item for name in winkler.__all__ if inspect.isclass(item := getattr(winkler, name))]
+    bases = {
+        base for item in public for base in item.__mro__ if dataclasses.is_dataclass(base) and base.__name__[0] != "_"
+    }
+    return sorted(f"{base.__module__}.{base.__qualname__}" for base in bases - set(public))
 
 
 def words_page() -> str:

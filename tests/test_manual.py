@@ -46,6 +46,10 @@ def test_the_interface_lists_all_public_names(root):
     page = conf.public_names_page()
     documented = re.findall(r"^\.\. (?:autoclass|autofunction|py:data):: winkler\.(\w+)$", page, re.MULTILINE)
     assert sorted(documented) == sorted(name for name in wk.__all__ if not name.startswith("__"))
+    for solution, number in ((wk.TangentialSolution, "shear_force"), (wk.SurfaceTangentialSolution, "misfit")):
+        (record,) = [base for base in solution.__mro__[1:] if number in vars(base).get("__annotations__", {})]
+        assert f".. autoclass:: {record.__module__}.{record.__name__}\n" in page
+        assert number in record.__doc__
 
 
 def test_each_chapter_opens_with_a_picture_that_an_example_draws(root):

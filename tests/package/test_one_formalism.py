@@ -25,6 +25,19 @@ GONE = {
     "SpringRun": "SingleSprings, under follow",
     "LineMarch": "ElementRow, under follow",
     "MarchedRow": "LineCells",
+    "CoatedTangential": "Tangential",
+    "CoatedTangentialSolution": "TangentialSolution",
+    "CoatedTangentialState": "PushedState",
+    "coated_notes": "pushed_notes",
+    "ViscoelasticTangential": "Tangential",
+    "ViscoelasticTangentialSolution": "TangentialSolution",
+    "ViscoelasticTangentialState": "DraggedState",
+    "ForceDriven": "SpringRow, in one kernel",
+    "ShearedMarch": "DraggedRow, under follow",
+    "ShearedRowState": "DraggedRow, under follow",
+    "StepTarget": "DragGoal",
+    "sudden_step": "DraggedRow, under follow",
+    "RowProblem": "SingleSprings, under follow",
     "step_by_angle": "RingRow, under follow",
     "step_to_torque": "RingRow, under follow",
 }
@@ -68,7 +81,8 @@ def test_replaced_names_are_gone():
         for name in names_in(node) & GONE.keys()
     ]
     assert not found
-    assert not [part for part in ("media/families.py", "media/stacked") if (SOURCE / part).exists()]
+    places = "media/families.py", "media/stacked", "problems/coated_friction", "problems/viscoelastic/force_driven.py"
+    assert not [part for part in places if (SOURCE / part).exists()]
 
 
 def test_solvers_ask_for_offers_and_not_for_classes():

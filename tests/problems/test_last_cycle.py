@@ -208,6 +208,16 @@ def test_a_circle_has_a_loss_and_no_stiffness():
     assert answers_of(loop).keys() & set(NUMBERS) == {"loss_per_cycle"}
 
 
+def test_a_cycle_of_depth_and_shift_loses_what_its_springs_lose_one_by_one():
+    """The march of springs by gap beside the closed cycle of each spring, whose integral has no steps."""
+    angle = np.linspace(0.0, 4.0 * np.pi, 401)
+    path = wk.Path(angle, wk.Depth(2e-6 + 1e-6 * np.cos(angle)), wk.Shift(3e-7 * np.cos(angle + 1.0)))
+    march = wk.Tangential(BALL, wk.Coulomb(MU), path).solve()
+    cycle = wk.BimodalDamping(BALL, wk.Coulomb(MU), 2e-6, 1e-6, 3e-7, phase=1.0).solve()
+    assert (march.last_cycle.first, march.last_cycle.last) == (200, 400)
+    assert march.loss_per_cycle == pytest.approx(cycle.loss_per_cycle, rel=1e-3)
+
+
 SWEPT = """
 [problem]
 kind = "tangential"
