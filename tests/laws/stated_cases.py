@@ -287,8 +287,9 @@ def hertzian_ellipse(narrow, wide, force):
 
 AREAS = [
     f"{name}.area_error"
-    for name in ("SurfaceContactSolution", "SurfaceState", "SurfaceTangentialSolution", "SurfaceShearState",
-                 "SurfaceWearSolution", "SurfaceWearState", "SurfaceAdhesionSolution", "SurfaceAdhesionState")
+    for name in (
+        "SurfaceContactSolution", "SurfaceState", "MapSlip", "SurfaceWearSolution", "SurfaceWearState", "MapAdhesion",
+    )
 ]  # fmt: skip
 
 
