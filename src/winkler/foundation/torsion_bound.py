@@ -147,7 +147,7 @@ class TwistBound:
             If sliding rings would turn the inner part of the contact against the twist: then no outer ring slides
             alone.
         """
-        return self._each([press])[0]
+        return np.asarray(self._each([press])[0])
 
     def each(self, presses: Sequence[PressedState]) -> Array:
         """Return `at` of each of several contacts, ``(m, panels, nodes)``."""

@@ -109,19 +109,19 @@ class Stretches:
     def reader(self, values: Array) -> Callable[[float], float]:
         """Return a function given at the nodes ``(panels, COUNT)``, for one place at a time."""
         fits: dict[int, list[float]] = {}
+        edges, last, ends = self._numbers
 
         def value(x: float) -> float:
             k = min(max(bisect.bisect_right(edges, x) - 1, 0), last)
             if k not in fits:
                 fits[k] = (TO_COEFFICIENTS @ values[k]).tolist()
-            s, low, half, fit = *ends[k], fits[k]
+            (s, low, half), fit = ends[k], fits[k]
             at = (math.sqrt(max((x - s) * (x + s), 0.0)) - low) / half - 1.0
             at, after, total = min(max(at, -1.0), 1.0), 0.0, 0.0
             for n, ahead, back in CLENSHAW:
                 total, after = fit[n] + ahead * at * total - back * after, total
             return fit[0] + at * total - 0.5 * after
 
-        edges, last, ends = self._numbers
         return value
 
     @functools.cached_property
@@ -157,7 +157,7 @@ class Stretches:
         @functools.cache
         def up_to(end: float) -> float:
             panel, part = self._up_to(end)
-            return whole[panel] + float(part @ values[panel])
+            return float(whole[panel] + part @ values[panel])
 
         return up_to
 
