@@ -113,7 +113,7 @@ def bench_a_loop_of_a_thousand_points_on_a_coating(benchmark, below, load):
 
 @pytest.mark.parametrize("by", [wk.Torque, wk.Angle])
 def bench_a_twist_under_a_force_that_changes(benchmark, below, steel_on_steel, by):
-    """Nine turning points of both: below a second."""
+    """Nine turning points of both: half a second."""
     bed, turn = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel), np.arange(9.0)
     radius = float(wk.Indentation(bed, wk.Force(100.0)).solve().radius)
     most = 3.0 * np.pi / 16.0 * 0.3 * 100.0 * radius
@@ -122,4 +122,4 @@ def bench_a_twist_under_a_force_that_changes(benchmark, below, steel_on_steel, b
     problem = wk.Torsion(bed, wk.Coulomb(0.3), path)
     solution = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
     assert np.all(np.diff(solution.dissipation) >= 0.0)
-    below(1.0 if by is wk.Torque else 2.0, f"nine turning points of a force and {by.__name__}")
+    below(0.5, f"nine turning points of a force and {by.__name__}")

@@ -101,7 +101,11 @@ def _content(self: Any) -> tuple[Any, ...]:
 def _equal(self: Any, other: object) -> bool:
     if type(other) is not type(self):
         return NotImplemented  # type: ignore[no-any-return]
-    same: bool = self is other or _content(self) == _content(other)
+    if self is other:
+        return True
+    same: bool = _content(self) == _content(other)
+    if same:  # the next comparison of the two finds one and the same content
+        object.__setattr__(other, "_content", _content(self))
     return same
 
 

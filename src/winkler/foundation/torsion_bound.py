@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -146,23 +147,38 @@ class TwistBound:
             If sliding rings would turn the inner part of the contact against the twist: then no outer ring slides
             alone.
         """
-        result = np.zeros(self.x.size)
-        if press.radius > 0.0:
-            panels, count = self.panels, self.x.shape[1]
-            place = np.array([press.radius])
-            k = panels.panel(place)
-            used = int(k[0] + 1) * count
-            last = slice(used - count, used)
-            result[:used] = self._sums[:used, int(k[0])] + self._table[:used, last] @ panels.part(place, k)[0]
-            if press.excess > 0.0:
-                result[:used] += press.excess * (self._kernel.bound[:used, last] @ panels.reading(place, k)[0])
-            inside = result[self.x.ravel() < press.radius]
-            if inside.size and np.min(inside) < -BOUND_ROUNDING * np.max(inside):
-                raise OutsideValidity(
-                    f"{self.owner}: at a contact radius of {press.radius:.3g} m the rings that would slide first are "
-                    "not the outer ones, since the coating spreads their traction inwards; request a narrower contact."
-                )
-        return self._coefficient * result.reshape(self.x.shape)
+        return np.asarray(self._each([press])[0])
+
+    def each(self, presses: Sequence[PressedState]) -> Array:
+        """Return `at` of each of several contacts, ``(m, panels, nodes)``."""
+        return self.at(presses[0])[None] if len(presses) == 1 else self._each(presses)
+
+    def _each(self, presses: Sequence[PressedState]) -> Array:
+        radii, excess = (np.array([press[part] for press in presses]) for part in (1, 2))
+        found, place = self.over(radii, excess), self.x.ravel()
+        inside = np.where(place < radii[:, None], found, 0.0)
+        wrong = np.min(inside, axis=1) < -BOUND_ROUNDING * np.max(inside, axis=1)
+        if wrong.any():
+            raise OutsideValidity(
+                f"{self.owner}: at a contact radius of {radii[np.argmax(wrong)]:.3g} m the rings that would slide "
+                "first are not the outer ones, since the coating spreads their traction inwards; request a narrower "
+                "contact."
+            )
+        return np.asarray(self._coefficient * found.reshape(-1, *self.x.shape))
+
+    def over(self, radii: Array, excess: Array) -> Array:
+        """Return the bounds over mu of contacts of these radii, pressed beyond the rim so far, ``(m, nodes)``."""
+        panels, count = self.panels, self.x.shape[1]
+        result, k = np.zeros((radii.size, self.x.size)), panels.panel(radii)
+        for panel in np.unique(k[radii > 0.0]).tolist():  # contacts whose edges share a panel, at once
+            rows = np.flatnonzero((k == panel) & (radii > 0.0))
+            used = (panel + 1) * count
+            last, place = slice(used - count, used), (radii[rows], k[rows])
+            found = self._sums[:used, panel] + panels.part(*place) @ self._table[:used, last].T
+            if np.any(excess[rows] > 0.0):
+                found += excess[rows, None] * (panels.reading(*place) @ self._kernel.bound[:used, last].T)
+            result[rows, :used] = found
+        return result
 
     @functools.cached_property
     def concave(self) -> bool:

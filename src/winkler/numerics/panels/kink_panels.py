@@ -51,6 +51,8 @@ BARYCENTRIC: Array = (-1.0) ** np.arange(NODES_PER_PANEL) / np.abs(np.prod(_APAR
 """Weights of the polynomial through the nodes in its second barycentric form."""
 DERIVATIVE: Array = np.pad(np.polynomial.legendre.legder(np.eye(NODES_PER_PANEL)).T, ((0, 0), (0, 1)))
 """Coefficients of the derivative, from the left."""
+CLENSHAW = [(n, (2 * n + 1) / (n + 1), (n + 1) / (n + 2)) for n in range(NODES_PER_PANEL - 1, 0, -1)]
+"""Number of a coefficient and factors of Clenshaw's recurrence for Legendre's polynomials, in turn."""
 
 
 class Stretches:
@@ -93,10 +95,10 @@ class Stretches:
         panel = self.panel(x)
         return np.asarray(np.sum(self.reading(x, panel) * values[panel], axis=-1))
 
-    def at(self, values: Array, place: float) -> float:
-        """Return, at one place, a function given at the nodes ``(panels, COUNT)``."""
+    def at(self, values: Array, place: float) -> Array:
+        """Return, at one place, a function given at the nodes ``(..., panels, COUNT)``: ``(...)``."""
         panel, weights = self._weights_at(place)
-        return float(weights @ values[panel])
+        return np.asarray(values[..., panel, :] @ weights)
 
     @functools.lru_cache(maxsize=64)  # noqa: B019 - as `sample`
     def _weights_at(self, place: float) -> tuple[int, Array]:
@@ -107,20 +109,25 @@ class Stretches:
     def reader(self, values: Array) -> Callable[[float], float]:
         """Return a function given at the nodes ``(panels, COUNT)``, for one place at a time."""
         fits: dict[int, list[float]] = {}
+        edges, last, ends = self._numbers
 
         def value(x: float) -> float:
             k = min(max(bisect.bisect_right(edges, x) - 1, 0), last)
             if k not in fits:
                 fits[k] = (TO_COEFFICIENTS @ values[k]).tolist()
-            s = float(self.base[k])
-            at = (math.sqrt(max((x - s) * (x + s), 0.0)) - float(self.low[k])) / float(self.half[k]) - 1.0
+            (s, low, half), fit = ends[k], fits[k]
+            at = (math.sqrt(max((x - s) * (x + s), 0.0)) - low) / half - 1.0
             at, after, total = min(max(at, -1.0), 1.0), 0.0, 0.0
-            for n in range(NODES_PER_PANEL - 1, 0, -1):  # Clenshaw's recurrence
-                total, after = fits[k][n] + (2 * n + 1) / (n + 1) * at * total - (n + 1) / (n + 2) * after, total
-            return fits[k][0] + at * total - 0.5 * after
+            for n, ahead, back in CLENSHAW:
+                total, after = fit[n] + ahead * at * total - back * after, total
+            return fit[0] + at * total - 0.5 * after
 
-        edges, last = self.edges.tolist(), self.base.size - 1
         return value
+
+    @functools.cached_property
+    def _numbers(self) -> tuple[list[float], int, list[list[float]]]:
+        """Ends of the panels, the number of the last, and base, lower end and half width of each."""
+        return self.edges.tolist(), self.base.size - 1, np.stack([self.base, self.low, self.half], axis=1).tolist()
 
     def slope(self, values: Array, x: Array) -> Array:
         """Return the derivative by x, at places x > 0, of a function given at the nodes ``(panels, COUNT)``."""
@@ -140,9 +147,19 @@ class Stretches:
 
     def integral(self, values: Array, ends: Array) -> Array:
         """Return the integrals over x from zero to `ends` of a function given at the nodes ``(panels, COUNT)``."""
+        up_to = self.antiderivative(values)
+        return np.reshape([up_to(end) for end in np.asarray(ends).ravel().tolist()], np.shape(ends))
+
+    def antiderivative(self, values: Array) -> Callable[[float], float]:
+        """Return the integral over x from zero on of a function given at the nodes, for one end at a time."""
         whole = [0.0, *np.cumsum((self.weights * values).sum(1)).tolist()]
-        parts = map(self._up_to, np.asarray(ends).ravel().tolist())
-        return np.reshape([whole[panel] + float(part @ values[panel]) for panel, part in parts], np.shape(ends))
+
+        @functools.cache
+        def up_to(end: float) -> float:
+            panel, part = self._up_to(end)
+            return float(whole[panel] + part @ values[panel])
+
+        return up_to
 
     @functools.lru_cache(maxsize=64)  # noqa: B019 - as `sample`
     def _up_to(self, end: float) -> tuple[int, Array]:
@@ -191,10 +208,10 @@ class Sample(NamedTuple):
     readings: tuple[tuple[int, Array], ...]
 
     def read(self, values: Array) -> Array:
-        """Return, at these places, the function that has these values at the nodes."""
-        result = values[self.first : self.first + self.x.shape[0]].copy()
+        """Return, at these places, the function, or each of several, that has these values at the nodes."""
+        result = values[..., self.first : self.first + self.x.shape[0], :].copy()
         for row, reading in self.readings:
-            result[row] = reading @ values[self.first + row]
+            result[..., row, :] = values[..., self.first + row, :] @ reading.T
         return result
 
 

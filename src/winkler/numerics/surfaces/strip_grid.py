@@ -64,6 +64,22 @@ class StripStep(NamedTuple):
     moved: Array
 
 
+def _runs(mask: Array) -> list[slice]:
+    """Return where a mask is true, run by run."""
+    turns = (np.flatnonzero(mask[1:] != mask[:-1]) + 1).tolist()
+    ends = [0] * bool(mask[0]) + turns + [mask.size] * bool(mask[-1])
+    return [slice(*pair) for pair in zip(ends[::2], ends[1::2], strict=True)]
+
+
+def _displaced(compliance: Array, traction: Array, rows: Array, columns: Array) -> Array:
+    """Return displacements by tractions on some nodes, at some nodes, zero elsewhere: they lie in few runs."""
+    moved, parts = np.zeros(traction.size), _runs(columns)
+    for at in _runs(rows):
+        for by in parts:
+            moved[at] += compliance[at, by] @ traction[by]
+    return moved
+
+
 class StuckStrip:
     """The nodes of a strip: what sticks on it is solved again and again, while few nodes begin to stick or to slip.
 
@@ -145,18 +161,19 @@ class StuckStrip:
 
         traction, shift = solved(wanted, total or 0.0)
         if changed.size > FEW_CHANGED:  # the border costs digits: once more for what is left
-            missing = wanted + shift - self._own @ traction
+            missing = wanted + shift - _displaced(self._own, traction, sticks, sticks)
             further, more = solved(missing, (total or 0.0) - float(weights @ traction))
             traction, shift = traction + further, shift + more
         return traction, shift
 
     def _hold(self, sticks: Array) -> None:
         """Factorise the matrix of what sticks."""
-        from scipy.linalg import lu_factor
+        from scipy.linalg import get_lapack_funcs, lu_factor
 
         self._held, self._rows = sticks.copy(), np.flatnonzero(sticks)
         self._place[self._rows] = np.arange(self._rows.size)
         self._factors = lu_factor(self._own[np.ix_(sticks, sticks)], overwrite_a=True, check_finite=False)
+        (self._solve,) = get_lapack_funcs(("getrs",), self._factors[:1])
         self._columns.clear()
         self._even = self._solved(np.ones(self._rows.size))
 
@@ -173,11 +190,7 @@ class StuckStrip:
             self._columns.update(zip(missing, self._solved(right).T, strict=True))
 
     def _solved(self, right: Array) -> Array:
-        from scipy.linalg import lu_solve
-
-        if not self._rows.size:
-            return right
-        return np.asarray(lu_solve(self._factors, right, check_finite=False))
+        return np.asarray(self._solve(*self._factors, right)[0]) if self._rows.size else right
 
 
 def strip_step(
@@ -214,20 +227,23 @@ def strip_step(
         If the zones of stick and slip are not found.
     """
     compliance, parts, touches = grid.compliance, grid.weights, bound > 0.0
+    every = np.ones(bound.size, dtype=bool)
     for iteration in range(MOST_ITERATIONS):
         sticks = (slips == 0) & touches
         traction = np.where(sticks, 0.0, slips * bound)
-        moved = compliance @ traction
+        moved = _displaced(compliance, traction, every, traction != 0.0)
         if total is not None and not sticks.any():
             surplus = float(parts @ traction) - total
             sticks[first_to_stick(np.where(touches, slips, 0.0), before - moved, surplus)] = True
             traction = np.where(sticks, 0.0, traction)
-            moved = compliance @ traction
+            moved = _displaced(compliance, traction, every, traction != 0.0)
         if sticks.any():
             left = None if total is None else total - float(parts @ traction)
             held, found = grid.stuck(sticks, before - moved + (shift if total is None else 0.0), left)
             shift = shift if total is None else found
-            traction, moved = traction + held, moved + compliance @ held
+            # what sticks is displaced as it is wanted to be
+            moved = np.where(sticks, shift + before, moved + _displaced(compliance, held, ~sticks, sticks))
+            traction = traction + held
         slip = shift + before - moved
         least = rounding * float(np.max(np.abs(moved[touches]), initial=0.0)) if rounding else 0.0
         over = np.where(np.abs(traction) > bound * (1.0 + rounding), np.sign(traction), 0.0)

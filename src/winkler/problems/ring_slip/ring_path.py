@@ -26,7 +26,6 @@ from winkler.problems.ring_slip.torsion_march import (
     trapezoid,
     unrounded,
 )
-from winkler.problems.ring_slip.torsion_memory import moved
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
 
@@ -109,11 +108,7 @@ class RingRow:
         else:
             twist = goal.target - state.motion
             straight = self._straight(memory.press, press, twist)
-            step = (
-                torsion_step(bound, memory, press, twist)
-                if straight
-                else trapezoid(bound, memory, press, twist, moved(bound, memory, press, twist))
-            )
+            step = torsion_step(bound, memory, press, twist) if straight else trapezoid(bound, memory, press, twist)
         nested = step.nested and (state.nested or state.point != goal.point)
         motion = goal.target if self.moved else state.motion + step.twist
         rate = step.twist / change if change != 0.0 else 0.0

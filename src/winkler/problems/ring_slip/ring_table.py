@@ -168,15 +168,6 @@ class _Owned(PushBound):
         self.owner = owner
         super().__init__(bed, 1.0, widest, False)
 
-    def over(self, radii: Array) -> Array:
-        """Return the bounds at these radii of the contact, ``(m, nodes)``, as `TwistBound.at` does."""
-        panels, count = self.panels, self.x.shape[1]
-        k = panels.panel(radii)
-        part = panels.part(radii, k)
-        last = k[:, None] * count + np.arange(count)
-        found = self._sums[:, k].T + np.einsum("nmc,mc->mn", self._table[:, last], part)
-        return np.asarray(np.where(np.arange(self.x.size) < (k[:, None] + 1) * count, found, 0.0))
-
     def rim_growth(self, radius: float) -> Array:
         """Return how fast bounds grow with the depth where the contact fills the body [Pa/m]."""
         panels, count = self.panels, self.x.shape[1]
@@ -227,7 +218,7 @@ def _rings(owner: str, bed: Bed, widest: float, count: int, endless: bool) -> Ri
     panel = bound.panels.panel(places)
     reading = bound.panels.reading(places, panel)
     node = panel[:, None] * bound.x.shape[1] + np.arange(bound.x.shape[1])
-    at_nodes = bound.over(edges[1:])
+    at_nodes = bound.over(edges[1:], np.zeros(count))
     bounds = np.einsum("mnc,nc->mn", at_nodes[:, node], reading)
     bounds[places > edges[1:, None]] = 0.0
     if np.min(bounds) < -BOUND_ROUNDING * np.max(bounds):

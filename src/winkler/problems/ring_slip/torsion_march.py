@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.torsion_bound import PressedState, TwistBound
-from winkler.problems.ring_slip.torsion_memory import TwistMove, moved, slid_along, stuck_work
+from winkler.problems.ring_slip.torsion_memory import TwistAhead, TwistMove, slid_along, stuck_work
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
 
 __all__ = [
@@ -79,7 +79,7 @@ def square(bound: TwistBound, memory: TwistMemory) -> float:
 def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TorsionStep:
     """Return the springs after load and angle have changed in proportion."""
     press = unrounded(memory.press, press)
-    whole = moved(bound, memory, press, twist)
+    whole = _whole(bound, memory, press, twist)
     stuck = stuck_work(bound, memory, press, twist)
     loss, extra = slid_along(bound, memory, [press], twist, whole.rings)
     if loss == 0.0 or press == memory.press:
@@ -102,10 +102,16 @@ def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, tw
     )
 
 
+def _whole(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TwistMove:
+    ahead = TwistAhead(bound, memory, press)
+    return ahead.moved(ahead.cuts(twist), twist)
+
+
 def trapezoid(
-    bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float, move: TwistMove
+    bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float, move: TwistMove | None = None
 ) -> TorsionStep:
     """Return what a move does, its loss and work as if bounds changed in proportion: of second order in its length."""
+    move = move or _whole(bound, memory, press, twist)
     loss, extra = slid_along(bound, memory, [press], twist, move.rings)
     return TorsionStep(move.memory, twist, loss, stuck_work(bound, memory, press, twist) + extra, move.nested)
 
@@ -167,25 +173,43 @@ def step_to(
         )
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
-
     low_miss = high_miss = 0.0
+    before = math.inf
+    last: tuple[float, float, float] | None = None
+    springs = TwistAhead(bound, memory, press)
     for tried in range(MOST_TRIALS):
-        move = moved(bound, memory, press, twist)
-        miss = torque_of(bound, move.memory) - torque
+        cuts = springs.cuts(twist)
+        miss = springs.load(cuts, twist) - torque
         if abs(miss) <= slack or (low < high and math.nextafter(low, high) >= high):
-            return trapezoid(bound, memory, press, twist, move)
+            return trapezoid(bound, memory, press, twist, springs.moved(cuts, twist))
         if miss < 0.0:
             low, low_miss = twist, miss
         else:
             high, high_miss = twist, miss
-        stiffness = move.free if move.free > 0.0 else bound.inertia(press.radius)
-        ahead = twist - miss / stiffness
-        if math.isfinite(low) and math.isfinite(high) and not (low < ahead < high and tried % 4 != 3):
+        free = springs.free(cuts)
+        stiffness = free if free > 0.0 else bound.inertia(press.radius)
+        ahead = _root((twist, miss, stiffness), last)
+        last = twist, miss, stiffness
+        settles, before = abs(miss) <= 0.5 * before, abs(miss)
+        if math.isfinite(low) and math.isfinite(high) and not (low < ahead < high and settles):
             share = -low_miss / (high_miss - low_miss) if tried % 2 else 0.5
             ahead = low + (high - low) * min(max(share, 0.01), 0.99)
         if ahead == twist:
-            return trapezoid(bound, memory, press, twist, move)
+            return trapezoid(bound, memory, press, twist, springs.moved(cuts, twist))
         twist = ahead
     raise NotConverged(
         f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} was not found in {MOST_TRIALS} tries."
     )
+
+
+def _root(here: tuple[float, float, float], before: tuple[float, float, float] | None) -> float:
+    """Return where a load is met, from motion, miss and stiffness of the last two tries."""
+    twist, miss, stiffness = here
+    newton = twist - miss / stiffness
+    if before is None or miss == before[1]:
+        return newton
+    # the motion as a cubic of the miss, which has both values and both slopes
+    change, part = miss - before[1], -before[1] / (miss - before[1])
+    slopes = (1.0 - part) / before[2] - part / stiffness
+    cubic = before[0] + part * (part * (3.0 - 2.0 * part) * (twist - before[0]) + (1.0 - part) * change * slopes)
+    return cubic if abs(cubic - newton) < 0.5 * abs(newton - twist) else newton

@@ -10,12 +10,12 @@ bound takes :math:`h=\pm b` of the contact as it is now, one that comes into con
 this form.
 
 On a straight line in the level and the angle the bound is concave, so that a spring which has reached it stays on it:
-one `move` along the line, however long, leaves every spring where it must be.  Only the loss depends on the path.
+one move along the line, however long, leaves every spring where it must be.  Only the loss depends on the path.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -25,12 +25,14 @@ from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
 
-__all__ = ["TwistMove", "TwistRing", "moved", "slid_along", "stuck_work"]
+__all__ = ["TwistAhead", "TwistCut", "TwistMove", "TwistRing", "slid_along", "stuck_work"]
 
 BOUND_ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
 NARROWEST_RING = 1e-9
 """A ring narrower than this part of the contact is none."""
+CHUNK = 256
+"""Points of a path whose bounds are held at once."""
 BISECTIONS = 60
 """At most so many, of the places where sliding begins."""
 
@@ -48,13 +50,12 @@ class TwistMove(NamedTuple):
     """What a move leads to.
 
     `rings` are the springs that slid or left the contact, `nested` whether those that slid are its outer part and slid
-    to one side, and `free` is the part of 2 int x^2 dx that follows a further twist.
+    to one side.
     """
 
     memory: TwistMemory
     rings: tuple[TwistRing, ...]
     nested: bool
-    free: float
 
 
 def _memory_of(press: PressedState, pieces: list[TwistPiece]) -> TwistMemory:
@@ -70,8 +71,28 @@ def _memory_of(press: PressedState, pieces: list[TwistPiece]) -> TwistMemory:
     return TwistMemory(*press, edges, held, entered, sides, np.array(columns[5], dtype=float).reshape(-1, 3))
 
 
-def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> TwistMove:
-    """Return the springs after the contact was pressed to `press` and twisted, both in proportion.
+class _Trial(NamedTuple):
+    """A stretch of springs ahead of a twist: what they bear without one, and per twist, at the nodes and summed up."""
+
+    piece: TwistPiece
+    entering: bool
+    values: Array
+    shares: Array
+    borne: Callable[[float], float]
+    freed: Callable[[float], float]
+
+
+class TwistCut(NamedTuple):
+    """Part of a stretch, of that number, that sticks (0) or slides to one side (1, -1)."""
+
+    trial: int
+    low: float
+    high: float
+    state: int
+
+
+class TwistAhead:
+    """Springs whose contact is about to be pressed to `press` and twisted, both in proportion, by a twist to be chosen.
 
     Parameters
     ----------
@@ -80,43 +101,109 @@ def moved(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
         The springs before.
     press : PressedState
         How the contact is pressed afterwards.
-    twist : float
-        8 G_t times the change of the angle [Pa].
     """
-    before, change = memory.press, press.level - memory.level
-    trials: list[tuple[TwistPiece, bool]] = [
-        (piece._replace(high=min(piece.high, press.radius), held=piece.held + twist), False)
-        for piece in pieces_of(memory)
-        if piece.low < press.radius
-    ]
-    if press.radius > before.radius:
-        rate = twist / change if change > 0.0 else 0.0
-        trials.append((TwistPiece(before.radius, press.radius, rate * press.level, -rate, 0.0, NO_CONTACT), True))
-    now = bound.at(press)
-    slack = BOUND_ROUNDING * bound.panels.at(now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
-    done: list[TwistPiece] = []
-    rings: list[TwistRing] = []
-    states: list[tuple[float, int]] = []
-    free = 0.0
-    for trial, entering in trials:
-        values = trial.values(bound)
-        for low, high, state in _stretches_of(bound, trial, now, values, slack):
-            states.append((high - low, state))
+
+    def __init__(self, bound: TwistBound, memory: TwistMemory, press: PressedState) -> None:
+        self.bound, self.memory, self.press = bound, memory, press
+        before, change = memory.press, press.level - memory.level
+        self._rate = 1.0 / change if change > 0.0 else 0.0
+        self._now = now = bound.at(press)
+        self._slack = BOUND_ROUNDING * bound.panels.at(now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
+        self._slid = bound.panels.antiderivative(now * bound.weight)
+        ones, inertia = np.ones_like(now), bound.panels.antiderivative(bound.weight)
+        self._trials = [
+            self._trial(piece._replace(high=min(piece.high, press.radius)), False, piece.values(bound), ones, inertia)
+            for piece in pieces_of(memory)
+            if piece.low < press.radius
+        ]
+        if press.radius > before.radius:
+            shares = self._rate * (press.level - bound.clock)
+            freed = bound.panels.antiderivative(shares * bound.weight)
+            piece = TwistPiece(before.radius, press.radius, 0.0, 0.0, 0.0, NO_CONTACT)
+            self._trials.append(self._trial(piece, True, np.zeros_like(now), shares, freed))
+
+        places = [] if bound.endless else [self._places_of(trial) for trial in self._trials]
+        self._ends = np.cumsum([0, *(each.shape[1] for each in places)]).tolist()
+        places_loads = np.concatenate(places, axis=1) if places else np.zeros((4, 0))
+        self._places, (self._most, self._load, self._share) = places_loads[0].tolist(), places_loads[1:]
+
+    def _trial(
+        self, piece: TwistPiece, entering: bool, values: Array, shares: Array, freed: Callable[[float], float]
+    ) -> _Trial:
+        borne = self.bound.panels.antiderivative(values * self.bound.weight)
+        return _Trial(piece, entering, values, shares, borne, freed)
+
+    def _places_of(self, trial: _Trial) -> Array:
+        """Return places of a stretch, what springs bear there at most, bear without a twist, and per twist."""
+        panels, low, high = self.bound.panels, trial.piece.low, trial.piece.high
+        sample, curves = panels.sample(low, high), np.array([self._now, trial.values, trial.shares])
+        ends = (panels.at(curves, low), panels.at(curves, high))
+        read = np.concatenate([ends[0][:, None], sample.read(curves).reshape(3, -1), ends[1][:, None]], axis=1)
+        read[0] += self._slack
+        return np.concatenate([[[low, *sample.x.ravel().tolist(), high]], read])
+
+    def cuts(self, twist: float) -> list[TwistCut]:
+        """Return what sticks and what slides after a twist: 8 G_t times the change of the angle [Pa]."""
+        load = self._load + twist * self._share
+        state = np.where(load > self._most, 1, 0) - np.where(-load > self._most, 1, 0)
+        changes = np.flatnonzero(state[1:] != state[:-1]).tolist()
+        cuts: list[TwistCut] = []
+        for number, trial in enumerate(self._trials):
+            low, high, last = trial.piece.low, trial.piece.high, 0
+            if not self.bound.endless:
+                begin, end = self._ends[number : number + 2]
+                last = int(state[end - 1])
+                for i in (each for each in changes if begin <= each < end - 1):
+                    here, there = int(state[i]), int(state[i + 1])
+                    for side in (here, there):
+                        if side != 0:
+                            excess = side * (trial.values + twist * trial.shares) - self._now
+                            meet = _meet(self.bound, excess, self._places[i], self._places[i + 1], side == there)
+                            cuts.append(TwistCut(number, low, meet, here if side == here else 0))
+                            low = meet
+            cuts.append(TwistCut(number, low, high, last))
+        return [cut for cut in cuts if cut.high > cut.low]
+
+    def load(self, cuts: list[TwistCut], twist: float) -> float:
+        """Return the torque after a twist [N m]."""
+        total = 0.0
+        for number, low, high, state in cuts:
+            trial = self._trials[number]
+            if state:
+                total += state * (self._slid(high) - self._slid(low))
+            else:
+                total += trial.borne(high) - trial.borne(low) + twist * (trial.freed(high) - trial.freed(low))
+        return 2.0 * total
+
+    def free(self, cuts: list[TwistCut]) -> float:
+        """Return the part of 2 int x^2 dx that follows a further twist."""
+        freed = [(self._trials[number].freed, low, high) for number, low, high, state in cuts if not state]
+        return 2.0 * sum(upto(high) - upto(low) for upto, low, high in freed)
+
+    def moved(self, cuts: list[TwistCut], twist: float) -> TwistMove:
+        """Return the springs after a twist."""
+        bound, press = self.bound, self.press
+        done: list[TwistPiece] = []
+        rings: list[TwistRing] = []
+        for number, low, high, state in cuts:
+            trial = self._trials[number]
             if state == 0:
-                done.append(trial._replace(low=low, high=high))
-                free += (
-                    _free(bound, low, high, press.level, change)
-                    if entering
-                    else bound.inertia(high) - bound.inertia(low)
+                rate = self._rate * twist
+                done.append(
+                    TwistPiece(low, high, rate * press.level, -rate, 0.0, NO_CONTACT)
+                    if trial.entering
+                    else trial.piece._replace(low=low, high=high, held=trial.piece.held + twist)
                 )
                 continue
             done.append(TwistPiece(low, high, 0.0, 0.0, float(state), press))
             sample = bound.panels.sample(low, high)
-            load = np.zeros_like(sample.x) if entering else sample.read(values) - twist
-            rings.append(TwistRing(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
-    if press.radius < before.radius:
-        rings += _left(bound, memory, press, twist)
-    return TwistMove(_memory_of(press, done), tuple(rings), _nested(states, press.radius), free)
+            rings.append(
+                TwistRing(sample, sample.read(trial.values), sample.read(bound.clock), np.full(sample.x.shape, state))
+            )
+        if press.radius < self.memory.radius:
+            rings += _left(bound, self.memory, press, twist)
+        nested = _nested([(high - low, state) for _, low, high, state in cuts], press.radius)
+        return TwistMove(_memory_of(press, done), tuple(rings), nested)
 
 
 def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> float:
@@ -134,14 +221,6 @@ def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twis
     return total
 
 
-def _free(bound: TwistBound, low: float, high: float, level: float, change: float) -> float:
-    """Return 2 int x^2 s dx of springs that have only the share s of a twist, since they came into contact."""
-    if change <= 0.0:
-        return 0.0
-    moments = bound.panels.integral(bound.weight * (level - bound.clock), np.array([low, high]))
-    return 2.0 * float(moments[1] - moments[0]) / change
-
-
 def slid_along(
     bound: TwistBound, memory: TwistMemory, path: Sequence[PressedState], twist: float, rings: tuple[TwistRing, ...]
 ) -> tuple[float, float]:
@@ -151,39 +230,47 @@ def slid_along(
     loss from how far they slide.  Between the points of the path bounds are taken as straight; the error falls with the
     square of their distance.
     """
-    total, extra, start, end = 0.0, 0.0, memory.level, path[-1].level
-    for ring in rings:
-        x, weight = ring.sample.x, bound.weigh(ring.sample)
-        side = ring.side
-        first = np.clip((ring.clock - start) / (end - start), 0.0, 1.0) if end > start else np.zeros_like(x)
-        last = np.clip((start - ring.clock) / (start - end), 0.0, 1.0) if end < start else np.ones_like(x)
-        if bound.endless:
-            total += 0.5 * float(np.sum(ring.sample.weights * weight * (ring.before + twist * last) ** 2))
-            extra += float(np.sum(ring.sample.weights * weight * twist * last * (ring.before + 0.5 * twist * last)))
-            continue
-        allowed = np.where(x < memory.radius, np.maximum(ring.sample.read(bound.at(memory.press)), 0.0), 0.0)
-        slid = np.maximum(side * ring.before - allowed, 0.0)  # rounding
-        load = displaced = side * ring.before
-        density = np.zeros_like(x)
-        if_stuck = twist * (1.0 - first)
-        work = np.where(x < path[-1].radius, -if_stuck * (ring.before + 0.5 * if_stuck), 0.0)
-        for press in path:
-            share = (press.level - start) / (end - start) if end != start else 1.0
-            here = side * (ring.before + twist * np.maximum(np.minimum(share, last) - first, 0.0))
-            limit = np.where(x < press.radius, np.maximum(ring.sample.read(bound.at(press)), 0.0), 0.0)
-            excess = np.maximum(here - limit - slid, 0.0)
-            margin = np.maximum(allowed - load, 0.0)
-            onset = np.divide(margin, margin + excess, out=np.zeros_like(margin), where=margin + excess > 0.0)
-            at_onset = allowed + (limit - allowed) * onset
-            density += 0.5 * (at_onset + limit) * excess
-            slid = slid + excess
-            after = np.minimum(here - slid, limit)
-            mean = np.where(excess > 0.0, onset * (load + at_onset) + (1.0 - onset) * (at_onset + limit), load + after)
-            work += 0.5 * mean * (here - displaced)
-            load, displaced, allowed = after, here, limit
-        total += float(np.sum(ring.sample.weights * weight * density))
-        extra += float(np.sum(ring.sample.weights * weight * work))
-    return total, extra
+    if not rings:
+        return 0.0, 0.0
+    start, end = memory.level, path[-1].level
+    x, weights, counts = (
+        np.concatenate(column)
+        for column in zip(*((r.sample.x, r.sample.weights, bound.weigh(r.sample)) for r in rings), strict=True)
+    )
+    before, clock, side = (np.concatenate(column) for column in list(zip(*rings, strict=True))[1:])
+    weight = weights * counts
+
+    def read(values: Array) -> Array:
+        return np.concatenate([np.maximum(ring.sample.read(values), 0.0) for ring in rings], axis=-2)
+
+    first = np.clip((clock - start) / (end - start), 0.0, 1.0) if end > start else np.zeros_like(x)
+    last = np.clip((start - clock) / (start - end), 0.0, 1.0) if end < start else np.ones_like(x)
+    if bound.endless:
+        lost = 0.5 * float(np.sum(weight * (before + twist * last) ** 2))
+        return lost, float(np.sum(weight * twist * last * (before + 0.5 * twist * last)))
+    allowed = np.where(x < memory.radius, read(bound.at(memory.press)), 0.0)
+    load = displaced = side * before
+    slid = np.maximum(load - allowed, 0.0)  # rounding
+    density = np.zeros_like(x)
+    if_stuck = twist * (1.0 - first)
+    work = np.where(x < path[-1].radius, -if_stuck * (before + 0.5 * if_stuck), 0.0)
+    for presses in (path[begin : begin + CHUNK] for begin in range(0, len(path), CHUNK)):
+        levels, radii, _ = (np.array(column)[:, None, None] for column in zip(*presses, strict=True))
+        shares = (levels - start) / (end - start) if end != start else np.ones_like(levels)
+        here = side * (before + twist * np.maximum(np.minimum(shares, last) - first, 0.0))
+        limit = np.where(x < radii, read(bound.each(presses)), 0.0)
+        slips = np.maximum.accumulate(np.concatenate([slid[None], here - limit]))
+        after = np.minimum(here - slips[1:], limit)
+        loads, limits = np.concatenate([load[None], after[:-1]]), np.concatenate([allowed[None], limit[:-1]])
+        excess, margin = np.diff(slips, axis=0), np.maximum(limits - loads, 0.0)
+        onset = np.divide(margin, margin + excess, out=np.zeros_like(margin), where=margin + excess > 0.0)
+        at_onset = limits + (limit - limits) * onset
+        density += np.sum(0.5 * (at_onset + limit) * excess, axis=0)
+        sliding = onset * (loads + at_onset) + (1.0 - onset) * (at_onset + limit)
+        mean = np.where(excess > 0.0, sliding, loads + after)
+        work += np.sum(0.5 * mean * np.diff(np.concatenate([displaced[None], here]), axis=0), axis=0)
+        slid, load, displaced, allowed = slips[-1], after[-1], here[-1], limit[-1]
+    return float(np.sum(weight * density)), float(np.sum(weight * work))
 
 
 def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> list[TwistRing]:
@@ -196,34 +283,6 @@ def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
             last = np.clip((memory.level - clock) / (memory.level - press.level), 0.0, 1.0)
             rings.append(TwistRing(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
     return rings
-
-
-def _stretches_of(
-    bound: TwistBound, trial: TwistPiece, now: Array, values: Array, slack: float
-) -> list[tuple[float, float, int]]:
-    """Return where a stretch sticks (0) and where it slides to which side."""
-    if bound.endless:
-        return [(trial.low, trial.high, 0)]
-    sample = bound.panels.sample(trial.low, trial.high)
-    places = np.concatenate([[trial.low], sample.x.ravel(), [trial.high]])
-    limit, load = (
-        np.concatenate(
-            [[bound.panels.at(each, trial.low)], sample.read(each).ravel(), [bound.panels.at(each, trial.high)]]
-        )
-        for each in (now, values)
-    )
-    state = np.where(load > limit + slack, 1, 0) - np.where(-load > limit + slack, 1, 0)
-    cuts: list[tuple[float, float, int]] = []
-    low = trial.low
-    for i in np.flatnonzero(state[1:] != state[:-1]).tolist():
-        here, there = int(state[i]), int(state[i + 1])
-        for side in (here, there):
-            if side != 0:
-                meet = _meet(bound, side * values - now, float(places[i]), float(places[i + 1]), side == there)
-                cuts.append((low, meet, here if side == here else 0))
-                low = meet
-    cuts.append((low, trial.high, int(state[-1])))
-    return [cut for cut in cuts if cut[1] > cut[0]]
 
 
 def _meet(bound: TwistBound, excess: Array, low: float, high: float, rising: bool) -> float:

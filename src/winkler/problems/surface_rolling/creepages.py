@@ -52,8 +52,8 @@ AHEAD_OF_FORCES = 1e-3
 """Part of the distance from given forces to which a roll on the way to them is exact: a step seldom gains more."""
 STICKING_RATIO = 1e9
 """Coefficient of friction under which all sticks."""
-FIRST_TOLERANCE = 1e-4
-"""Of the first rolls: of a patch on which all sticks, whose stiffness begins, and far from given forces."""
+FIRST_TOLERANCE, STUCK_TOLERANCE = 1e-4, 1e-2
+"""Of the first rolls, far from given forces; and of a patch on which all sticks, with whose stiffness they begin."""
 SMALL_CREEPAGE = 1e-6
 """Creepage of a patch on which all sticks; forces are proportional to it."""
 SLIDING = 1.0 - 1e-9
@@ -137,6 +137,7 @@ class CreepSearch:
         still = RolledSurface(nothing, nothing, p < 0.0, 0.0, 0)
         self.rest = self.last = CreptPatch(np.zeros(3), np.zeros(3), still, 0.0, 0.0)
         self.stiffness, self.sliding, self.sought = np.zeros((0, 0)), 0.0, np.zeros(0)
+        self.known = np.zeros(3, dtype=bool)
 
     def found(self, pressure: Array, given: Array, start: Array) -> CreptPatch:
         """Return the patch under creepages and forces.
@@ -174,10 +175,12 @@ class CreepSearch:
             self.stiffness, self.last, start = np.zeros((0, 0)), self.rest, self.rest.traction
         self.sought = given
         if not self.stiffness.size:
-            self.stiffness = self._stuck()
-            self.sliding = 3.0 / float(np.max(np.diag(self.stiffness)))
+            self.stiffness, self.known = np.zeros((3, 3)), np.zeros(3, dtype=bool)
         missing, allowed = np.inf, max(self.tolerance, FORCE_TOLERANCE)
         guess = np.where(self.by_force, self.last.creeps, given)
+        for axis in np.flatnonzero((self.by_force | (guess != self.last.creeps)) & ~self.known).tolist():
+            self.stiffness[:, axis], self.known[axis] = self._stuck(axis), True
+        self.sliding = 3.0 / float(np.max(np.diag(self.stiffness)))
         behind = self._behind(given, self.last) - self.stiffness @ ((guess - self.last.creeps) * self.lengths)
         coarse = not self.falls  # rolls on the way to the forces are no more exact than they are near
         best = self._rolled(guess + self._step(behind), start, self.first if coarse else self.inner)
@@ -265,14 +268,12 @@ class CreepSearch:
         """Return by how much creepages and t of two differ."""
         return (other.creeps - one.creeps) * self.lengths, self._evened(other.forces) - self._evened(one.forces)
 
-    def _stuck(self) -> Array:
-        """Return how t grows with creepages where all sticks."""
-        bound, columns = STICKING_RATIO * self.pressure, []
-        for mode, length in zip(self.modes, self.lengths, strict=True):
-            rigid = SMALL_CREEPAGE / length * mode
-            surface = roll(self.patch.grid, bound, rigid, np.zeros_like(rigid), tolerance=FIRST_TOLERANCE)
-            columns.append(self._forces(surface) / self.most / SMALL_CREEPAGE)
-        return np.stack(columns, axis=1)
+    def _stuck(self, axis: int) -> Array:
+        """Return how t grows with one of the creepages where all sticks."""
+        rigid = SMALL_CREEPAGE / self.lengths[axis] * self.modes[axis]
+        bound = STICKING_RATIO * self.pressure
+        surface = roll(self.patch.grid, bound, rigid, np.zeros_like(rigid), tolerance=STUCK_TOLERANCE)
+        return np.asarray(self._forces(surface) / self.most / SMALL_CREEPAGE)
 
     def _measure(self, at: CreptPatch) -> None:
         """Find the stiffness by small changes of the creepages."""
