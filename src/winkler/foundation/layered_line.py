@@ -433,26 +433,17 @@ class LayeredLineFoundation(LineBed):
 
     def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
         """Return how steep flat punches are that press and that push, as of `LineBed.punch_edges`."""
-        self._refuse_worn_grading()
         pressed, pushed = (
             strip_punches.edge(of, half_width) for of in (self.medium.response, self.medium.along_response)
         )
         return pressed, pushed
 
-    def _refuse_worn_grading(self) -> None:
-        self.refuse_grading(
-            "Lines wear on layers and on homogeneous bodies; flat punches of all widths on a grading, whose waves fall "
-            "slowly, are not built in:"
-        )
-
     def grid_transforms(self, nodes: Array) -> LayeredStrips:
         """Return the transforms of worn contacts between nodes [m]."""
-        self._refuse_worn_grading()
         return LayeredStrips(nodes, self.medium.response)
 
     def shear_transforms(self, nodes: Array) -> LayeredStrips:
         """Return the same of tractions along the strip's width."""
-        self._refuse_worn_grading()
         return LayeredStrips(nodes, self.medium.along_response)
 
     def opening(self, x: Array, half_width: float) -> Array:
