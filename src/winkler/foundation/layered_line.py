@@ -86,6 +86,8 @@ MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
 """Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
 LEAST_NODES = 12
 """Flat punches that stand for the attraction beside a strip, at the fewest."""
+VALLEY = 3e-3
+"""Part over u that is left out before a sharp valley on gradings."""
 STEP = 1e-4
 """Of differences, over the length that is changed."""
 MOST_KEPT = 4096
@@ -536,6 +538,13 @@ class PeriodicLayers(LayeredLineFoundation):
     """
 
     pitch: Positive
+
+    @property
+    def reach(self) -> float:
+        """As `LineBed.reach`; on gradings no closer to a sharp valley than a smooth profile is told from it."""
+        known = self.profile.reach
+        sharp = math.isfinite(known) and has_tail(self.medium.response)
+        return min(known, (1.0 - VALLEY) * self.pitch / math.pi) if sharp else known
 
     def _phase(self, place: float) -> float:
         """Return pi x / lambda of a place over u [m]."""

@@ -169,3 +169,14 @@ def test_stresses_inside_are_refused_and_notes_speak_of_the_grading():
     text = " ".join(map(str, found.validity))
     assert "graded with depth" in text
     assert "half-planes" not in text
+
+
+@pytest.mark.slow
+def test_sharp_valleys_are_pressed_almost_flat():
+    """Ridges of a roller under a load, and how far they may be pressed."""
+    bed = graded(0.1, wk.Paraboloid(3.0))
+    given = pressed(bed, 6.0, wk.HalfWidth(1.5))
+    back = pressed(bed, 6.0, wk.LineForce(given.force_per_length))
+    assert back.half_width == pytest.approx(1.5, rel=1e-9)
+    with pytest.raises(wk.OutsideValidity, match="give at most 2.85"):
+        pressed(bed, 6.0, wk.HalfWidth(2.99))

@@ -95,7 +95,6 @@ def test_before_wear_a_cylinder_slips_as_singular_integral_equations_say(contras
     for count in (50, 200):
         worn = fretting(graded(contrast), expected.load, MU * expected.shear, [0.0, 1e-9], count=count).solve()
         losses.append(abs(worn.dissipation_per_length[0] / (4.0 * MU**2 * expected.loss()) - 1.0))
-    print(contrast, a, worn.half_width[0]/a-1, worn.stick_half_width[0]/.7/a-1, losses)
     assert worn.half_width[0] == pytest.approx(a, rel=1e-4)
     assert worn.stick_half_width[0] == pytest.approx(0.7 * a, rel=1e-3)
     assert losses[0] < 1e-2
@@ -112,7 +111,6 @@ def test_fretting_and_sliding_are_those_of_boundary_elements(contrast, a):
     worn, pressure = elements.fret(0.6 * MU * load, amount, 40)
     inside = elements.x < 0.4 * a
     there = np.interp(elements.x**2, last.places**2, last.pressure)
-    print(contrast, a, 2.0 * elements.h @ worn/last.worn_volume_per_length-1, np.max(np.abs(pressure[inside]-there[inside]))/pressure[0])
     assert 2.0 * elements.h @ worn == pytest.approx(last.worn_volume_per_length, rel=1.5e-2)
     np.testing.assert_allclose(pressure[inside], there[inside], atol=3e-3 * pressure[0])
     amount = 0.2 * a * a / load * a
@@ -121,5 +119,35 @@ def test_fretting_and_sliding_are_those_of_boundary_elements(contrast, a):
     elements = WornOnGrading(contrast, np.linspace(0.0, 2.0 * a, 51), load, a)
     worn, _ = elements.slide(amount, 40)
     there = np.interp(elements.x**2, last.places**2, last.worn)
-    print(np.max(np.abs(worn-there))/last.worn_depth)
     np.testing.assert_allclose(worn, there, atol=5e-3 * last.worn_depth)
+
+
+def worn_alike(bed):
+    load = force(bed)
+    frets = fretting(bed, load, 0.6 * MU * load, [0.0, 1.0]).solve()
+    limit = limiting(bed, load, 0.6 * MU * load)
+    return np.array([frets.worn_volume_per_length[-1], limit.worn_volume_per_length, limit.half_width])
+
+
+@pytest.mark.slow
+def test_a_body_that_does_not_change_wears_as_a_half_plane():
+    np.testing.assert_allclose(worn_alike(graded(1.0)), worn_alike(plain()), rtol=2e-6)
+
+
+@pytest.mark.slow
+def test_the_depth_is_felt_and_a_grading_of_no_family_wears_with_the_same_numbers():
+    """At a / h = 3, under equal forces: without the depth all would wear as on the surface's own half-plane."""
+    bed = graded(0.1)
+    load = force(bed, 3.0)
+    ghost = wk.LayeredLineFoundation(CYLINDER, Ghost(bed.medium))
+    soft, own, same = (limiting(one, load, 0.6 * MU * load) for one in (bed, plain(), ghost))
+    assert soft.worn_volume_per_length > 2.0 * own.worn_volume_per_length
+    assert same.worn_volume_per_length == soft.worn_volume_per_length
+
+
+@pytest.mark.slow
+def test_a_strip_too_wide_for_its_punches_is_refused():
+    bed = graded(0.1, 1e-3)
+    load = force(bed, 1.0)
+    with pytest.raises(wk.NotConverged, match="128 times at most"):
+        sliding(bed, load, [0.0, 1e-3]).solve()
