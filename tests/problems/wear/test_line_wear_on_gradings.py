@@ -58,7 +58,8 @@ def sliding(bed, load, distance, **given):
 
 @functools.cache
 def by_equations(contrast, a):
-    return SlippingOnGrading(young(contrast), NU, 25.0, a, 0.7 * a, 160)
+    """With more places of the equation where the depth is stiff and far away."""
+    return SlippingOnGrading(young(contrast), NU, 25.0, a, 0.7 * a, 160 if contrast * a < 4.0 else 640)
 
 
 class WornOnGrading(WornOnLayers):

@@ -55,7 +55,8 @@ def harmonic_rows(phase: float, count: int, numbers: Array) -> Array:
 def _points(sine: float, count: int, number: float) -> int:
     """Return how many angles tell the orders of a mode and a wave from all others."""
     wide = sine * number
-    return math.ceil(0.5 * (count + min(number + 1.0, wide + AIRY * wide ** (1.0 / 3.0) + MARGIN))) + 1
+    orders = min(number + 1.0, wide + AIRY * math.cbrt(wide) + MARGIN)
+    return math.ceil(0.5 * (count + orders)) + 1
 
 
 def harmonics(response: WaveResponse, pitch: float, phase: float, across: float, count: int) -> Waves:
