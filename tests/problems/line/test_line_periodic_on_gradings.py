@@ -11,6 +11,7 @@ from scipy.interpolate import CubicSpline
 from slip_of_gradings import SlippingOnGrading, compliance
 
 import winkler as wk
+from winkler.numerics.transforms.strips.strip_harmonics import far_harmonics, harmonic_rows
 
 NU = 0.3
 YOUNG = 1.0 - NU**2
@@ -180,3 +181,20 @@ def test_sharp_valleys_are_pressed_almost_flat():
     assert back.half_width == pytest.approx(1.5, rel=1e-9)
     with pytest.raises(wk.OutsideValidity, match="give at most 2.85"):
         pressed(bed, 6.0, wk.HalfWidth(2.99))
+
+
+def test_nothing_is_borne_where_nothing_touches():
+    found = pressed(graded(0.1, wave(2.0)), 2.0, wk.HalfWidth(0.0))
+    assert found.force_per_length == 0.0
+    assert "do not touch" in " ".join(map(str, found.validity))
+
+
+@pytest.mark.parametrize("phase", [0.2, 0.8, 1.3])
+def test_the_slow_part_of_products_of_modes_is_told_far_out(phase):
+    """Means over many waves of the products themselves, which are integrals over angles."""
+    number = np.arange(800.0, 1000.0)
+    window = np.sin(np.pi * (np.arange(number.size) + 0.5) / number.size) ** 4
+    rows, (sides, _) = harmonic_rows(phase, 12, number), far_harmonics(phase, 12, number)
+    whole = (rows * window) @ rows.T
+    slow = sum((side * window) @ side.T for side in sides)
+    np.testing.assert_allclose(slow, whole, atol=2e-3 * np.max(whole))
