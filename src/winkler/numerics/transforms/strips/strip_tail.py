@@ -49,7 +49,7 @@ SPLIT_NODES, SPLIT_POWER = 40, 5
 ANGLES, ANGLE_POWER = 64, 3
 
 
-class _Grid(NamedTuple):
+class _EdgePanels(NamedTuple):
     """Places over the half-width at nodes of the panels, weights of y = x^2, and matrices of A and B."""
 
     places: Array
@@ -74,7 +74,7 @@ def _panels(count: int) -> Array:
 
 
 @functools.lru_cache(maxsize=8)
-def _grid(count: int) -> _Grid:
+def _grid(count: int) -> _EdgePanels:
     panels = _panels(count)
     nodes, weights = gauss_legendre(PANEL_NODES)
     y = panels[:-1, None] + np.diff(panels)[:, None] * nodes
@@ -92,7 +92,7 @@ def _grid(count: int) -> _Grid:
         columns = slice(panel * PANEL_NODES, (panel + 1) * PANEL_NODES)
         for matrix, kernel in zip(matrices, _kernels(places[:, None], np.maximum(t, 1e-300)), strict=True):
             matrix[:, columns] = np.einsum("ij,ijk->ik", step * kernel, basis) @ to_series
-    return _Grid(places, (np.diff(panels)[:, None] * weights).ravel(), *matrices)
+    return _EdgePanels(places, (np.diff(panels)[:, None] * weights).ravel(), *matrices)
 
 
 def _kernels(c: Array, t: Array) -> tuple[Array, Array]:
