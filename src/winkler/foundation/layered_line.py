@@ -49,7 +49,10 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveRespons
 from winkler.numerics.transforms.strips import strip_punches
 from winkler.numerics.transforms.strips.layered_strips import LayeredStrips
 from winkler.numerics.transforms.strips.strip_equation import (
+    MOST_MODES,
     TAIL,
+    TAIL_AT_EDGE,
+    TAIL_IN_LOAD,
     VANISHED,
     StripResponse,
     Strips,
@@ -59,9 +62,9 @@ from winkler.numerics.transforms.strips.strip_equation import (
     punch_edges,
     settled_strips,
     strip_responses,
-    summed,
     waves,
 )
+from winkler.numerics.transforms.strips.strip_harmonics import far_harmonics, harmonic_rows, harmonics, resolves
 from winkler.numerics.transforms.strips.strip_modes import (
     along_surface,
     bessel_rows,
@@ -83,6 +86,8 @@ MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
 """Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
 LEAST_NODES = 12
 """Flat punches that stand for the attraction beside a strip, at the fewest."""
+VALLEY = 3e-3
+"""Part over u that is left out before a sharp valley on gradings."""
 STEP = 1e-4
 """Of differences, over the length that is changed."""
 MOST_KEPT = 4096
@@ -430,26 +435,17 @@ class LayeredLineFoundation(LineBed):
 
     def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
         """Return how steep flat punches are that press and that push, as of `LineBed.punch_edges`."""
-        self._refuse_worn_grading()
         pressed, pushed = (
             strip_punches.edge(of, half_width) for of in (self.medium.response, self.medium.along_response)
         )
         return pressed, pushed
 
-    def _refuse_worn_grading(self) -> None:
-        self.refuse_grading(
-            "Lines wear on layers and on homogeneous bodies; flat punches of all widths on a grading, whose waves fall "
-            "slowly, are not built in:"
-        )
-
     def grid_transforms(self, nodes: Array) -> LayeredStrips:
         """Return the transforms of worn contacts between nodes [m]."""
-        self._refuse_worn_grading()
         return LayeredStrips(nodes, self.medium.response)
 
     def shear_transforms(self, nodes: Array) -> LayeredStrips:
         """Return the same of tractions along the strip's width."""
-        self._refuse_worn_grading()
         return LayeredStrips(nodes, self.medium.along_response)
 
     def opening(self, x: Array, half_width: float) -> Array:
@@ -531,14 +527,9 @@ class PeriodicLayers(LayeredLineFoundation):
     r"""Strips at one pitch on layers, over the u of `winkler.foundation.periodic`.
 
     The half-plane of the uppermost layer carries the pressure over u of a single strip.  The layers feel the waves
-    :math:`k_m = 2\pi m/\lambda` alone: sums over them stand for the integrals of a single strip, and for
-    :math:`(-1)^nJ_{2n}(ka)` the transform of a mode over u,
-
-    .. math:: B_n(m) = \frac2\pi\int_0^{\pi/2}\cos(2n\phi)\,\cos\big(2m\arcsin(\tfrac{\pi a}\lambda\cos\phi)\big)
-              \,\mathrm d\phi ,
-
-    zero for n > m: sin^2 of the places is a polynomial of u.  Of a flat punch it is half of
-    :math:`P_m(y)+P_{m-1}(y)`, Legendre's polynomials at :math:`y = 1-2(\pi a/\lambda)^2`.
+    :math:`k_m = 2\pi m/\lambda` alone: sums over them stand for the integrals of a single strip, and
+    :math:`B_n(m)` of `winkler.numerics.transforms.strips.strip_harmonics` for :math:`(-1)^nJ_{2n}(ka)`.  Of a flat
+    punch it is half of :math:`P_m(y)+P_{m-1}(y)`, Legendre's polynomials at :math:`y = 1-2(\pi a/\lambda)^2`.
 
     Parameters
     ----------
@@ -548,95 +539,109 @@ class PeriodicLayers(LayeredLineFoundation):
 
     pitch: Positive
 
-    def __post_init__(self) -> None:
-        LayeredLineFoundation.__post_init__(self)
-        self.refuse_grading(
-            "Many strips press on layers and on homogeneous bodies; sums over the waves of their pitch, which fall "
-            "slowly on a grading, are not built in:"
-        )
-
     @property
-    def discrete(self) -> Waves:
-        """The waves, and 2 pi M / (lambda k)."""
+    def reach(self) -> float:
+        """As `LineBed.reach`; on gradings no closer to a sharp valley than a smooth profile is told from it."""
+        known = self.profile.reach
+        sharp = math.isfinite(known) and has_tail(self.medium.response)
+        return min(known, (1.0 - VALLEY) * self.pitch / math.pi) if sharp else known
+
+    def _phase(self, place: float) -> float:
+        """Return pi x / lambda of a place over u [m]."""
+        return math.pi / self.pitch * float(from_line(np.array(place), self.pitch))
+
+    def felt(self, phase: float, across: float, count: int) -> Waves:
+        """Return the waves of the pitch, and M / m, as of `strip_harmonics.harmonics`."""
         response = self.medium.response
-        count = math.ceil(0.5 * DECAY_SPAN * self.pitch / (math.pi * response.length))
-        if count > MOST_HARMONICS:
+        if has_tail(response):
+            return harmonics(response, self.pitch, phase, across, count)
+        most = math.ceil(0.5 * DECAY_SPAN * self.pitch / (math.pi * response.length))
+        if most > MOST_HARMONICS:
             raise OutsideValidity(
                 f"A pitch of {self.pitch:.6g} m is too long for an uppermost layer whose response fades over "
-                f"{response.length:.6g} m: {count} waves would be felt, {MOST_HARMONICS} at most; give a thicker layer."
+                f"{response.length:.6g} m: {most} waves would be felt, {MOST_HARMONICS} at most; give a thicker layer."
             )
-        k = 2.0 * math.pi / self.pitch * np.arange(1, count + 1)
-        return Waves(k, 2.0 * math.pi / self.pitch * response.excess(k) / k, np.zeros(0), np.zeros(0))
-
-    def rows(self, half_width: Array, count: int, orders: int) -> Array:
-        """Return B_n(m) of so many modes for m = 1 ... `orders` under strips of half-widths over u ``(a, n, m)``."""
-        points = count + orders + 1
-        angle = 0.5 * math.pi * (np.arange(points) + 0.5) / points
-        modes = np.cos(2.0 * np.outer(np.arange(count), angle)) / points
-        turned = np.arcsin(np.minimum(math.pi / self.pitch * np.outer(half_width, np.cos(angle)), 1.0))
-        found = np.empty((half_width.size, count, orders))
-        for row, one in enumerate(turned):
-            found[row] = modes @ np.cos(2.0 * np.outer(one, np.arange(1, orders + 1)))
-        return np.asarray(np.triu(found, -1))  # the first wave, m = 1, has the modes 0 and 1
+        number = np.arange(1.0, most + 1.0)
+        k = 2.0 * math.pi / self.pitch * number
+        return Waves(k, response.excess(k) / number, np.zeros(0), np.zeros(0))
 
     def own_transforms(self, half_width: Array, k: Array) -> Array:
         """Return the transforms of the half-planes' pressures over E* [m] at the waves ``(a, m)``."""
-        modes = self.own_modes(half_width)
+        modes, number = self.own_modes(half_width), np.round(0.5 * self.pitch / math.pi * k)
         if modes is not None:
             used = 1 + int(np.max(np.nonzero(np.any(modes != 0.0, axis=0))[0], initial=0))
-            return np.asarray(np.einsum("an,anm->am", modes[:, :used], self.rows(half_width, used, k.size)))
+            phases = map(self._phase, half_width.tolist())
+            return np.stack([m[:used] @ harmonic_rows(p, used, number) for m, p in zip(modes, phases, strict=True)])
+        if has_tail(self.medium.response):
+            raise OutsideValidity(
+                "PeriodicIndentation: strips under a profile with a tip, a kink or a fractional power are not resolved "
+                "on a grading, whose waves fall slowly; give a smooth profile, or a CoatedHalfSpace of layers that "
+                "follow it."
+            )
         found = np.empty((half_width.size, k.size))
-        for place, a in enumerate(half_width.tolist()):
+        for row, a in zip(found, half_width.tolist(), strict=True):
             widths, loads = punches(self.half_plane, a, float(k[-1]))
             level = 1.0 - 2.0 * (math.pi / self.pitch * widths) ** 2
             before, now = np.ones(widths.size), level
             for m in range(k.size):
-                found[place, m] = 0.5 * float(loads @ (before + now))
+                row[m] = 0.5 * float(loads @ (before + now))
                 before, now = now, ((2.0 * m + 3.0) * level * now - (m + 1.0) * before) / (m + 2.0)
         return found
 
+    def _equation(self, half_width: Array, count: int) -> tuple[Array, Array]:
+        """Return A and the right-hand side of `strip_equation`, sums in the place of integrals."""
+        coupled, pressed = np.empty((half_width.size, count, count)), np.empty((half_width.size, count))
+        slopes = self.half_plane.load_profile_slope(half_width)
+        for place, a in enumerate(half_width.tolist()):
+            phase = self._phase(a)
+            found = self.felt(phase, phase, count)
+            rows = harmonic_rows(phase, count, np.round(0.5 * self.pitch / math.pi * found.k))
+            weighted = rows * found.weights
+            coupled[place] = weighted @ rows.T
+            pressed[place] = weighted @ self.own_transforms(half_width[place : place + 1], found.k)[0]
+            if found.shorter.size:
+                sides, closing = far_harmonics(phase, count, 0.5 * self.pitch / math.pi * found.shorter)
+                for side, end in zip(sides, closing, strict=True):
+                    coupled[place] += (side * found.shares) @ side.T
+                    pressed[place] += (side * found.shares) @ (slopes[place] * self.pitch * end)
+        return coupled, pressed
+
     def solved(self, half_width: Array) -> StripResponse:
         """Return what the layers add under strips [m]."""
-        found = self.discrete
-        whole = found.k.size + 1 + TAIL  # no wave has more modes
-
-        def settled(a: Array) -> StripResponse:
-            octave = max(0.0, float(np.log2(np.max(a) / self.medium.response.length)))
-            rounding, pressed = VANISHED * 2.0 ** (0.5 * octave), self.own_transforms(a, found.k)
-            first = min(FIRST_MODES + 8 * math.ceil(octave), whole)
-
-            def equation(count: int) -> tuple[Array, Array]:
-                return summed(self.rows(a, count, found.k.size), found.weights, pressed)
-
-            strips = Strips(from_line(a, self.pitch), np.abs(pressed[:, 0]), equation)
-            return settled_strips(strips, first, rounding, whole)
-
-        parts = [settled(half_width[some]) for some in chunks(half_width.size, whole)]
-        most = max(part.closing.shape[1] for part in parts)
-        return StripResponse(
-            *(
-                np.concatenate([np.pad(part[i], ((0, 0), (0, most - part[i].shape[1]))) for part in parts])
-                for i in (0, 1)
-            )
-        )
+        response, first_wave = self.medium.response, np.array([2.0 * math.pi / self.pitch])
+        octave = max(0.0, float(np.log2(np.max(half_width) / response.smooth)))
+        most, falling = MOST_MODES, (TAIL_IN_LOAD * response.precision, TAIL_AT_EDGE)
+        if not has_tail(response):
+            most, falling = self.felt(1.0, 1.0, 0).k.size + 1 + TAIL, (0.0, 0.0)  # no wave has more modes
+        borne = np.abs(self.own_transforms(half_width, first_wave)[:, 0])
+        strips = Strips(from_line(half_width, self.pitch), borne, lambda count: self._equation(half_width, count))
+        first = min(FIRST_MODES + 8 * math.ceil(octave), most)
+        return settled_strips(strips, first, VANISHED * 2.0 ** (0.5 * octave), most, falling)
 
     def mode_transforms(self, half_width: float, count: int, k: Array) -> Array:
-        """Return the transforms of so many modes that each bear one, at the waves `discrete`."""
-        return np.asarray(self.rows(np.array([half_width]), count, k.size)[0])
+        """Return the transforms of so many modes that each bear one, at the waves `felt`."""
+        return harmonic_rows(self._phase(half_width), count, np.round(0.5 * self.pitch / math.pi * k))
+
+    def gaps(self, half_width: float, end: float) -> tuple[Array, Array]:
+        """As `LayeredLineFoundation.gaps`; the edge alone where M falls like 1 / xi and strips all but touch."""
+        if has_tail(self.medium.response) and not resolves(0.5 * math.pi - self._phase(half_width)):
+            return np.array([half_width]), np.zeros(1)
+        return LayeredLineFoundation.gaps(self, half_width, end)
 
     def sunk(self, x: Array, carried: Carried) -> Array:
         """Return by how much less the layers below let the surface sink at places u >= a [m] than at the edge."""
-        found = self.discrete
-        weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
         at_edge, places = (from_line(np.asarray(u), self.pitch) for u in (carried.half_width, x))
-        return np.asarray(np.cos(found.k * at_edge) @ weights - np.cos(np.outer(places, found.k)) @ weights)
+        phase, across = (math.pi / self.pitch * float(np.max(place)) for place in (at_edge, places))
+        found = self.felt(phase, across, 0)
+        weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
+        return np.asarray(np.cos(found.k * at_edge) @ weights - wave_sums(np.cos, places, found.k, weights))
 
     def waves_below(self, half_width: float, rim_load: float, farthest: float) -> PlaneWaves:
         """Return the pressure of all strips as waves; an even load of `rim_load` E* per strip beside them.
 
         The even part of the load is the wave that is long against all depths.
         """
-        found, carried = self.discrete, self.carried(half_width, 0.0)
+        found, carried = self.felt(self._phase(half_width), 0.5 * math.pi, 0), self.carried(half_width, 0.0)
         level = 2.0 / self.pitch * self.medium.modulus
         load = float(self.load_profile(np.array([half_width]))[0]) + rim_load
         k = np.append(LONGEST / max(self.medium.response.span, self.pitch), found.k)

@@ -123,13 +123,6 @@ def test_a_grading_of_no_family_gives_the_same_numbers():
             _ = contact.depth
 
 
-@pytest.mark.parametrize("given", [wk.HalfWidth(0.1), wk.HalfWidth(0.0), wk.LineForce(0.1), wk.NominalPressure(0.1)])
-def test_strips_at_one_pitch_are_refused_on_gradings(given):
-    waves = wk.LayeredLineFoundation(wk.Wavy(0.01, 1.0), graded(10.0).medium)
-    with pytest.raises(wk.OutsideValidity, match="Many strips press on layers"):
-        wk.PeriodicIndentation(waves, 1.0, given).solve()
-
-
 def test_a_grading_has_no_single_strength():
     with pytest.raises(wk.InvalidInput, match="strength"):
         wk.LineYieldOnset(graded(10.0), wk.Coulomb(0.1)).solve()

@@ -42,6 +42,9 @@ class LayeredGrid(GridTransforms):
         Of the medium, to a pressure or to shear.
     """
 
+    fewest: int = FEWEST_POINTS
+    """Gauss points of a narrow cell."""
+
     def __init__(self, plain: GridTransforms, response: WaveResponse) -> None:
         nodes = plain.nodes
         super().__init__(nodes)
@@ -81,7 +84,7 @@ class LayeredGrid(GridTransforms):
         """Return Gauss points of all cells, ascending, and their weights [m]."""
         widths = np.diff(self.nodes)
         wanted = math.ceil(POINTS_PER_LENGTH * float(np.max(widths)) / response.smooth)
-        places, weights = gauss_legendre(min(max(wanted, FEWEST_POINTS), MOST_POINTS))
+        places, weights = gauss_legendre(min(max(wanted, self.fewest), MOST_POINTS))
         return (self.nodes[:-1, None] + widths[:, None] * places).ravel(), (widths[:, None] * weights).ravel()
 
     def _by_hats(self, samples: Array, points: Array) -> Array:

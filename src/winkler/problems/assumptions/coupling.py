@@ -13,11 +13,11 @@ import math
 import numpy as np
 
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.materials.elastic import Elastic, Rigid, Solid, TransverselyIsotropic
+from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
-from winkler.media.offers import LayerStack, offers
+from winkler.media.offers import LayerStack, PlaneMedium, offers
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.validity import Assumption, Note, Standing, standing_of
@@ -54,16 +54,16 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.1, doi:10.10
 def mismatch(medium: Medium) -> float:
     """Return Dundurs' second constant beta [-] of the two surfaces; nan where the medium has none.
 
-    Of viscoelastic bodies the greater of its values right after a step and after all time; of layers that of the
-    outermost one and the other body.
+    Of viscoelastic bodies the greater of its values right after a step and after all time; of layers and gradings that
+    of the solid at the surface and the other body.
     """
     if isinstance(medium, RelaxingInProportion):
         medium = medium.medium
     if isinstance(medium, HalfSpace):
         return medium.mismatch
-    if offers(medium, LayerStack):
-        top, other = medium.layers[0].solid, medium.second
-        return math.nan if TransverselyIsotropic in map(type, (top, other)) else dundurs(top, other)  # type: ignore[arg-type]
+    if offers(medium, PlaneMedium):
+        surfaces = medium.response.first.top, medium.second
+        return dundurs(*surfaces) if all(isinstance(body, Solid) for body in surfaces) else math.nan  # type: ignore[arg-type]
     if isinstance(medium, ViscoelasticHalfSpace):
         pairs = ([_elastic(body, early) for body in (medium.first, medium.second)] for early in (True, False))
         return max((dundurs(*pair) for pair in pairs), key=abs)
@@ -186,12 +186,14 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
     if coefficient == 0.0:
         return Note(Assumption.UNCOUPLED, Standing.EXACT, "There is no friction.", "the problem")
     if abs(beta) < NEGLIGIBLE_COUPLING:
+        below = ""
+        if offers(medium, PlaneMedium):
+            below = f", as far as the {'outermost layer' if offers(medium, LayerStack) else 'surface itself'} goes"
         return Note(
             Assumption.UNCOUPLED,
-            Standing.ASYMPTOTIC if offers(medium, LayerStack) else Standing.EXACT,
+            Standing.ASYMPTOTIC if offers(medium, PlaneMedium) else Standing.EXACT,
             "The surfaces are elastically similar (Dundurs' beta = 0): pressure causes no traction, and traction along "
-            "the surface no pressure"
-            + (", as far as the outermost layer goes." if offers(medium, LayerStack) else "."),
+            f"the surface no pressure{below}.",
             SPENCE,
         )
     if math.isnan(beta) or math.isnan(coefficient):

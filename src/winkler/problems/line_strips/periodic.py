@@ -41,6 +41,9 @@ from winkler.values import value, words
 
 __all__ = ["PeriodicIndentation", "PeriodicSolution"]
 
+ROUNDING = 2e-6
+"""Part over u by which half-widths may exceed what is known of a profile with sharp valleys."""
+
 
 @value
 class PeriodicIndentation(PerLoad[Q]):
@@ -129,7 +132,13 @@ class PeriodicIndentation(PerLoad[Q]):
                     f"half-width {float(np.max(flat)):.6g} m is more than half of the pitch ({0.5 * self.pitch:.6g} m),"
                     " at which all is in contact; give a smaller one, or a nominal pressure."
                 )
-            half_width, mapped = flat.copy(), np.minimum(to_line(flat, self.pitch), line.reach)
+            half_width, mapped = flat.copy(), to_line(flat, self.pitch)
+            if np.any(mapped > (1.0 + ROUNDING) * line.reach):
+                raise OutsideValidity(
+                    f"half-width {float(np.max(flat)):.6g} m would press the valleys all but flat, which are sharp; "
+                    f"give at most {float(from_line(np.array(line.reach), self.pitch)):.6g} m."
+                )
+            mapped = np.minimum(mapped, line.reach)
             force = modulus * line.load_profile(mapped)
             force = np.where(mapped >= line.rim, modulus * closing, force)
         else:

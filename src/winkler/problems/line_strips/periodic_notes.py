@@ -73,16 +73,15 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation
     """
     a, extra = strip
     layered = isinstance(one, LayeredLineFoundation)
-    bodies = (
-        "Linear elastic layers, bonded or, as given, sliding without friction and gap,"
-        if layered
-        else "Homogeneous, linear elastic half-planes"
+    standing, bodies = (
+        one.layered_body.in_plane
+        if isinstance(one, LayeredLineFoundation)
+        else (Standing.EXACT, "Homogeneous, linear elastic half-planes in plane strain under normal load")
     )
     response = Note(
         Assumption.RESPONSE,
-        Standing.EXACT,
-        f"{bodies} in plane strain under normal load in equal strips without end; far below, a patch of them many "
-        "pitches wide is pressed evenly.",
+        standing,
+        f"{bodies}, in equal strips without end; far below, a patch of them many pitches wide is pressed evenly.",
         WAVES if layered else WESTERGAARD,
     )
     if a == 0.0:

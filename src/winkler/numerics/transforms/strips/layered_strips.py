@@ -7,10 +7,14 @@ import numpy as np
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.layered_grid import LayeredGrid
 from winkler.numerics.transforms.strips import strip_punches
+from winkler.numerics.transforms.strips.strip_equation import has_tail
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredStrips"]
+
+BESIDE_LOGARITHM = 8
+"""Gauss points of a cell at whose end the kernel may have a logarithm."""
 
 
 class LayeredStrips(LayeredGrid):
@@ -25,6 +29,8 @@ class LayeredStrips(LayeredGrid):
     """
 
     def __init__(self, nodes: Array, response: WaveResponse) -> None:
+        if has_tail(response):
+            self.fewest = BESIDE_LOGARITHM
         super().__init__(StripTransforms(nodes), response)
 
     def edges(self, response: WaveResponse, x: Array) -> Array:

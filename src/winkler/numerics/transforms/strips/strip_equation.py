@@ -48,6 +48,7 @@ __all__ = [
     "excess_at",
     "first_modes",
     "has_tail",
+    "kept_share",
     "octaves",
     "punch_edges",
     "punch_modes",
@@ -183,8 +184,8 @@ def _own_waves(own: WaveResponse, octave: int) -> Waves:
     k, weights = wave_numbers(first, widest, end)
     whole = weights * excess_at(own, k) / k
     shorter, shares = (part[NODES:] for part in wave_numbers(0.5 * end, last, last))
-    shares = shares * excess_at(own, shorter) * (1.0 - _kept_share(shorter / end)) / shorter
-    return Waves(k, whole * _kept_share(k / end), shorter, shares)
+    shares = shares * excess_at(own, shorter) * (1.0 - kept_share(shorter / end)) / shorter
+    return Waves(k, whole * kept_share(k / end), shorter, shares)
 
 
 def excess_at(response: WaveResponse, k: Array) -> Array:
@@ -197,7 +198,7 @@ def has_tail(response: WaveResponse) -> bool:
     return response.smooth > response.length
 
 
-def _kept_share(ratio: Array) -> Array:
+def kept_share(ratio: Array) -> Array:
     """Return how much of a wave is summed, the rest is averaged: none at a ratio of one, all below a half."""
     from scipy.special import erfc
 
@@ -402,10 +403,10 @@ def _rows_of(count: int) -> _Rows:
     cosine, sine = far_sides(far, np.ones(1))[:, 0]
     return _Rows(
         argument,
-        weights * _kept_share(argument / end) / argument,
+        weights * kept_share(argument / end) / argument,
         rows,
         far,
-        shares * (1.0 - _kept_share(far / end)) / far,
+        shares * (1.0 - kept_share(far / end)) / far,
         np.concatenate(list(sides), axis=1),
         np.concatenate([sine, -cosine]) / np.concatenate([far, far]),
     )
