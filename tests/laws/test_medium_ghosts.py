@@ -1,4 +1,4 @@
-"""Ghosts: media of no class, delegating to a coating, a stack, a grading or a power law, in each problem on a bed."""
+"""Ghosts: media of no class, delegating to a coating, stack, grading or power law, in problems on beds and on maps."""
 
 from __future__ import annotations
 
@@ -106,22 +106,60 @@ PROBLEMS = {
 }  # fmt: skip
 
 
-def test_all_problems_on_a_bed_are_walked():
+BODIES, HILL = wk.CurvedBodies(1.0, 2.0), wk.SampledProfile([0.6, 0.6], wk.Paraboloid(1.0), (16, 16))
+FINE_HILL = wk.SampledProfile([0.6, 0.6], wk.Paraboloid(1.0), (32, 32))
+OVAL = tuple(wk.Paraboloid(radius) for radius in (1.0, 1.5, 2.0, 1.5))
+Y = np.linspace(-0.5, 0.5, 11)
+PAIR = wk.CrossProfile(Y, 0.0 * Y), wk.CrossProfile(Y, 0.5 * Y**2)
+ROLLER = 0.2, 0.5, wk.CrownedEnds(2.0)
+SHEAR = wk.Path.through(LOAD, wk.ShearForce([0.0, 0.0005]))
+ON_SURFACES = {
+    "EllipticIndentation": lambda medium: wk.EllipticIndentation(BODIES, medium, LOAD),
+    "EllipticWear": lambda medium: wk.EllipticWear(BODIES, medium, wk.Archard(1e-3), LOAD, 1.0),
+    "JointStiffness": lambda medium: wk.JointStiffness(HILL, medium, MU, LOAD),
+    "NearlyRoundIndentation": lambda medium: wk.NearlyRoundIndentation(OVAL, medium, LOAD),
+    "ProfilePair": lambda medium: wk.ProfilePair(*PAIR, medium, LOAD, second_radius=1.0, pixels=16),
+    "ProfilePairRolling": lambda medium: wk.ProfilePairRolling(
+        wk.ProfilePair(*PAIR, medium, LOAD, second_radius=1.0, pixels=16), MU, lateral_drift=1e-2
+    ),
+    "ReducedFriction": lambda medium: wk.ReducedFriction(FINE_HILL, medium, MU, 0.04),
+    "Reduction": lambda medium: wk.Reduction(FINE_HILL, medium, 0.04),
+    "RollerContact": lambda medium: wk.RollerContact(*ROLLER, medium, LOAD, elements=16),
+    "RoughContact": lambda medium: wk.RoughContact(SPECTRUM, medium, 1.0, LOAD, realisations=2, count=128),
+    "SurfaceAdhesion": lambda medium: wk.SurfaceAdhesion(HILL, medium, FAR, wk.Depth([0.005, 0.01])),
+    "SurfaceContact": lambda medium: wk.SurfaceContact(HILL, medium, LOAD),
+    "SurfaceRolling": lambda medium: wk.SurfaceRolling(HILL, medium, LOAD, MU, wk.Creepage(1e-2)),
+    "SurfaceRollingStart": lambda medium: wk.SurfaceRollingStart(HILL, medium, LOAD, MU, wk.Creepage(1e-2), 0.1),
+    "SurfaceTangential": lambda medium: wk.SurfaceTangential(HILL, medium, MU, SHEAR),
+}  # fmt: skip
+
+
+def test_all_problems_on_a_bed_or_a_surface_are_walked():
     """By name, so that a new one is added here."""
     found = {
         name
         for name in wk.__all__
         if dataclasses.is_dataclass(kind := getattr(wk, name))
         and hasattr(kind, "solve")
-        and any(field.name == "bed" and field.type in ("Bed", "Foundation") for field in dataclasses.fields(kind))
+        and any(
+            (field.name == "bed" and field.type in ("Bed", "Foundation"))
+            or (field.name == "medium" and "MappedMedium" in str(field.type))
+            or field.type == "ProfilePair"
+            for field in dataclasses.fields(kind)
+        )
     }
-    assert found == {name.split(",")[0] for name in PROBLEMS}
+    assert found == {name.split(",")[0] for name in (*PROBLEMS, *ON_SURFACES)}
 
 
 def outcome(name: str, medium: Any) -> tuple[list[str], list[np.ndarray]]:
     """Return the sentences and the numbers of an answer and of its validity, or the refusal."""
     try:
-        solution = PROBLEMS[name](wk.Foundation(wk.Paraboloid(1.0), medium)).solve()
+        problem = (
+            ON_SURFACES[name](medium)
+            if name in ON_SURFACES
+            else PROBLEMS[name](wk.Foundation(wk.Paraboloid(1.0), medium))
+        )
+        solution = problem.solve()
         stated = solution.validity
     except wk.WinklerError as refusal:
         return [type(refusal).__name__, masked(str(refusal), medium)], []
@@ -149,6 +187,7 @@ def numbers(answer: Any) -> Any:
 
 
 QUICK = {
+    *((name, "coating") for name in ("RollerContact", "SurfaceContact", "SurfaceTangential")),
     ("FrictionDamping", "coating"),
     ("Tangential", "coating"),
     ("Indentation", "stack"),
@@ -157,21 +196,24 @@ QUICK = {
 LONG = {
     *((name, medium) for name in ("YieldOnset", "YieldOnset, sliding", "AdhesiveImpact") for medium in MEDIA),
     *((name, "grading") for name in ("AdhesiveShear", "BimodalDamping", "Impact", "LimitingProfile", "Tangential")),
-    *((name, "coating") for name in ("FrictionHeating", "Impact", "SpringMarch")),
+    *((name, "grading") for name in ("JointStiffness", "ProfilePairRolling", "ReducedFriction")),
+    *((name, "coating") for name in ("FrictionHeating", "Impact", "ReducedFriction", "SpringMarch")),
     *(("AdhesiveIndentation, Dugdale", medium) for medium in ("stack", "grading")),
 }
 
 
 def marked(name: str, medium: str) -> Any:
     slow_on_power_law = ("AdhesiveImpact", "AdhesiveIndentation, Dugdale", "FrictionHeating", "Impact", "Torsion")
-    quick = medium == "power law" and name not in slow_on_power_law
+    quick = medium == "power law" and name in PROBLEMS and name not in slow_on_power_law
     if quick or (name, medium) in QUICK:
         return pytest.param(name, medium)
-    late = (name, medium) in LONG or (list(PROBLEMS).index(name) + list(MEDIA).index(medium)) % 2
+    late = (name, medium) in LONG or ([*PROBLEMS, *ON_SURFACES].index(name) + list(MEDIA).index(medium)) % 2
     return pytest.param(name, medium, marks=pytest.mark.long if late else pytest.mark.slow)
 
 
-@pytest.mark.parametrize(("name", "medium"), [marked(name, medium) for medium in MEDIA for name in PROBLEMS])
+@pytest.mark.parametrize(
+    ("name", "medium"), [marked(name, medium) for medium in MEDIA for name in (*PROBLEMS, *ON_SURFACES)]
+)
 def test_a_medium_of_no_class_gives_the_same_numbers_or_the_same_refusal(name, medium):
     known, ghost = (outcome(name, each) for each in (MEDIA[medium], ghost_of(MEDIA[medium])))
     assert known[1] or (name, medium) not in QUICK

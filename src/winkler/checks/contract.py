@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["described", "is_protocol", "keeps", "lacking", "of_kinds", "offered"]
+__all__ = ["described", "is_protocol", "keeps", "lacking", "of_kinds", "offered", "stands_for"]
 
 K = TypeVar("K")
 NO_PART = (float, int, bool, complex, str, bytes, tuple, list, dict, set, object, type(None), np.ndarray)
@@ -49,12 +49,17 @@ def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
             return True
         if made in NO_PART or isinstance(part, type):
             return False
-        if issubclass(made, classes) or any(not _unknown(made, kind) for kind in protocols):
+        if issubclass(made, classes) or any(stands_for(made, kind) for kind in protocols):
             accepted.add(made)
             return True
         return any(not _missing(part, kind) for kind in protocols)
 
     return fits
+
+
+def stands_for(made: type, kind: type) -> bool:
+    """Return whether a class is derived from another one, or declares each member of a protocol."""
+    return not _unknown(made, kind) if is_protocol(kind) else issubclass(made, kind)
 
 
 def is_protocol(kind: Any) -> bool:

@@ -5,20 +5,15 @@ from __future__ import annotations
 from typing import TypeAlias, cast
 
 from winkler.errors import OutsideValidity
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.offers import PowerOfDepth, PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, PushedWaves, offers
 from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 
 __all__ = ["MappedMedium", "layers_of"]
 
-MappedMedium: TypeAlias = (
-    HomogeneousMedium | CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | GradedHalfSpace
-)
+MappedMedium: TypeAlias = HomogeneousMedium | PushedWaves | PowerOfDepth
 """A medium under a height map."""
 
 

@@ -65,6 +65,7 @@ class TwistModuli(Medium, Protocol):
         """G_t [Pa]."""
 
 
+@offered("one whose modulus follows a power of the depth, such as GradedHalfSpace(first, second)")
 class PowerOfDepth(TwistModuli, Protocol):
     """Moduli that follow one power of the depth."""
 
@@ -112,6 +113,7 @@ class TwistedWaves(PressedWaves, TwistModuli, Protocol):
         """The response of the pair to shear across its wave, and to a twist."""
 
 
+@offered("layers or a grading, such as CoatedHalfSpace(layers, on) or DepthGradedHalfSpace(grading)")
 class PushedWaves(TwistedWaves, Protocol):
     """The responses of layers to all loads: rings may slide around the axis, or along the surface."""
 

@@ -154,6 +154,74 @@ def test_a_ball_rolls_as_its_height_map():
     assert patch.stick_share == pytest.approx(alike.stick_share, abs=0.04)
 
 
+def on_layers(medium, **more):
+    """A ball that drifts and is braked on a flat under 0.1 N, with a contact of about 10 micrometres."""
+    pair = dataclasses.replace(on_flat(rolled_radius=10.003e-3, pixels=32), load=wk.Force(0.1), medium=medium)
+    return wk.ProfilePairRolling(dataclasses.replace(pair, **more), MU, lateral_drift=2e-4).solve()
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("thickness", [10e-6, 3e-6, 30e-6])
+@pytest.mark.parametrize("contrast", [0.1, 10.0])
+def test_a_ball_rolls_on_a_coating_as_its_height_map(contrast, thickness):
+    """Radii of ball and flat differ by 1e-6 across the patch, so that its creepage is that of its middle."""
+    coat = wk.CoatedHalfSpace(
+        [wk.Layer(wk.Elastic(contrast * 210e9, 0.3), thickness)], on=STEEL.first, second=STEEL.first
+    )
+    found = on_layers(coat)
+    (patch,) = found.patches
+    side = 1.2 * patch.patch.longitudinal_length
+    rough = wk.SampledProfile([side, side], wk.Paraboloid(10e-3), (41, 41))
+    alike = wk.SurfaceRolling(rough, coat, wk.Force(0.1), MU, patch.creepage).solve()
+    for name in ("longitudinal_force", "lateral_force"):
+        assert getattr(patch, name) == pytest.approx(getattr(alike, name), abs=0.01 * 0.03), name
+    assert found.loss_per_distance == pytest.approx(alike.loss_per_distance, rel=0.02)
+    assert patch.stick_share == pytest.approx(alike.stick_share, abs=0.04)
+    assert patch.patch.peak_pressure == pytest.approx(alike.last.pressure.max(), rel=3e-3)
+
+
+@pytest.mark.slow
+def test_layers_of_the_same_solid_roll_as_profiles_on_a_half_space():
+    solid = STEEL.first
+    want = on_layers(STEEL)
+    coats = wk.CoatedHalfSpace([wk.Layer(solid, 2e-6), wk.Layer(solid, 5e-6)], on=solid, second=solid)
+    grading = wk.DepthGradedHalfSpace(wk.ExponentialGrading(210e9, 210e9 * (1.0 + 1e-9), 1e-5, 0.28), second=solid)
+    for medium, rel in ((coats, 1e-6), (grading, 1e-5)):
+        found = on_layers(medium)
+        for name in ("x_force", "y_force", "z_force", "depth", "loss_per_distance"):
+            assert getattr(found, name) == pytest.approx(getattr(want, name), rel=rel, abs=1e-9), name
+    with pytest.raises(wk.OutsideValidity, match="isotropic bodies of a HalfSpace"):
+        found.patches[0].stresses(0.0, 0.0, 1e-6)
+
+
+@pytest.mark.slow
+def test_what_lies_below_the_layer_of_rolling_profiles_is_felt():
+    """At a/h = 3 the base counts, and thin layers tend to it in proportion to their thickness."""
+    solid, soft = STEEL.first, wk.Elastic(21e9, 0.28)
+    steel, weak, *thin = (
+        on_layers(wk.CoatedHalfSpace([wk.Layer(soft, h)], on=base, second=solid))
+        for base, h in ((solid, 3e-6), (soft, 3e-6), (solid, 2e-8), (solid, 1e-8))
+    )
+    assert weak.depth > 2.0 * steel.depth
+    assert abs(weak.y_force) < 0.96 * abs(steel.y_force)
+    bare = on_layers(STEEL)
+    for name in ("x_force", "y_force", "depth"):
+        thick, half = (getattr(each, name) - getattr(bare, name) for each in thin)
+        assert thick / half == pytest.approx(2.0, rel=0.1), name
+
+
+@pytest.mark.parametrize(
+    ("medium", "why"),
+    [
+        (wk.SlidingFilm([wk.Layer(STEEL.first, 1e-6)], on=STEEL.first), "of a SlidingFilm that slides bears no"),
+        (wk.GradedHalfSpace.between(wk.PowerLawGraded(210e9, 0.2, 1e-3, 0.28)), "a GradedHalfSpace, whose modulus"),
+    ],
+)
+def test_profiles_do_not_roll_on_what_bears_no_tractions(medium, why):
+    with pytest.raises(wk.OutsideValidity, match=why):
+        wk.ProfilePairRolling(dataclasses.replace(on_flat(), medium=medium), MU)
+
+
 @pytest.mark.parametrize("drift", [0.05, -0.05])
 def test_a_ball_that_slides_on_a_slope(drift):
     """Coulomb: F_N (cos - mu sin) bears the force where it is pushed up the slope, F_N (cos + mu sin) where down."""

@@ -364,6 +364,42 @@ def test_equal_layers_are_the_half_space_and_a_base_is_felt():
         assert depths[4] == pytest.approx(layer.depth, rel=2e-3)
 
 
+def worked(depth, medium, elements=48):
+    """Return the work that presses a crown so far, and the elastic energy of pressures and displacements."""
+    nodes, weights = np.polynomial.legendre.leggauss(6)
+    roots = 0.5 * (nodes + 1.0)  # of the depths over the greatest: the force rises as a power near 1.5 of the depth
+    depths = depth * np.append(roots**2, 1.0)
+    found = wk.RollerContact(1.0, 2.0, wk.CrownedEnds(20.0), medium, wk.Depth(depths), elements=elements).solve()
+    work = depth * float(np.sum(weights * roots * found.force[:-1]))
+    last = found.last
+    sunk = depth - last.x[:, None] ** 2 / 40.0 - last.y**2 / 2.0
+    areas = np.diff(last.edges)[:, None] * (last.y[1] - last.y[0])
+    return work, 0.5 * float(np.sum(last.pressure * sunk * areas))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["soft", "hard", "stack", "power"])
+def test_the_work_of_pressing_a_crown_is_the_energy_of_its_pressures(name):
+    """All places that bear sink by what the crown leaves of the depth; nothing is lost."""
+    work, stored = worked(2e-4, LAYERED[name])
+    assert work == pytest.approx(stored, rel=1e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["soft", "hard"])
+def test_the_error_of_a_crown_on_layers_falls_with_its_elements(name):
+    """Against squares of pixels, by another solver: in proportion to the elements, and less than stated."""
+    pixels = wk.EllipticIndentation(wk.CurvedBodies(20.0, 1.0), LAYERED[name], wk.Force(2e-4)).solve()
+    for elements in (24, 48, 96):
+        found = crowned(LAYERED[name], elements)
+        depth, middle = (
+            abs(found.depth / pixels.depth - 1.0),
+            abs(found.middle_pressure / pixels.pressure(0.0, 0.0) - 1.0),
+        )
+        assert depth < min(0.1 / elements, found.grid_error)
+        assert middle < min(0.5 / elements, found.grid_error)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("young", "thickness"), [(20.8e9, 1e-4), (2080e9, 1e-4), (20.8e9, 1e-2), (2080e9, 1e-2)])
 def test_the_middle_of_a_long_roller_on_layers_is_an_endless_line(young, thickness):

@@ -38,6 +38,11 @@ from winkler.values import value, words
 
 __all__ = ["EllipticFrictionHeating", "EllipticFrictionHeatingSolution"]
 
+ON_LAYERS = (
+    "the heat is that of Hertz's pressure; on layers and gradings give the pressure of EllipticIndentation, pixel by "
+    "pixel, to SurfaceFrictionHeating"
+)
+
 
 @value
 class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
@@ -102,7 +107,7 @@ class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
     )
 
     bodies: CurvedBodies | CurvedPair
-    medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
+    medium: Annotated[HomogeneousMedium, Advice(ON_LAYERS)]
     law: Overcome
     load: Force[Q] | Depth[Q]
     conductors: HeatConductors

@@ -10,15 +10,14 @@ the upper body, so that under a given force the pressures follow from the balanc
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, ClassVar, cast
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.checks.number_checks import Finite, NonNegative, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
 from winkler.loading import Force
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.creepages import Drift
@@ -27,6 +26,7 @@ from winkler.problems.profile_pair.profile_pair import ProfilePair
 from winkler.problems.profile_pair.rolled_patch import RolledPatch, rolled_patches
 from winkler.problems.profile_pair.rolling_notes import pair_rolling_notes
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
+from winkler.problems.rough.compliance import compliance_of
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -53,7 +53,7 @@ class ProfilePairRolling:
     ----------
     pair : ProfilePair
         The bodies, how they stand, their load and the rolled radius; the force is the vertical one of pressures and
-        friction together.
+        friction together.  Layers must be bonded, of a grading the modulus at the surface finite.
     friction : Coulomb or FallingFriction
         A coefficient that is positive and finite, or one that falls with the velocity of slip.
     lateral_drift : float, optional
@@ -100,7 +100,6 @@ class ProfilePairRolling:
         yaw_rate=("", "rad/m", "turn of the upper body about the vertical per distance rolled"),
         roll_rate=("", "rad/m", "turn of the upper body about the direction along per distance rolled"),
         speed=("V", "m/s", "speed of rolling"),
-        rolled_medium=("", None, "both bodies, which are homogeneous"),
     )
 
     pair: ProfilePair
@@ -116,16 +115,7 @@ class ProfilePairRolling:
 
     def __post_init__(self) -> None:
         refuse_rest("ProfilePairRolling", self.friction, self.speed)
-        if not isinstance(self.pair.medium, HomogeneousMedium):
-            raise InvalidInput(
-                f"ProfilePairRolling: the medium of the pair is a {type(self.pair.medium).__name__}; profiles roll on "
-                "homogeneous bodies: give a HalfSpace, or press the pair with ProfilePair and roll with SurfaceRolling."
-            )
-
-    @property
-    def rolled_medium(self) -> HomogeneousMedium:
-        """Both bodies."""
-        return cast(HomogeneousMedium, self.pair.medium)
+        compliance_of(self.pair.medium)  # refuses bodies whose tractions are not known
 
     def solve(self) -> ProfilePairRollingSolution:
         """Return the patches with their creep forces, and the sums of these.
@@ -166,7 +156,7 @@ class ProfilePairRolling:
             )
         drift = Drift(self.lateral_drift, self.yaw_rate, self.roll_rate)
         radius = pair.rolled_radius or pair.second_radius
-        patches = rolled_patches(placed, self.rolled_medium, self.friction, radius, drift, self.tolerance, self.speed)
+        patches = rolled_patches(placed, pair.medium, self.friction, radius, drift, self.tolerance, self.speed)
         return placed, *patches
 
     def _solution(
@@ -316,6 +306,6 @@ class ProfilePairRollingSolution:
         """How far the result can be trusted: pixels, conformity, friction, creepages, yield."""
         stated = self.problem
         notes = pair_rolling_notes(
-            stated.rolled_medium, stated.friction, self.patches, self.windows, self.grid_error, self.misfit
+            stated.pair.medium, stated.friction, self.patches, self.windows, self.grid_error, self.misfit
         )
         return (*notes, *idle_speed_notes(stated.friction, stated.speed))

@@ -12,14 +12,13 @@ one window are solved together.
 from __future__ import annotations
 
 import math
-from typing import cast
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
@@ -111,13 +110,13 @@ class RolledPatch(BelowSurface):
         return SurfaceLoad(pressed.pressure, pressed.lengths, self.traction[0], self.traction[1], pressed.corner)
 
     @property
-    def _medium(self) -> HomogeneousMedium:
-        return cast(HomogeneousMedium, self.patch.medium)  # `ProfilePairRolling` rolls on no other
+    def _medium(self) -> MappedMedium:
+        return self.patch.medium
 
 
 def rolled_patches(
     placed: PlacedPair,
-    medium: HomogeneousMedium,
+    medium: MappedMedium,
     friction: Coulomb | FallingFriction,
     rolled: float,
     drift: Drift,
@@ -130,8 +129,8 @@ def rolled_patches(
     ----------
     placed : PlacedPair
         The bodies and their pressures.
-    medium : HomogeneousMedium
-        Both bodies.
+    medium : MappedMedium
+        Both bodies, which bear tractions of pixels.
     friction : Coulomb or FallingFriction
         Law of friction.
     rolled : float
@@ -161,7 +160,7 @@ def rolled_patches(
             ahead = (patch.along + AHEAD * dx)[:, None]
             slip = np.stack(np.broadcast_arrays(xi, eta + spin * ahead))
             rigid = np.where(patch.pressure > 0.0, slip, rigid)
-        grid = TractionGrid.of(pressure.shape, (1.0, ds / dx), compliance, periodic=False)
+        grid = TractionGrid.of(pressure.shape, (1.0, ds / dx), compliance.in_units_of(dx), periodic=False)
         start, here = np.zeros((2, *pressure.shape)), (slice(None), *box)
         try:
             slip = rigid[here] * (pressure > 0.0)

@@ -7,10 +7,13 @@ from typing import cast
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
 from winkler.media.medium import Medium
 from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
 from winkler.problems.profile_pair.notes import placed_notes, yield_of_patches
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
+from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.problems.surface_rolling.notes import named
 from winkler.problems.surface_rolling.small_creep import small_creep_note
 from winkler.validity import Assumption, Note, Standing, standing_left, standing_of
@@ -18,12 +21,18 @@ from winkler.validity import Assumption, Note, Standing, standing_left, standing
 __all__ = ["pair_rolling_notes"]
 
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
+PIXELS_ON_HALF_SPACES = Note(
+    Assumption.RESPONSE,
+    Standing.EXACT,
+    "Contact of homogeneous, linear elastic half-spaces, every pixel pressing and dragging all others of its grid.",
+    KALKER,
+)
 FINE, COARSE = 0.01, 0.1
 """Change of forces from half as many pixels up to which results count as fine, and as coarse."""
 
 
 def pair_rolling_notes(
-    medium: HomogeneousMedium,
+    medium: MappedMedium,
     friction: Coulomb | FallingFriction,
     patches: tuple[RolledPatch, ...],
     windows: int,
@@ -45,15 +54,10 @@ def pair_rolling_notes(
     grid_error, misfit
         As of `ProfilePairRollingSolution`.
     """
+    homogeneous = isinstance(medium, HomogeneousMedium)
     greatest = max(patch.greatest_rigid_slip for patch in patches)
     return (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Contact of homogeneous, linear elastic half-spaces, every pixel pressing and dragging all others of its "
-            "grid.",
-            KALKER,
-        ),
+        *((PIXELS_ON_HALF_SPACES,) if homogeneous else (PIXELS_ON_LAYERS, *graded_notes(medium))),
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
@@ -68,7 +72,7 @@ def pair_rolling_notes(
             KALKER,
         ),
         small_creep_note(greatest),
-        sticking_note(cast(Medium, medium), greatest_coefficient(friction)),
+        sticking_note(cast(Medium, medium), greatest_coefficient(friction)) if homogeneous else UNCOUPLED_LAYERS,
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),

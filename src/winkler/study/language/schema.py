@@ -30,6 +30,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from winkler.checks.contract import stands_for
 from winkler.checks.field_checks import numbers_taken
 from winkler.errors import suggest
 from winkler.numerics.types import Array
@@ -163,13 +164,13 @@ def _may_stand(name: str, hint: Any) -> bool:
         return name in CATALOGUE[slot]
     if typing.get_origin(hint) in (Union, types.UnionType):
         return any(_may_stand(name, part) for part in typing.get_args(hint))
-    return isinstance(hint, type) and path_of(hint) not in UNWRITTEN and issubclass(kinds()[name].cls, hint)
+    return isinstance(hint, type) and path_of(hint) not in UNWRITTEN and stands_for(kinds()[name].cls, hint)
 
 
 @functools.cache  # of one class only: unions of the same classes in another order are equal
 def _kinds_of(cls: type) -> tuple[str, ...]:
-    """Return the kinds of a class and of those derived from it."""
-    return tuple(name for name, line in kinds().items() if issubclass(line.cls, cls))
+    """Return the kinds of a class and of those derived from it, or those that keep a protocol."""
+    return tuple(name for name, line in kinds().items() if stands_for(line.cls, cls))
 
 
 def allowed_in_list(hint: Any) -> tuple[str, ...]:
