@@ -23,7 +23,7 @@ from winkler.io.curves import try_curves
 from winkler.io.foreign import reason_of
 from winkler.io.indenter_file import read_indenter
 from winkler.io.placed_curves import UnreadCurve
-from winkler.io.tables.curve_table import DEPTH, FORCE
+from winkler.io.tables.curve_table import DEPTH, FORCE, is_curve_table
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
@@ -183,7 +183,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
             return found
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
-    return [*reasons, ("force curve", curve.reason)]
+    of_curve = ("force curve", curve.reason)
+    return [of_curve, *reasons] if is_curve_table(file) else [*reasons, of_curve]
 
 
 def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple[str, str]]) -> Inspection | None:
