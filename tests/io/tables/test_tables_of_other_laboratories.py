@@ -261,4 +261,3 @@ def test_the_reason_is_that_of_the_curve_where_the_header_names_one(tmp_path):
     reason = inspect_file(path, brief=True).reason
     assert "read as force curve" in reason
     assert "no unit stands with 'travel'" in reason
-

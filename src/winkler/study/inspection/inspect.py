@@ -30,6 +30,7 @@ from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.text_file import existing
 from winkler.loading import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
@@ -209,7 +210,7 @@ def _tried(file: Path, kind: TableKind, why: str) -> Inspection | None:
 def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
     content = kind.read(file)
     done = (TWO_HOLDS,) if isinstance(content, HeldTable) else log_lines(content)
-    if isinstance(content, RelaxationData | CreepData | DynamicData) and content.reading:
+    if isinstance(content, RelaxationData | CreepData | DynamicData | DynamicSweeps) and content.reading:
         done = (*done, content.reading)
     columns = columns_of(content)
     found = Inspection(str(file), kind.name, why, 1, columns, (), done, log_doubts(content), content=content)
