@@ -261,3 +261,12 @@ def test_the_reason_is_that_of_the_curve_where_the_header_names_one(tmp_path):
     reason = inspect_file(path, brief=True).reason
     assert "read as force curve" in reason
     assert "no unit stands with 'travel'" in reason
+
+
+def test_a_test_with_an_extension_is_no_hold(tmp_path):
+    """Instron's 'Time, Extension, Load' was taken for the force over the time of a hold, its extension unread."""
+    path = _file(tmp_path, ["Time,Extension,Load", "(s),(mm),(N)"], [0.1 * DEPTH, DEPTH, FORCE])
+    found = inspect_file(path, brief=True)
+    assert not found.is_read
+    assert "give spring_constant in N/m" in found.reason
+    assert read_curve(path, spring_constant=1e6).position == pytest.approx(DEPTH * 1e-3)

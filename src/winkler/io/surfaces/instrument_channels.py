@@ -16,8 +16,8 @@ from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.surfaces.surface_container import contained_surface, is_container
-from winkler.io.tables.table_cells import is_number
-from winkler.io.text_file import refuse_large
+from winkler.io.tables.table_cells import like_number
+from winkler.io.text_file import content_of, refuse_large
 from winkler.limits import FILE_BYTES
 
 __all__ = ["channel_contents", "tip_radius_of"]
@@ -28,8 +28,9 @@ CONTENTS = {1: ("line scan", "height maps"), 2: ("height map", "line scans")}
 """What is looked for, and what else there may be."""
 REMEDIES = {1: "save it as a table with the columns place and height", 2: "save it as an NPY file or as a text"}
 """How else scans and maps are read."""
-LOG_CELLS, LOG_LINES, HEAD_BYTES = (4, 32), 1000, 20_000
-"""Numbers in a row, and rows, of a table that is neither a map nor points, and the part of a text that is looked at."""
+LOG_CELLS, LOG_LINES, HEAD_BYTES = (3, 32), 1000, 20_000
+"""Numbers in a row, and rows, of a table that is no map (points on a grid are read before), and the part of a text that
+is looked at."""
 UNMARKED = "HGTReader"
 """It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
@@ -134,15 +135,23 @@ def _others(channels: list[Any], directions: int) -> str:
 
 
 def _is_log(path: Path) -> bool:
-    """Return whether a text is a long table of several columns: SurfaceTopography reads it anew below each line."""
+    """Return whether a text is a long table of some columns, or of two with other rows among them.
+
+    SurfaceTopography would read such a text anew below each of its first lines.
+    """
     with path.open("rb") as file:
         head = file.read(HEAD_BYTES)
     if b"\x00" in head or head.count(b"\n") * path.stat().st_size < LOG_LINES * len(head) or not head:
         return False
-    rows = [max((line.split(mark) for mark in (b",", b";", b"\t", None)), key=len) for line in head.split(b"\n")[:-1]]
-    counts = sorted(sum(is_number(cell.decode("latin-1").strip()) for cell in row) for row in rows[-20:])
+    lines = [line.rstrip() for line in content_of(path, FILE_BYTES).splitlines()]
+    marks = (b",", b";", b"\t", None)
+    mark = max(marks, key=lambda one: sum(len(line.split(one)) for line in lines[LOG_LINES // 2 : LOG_LINES // 2 + 20]))
+    row = lines[LOG_LINES // 2].split(mark)
+    count = sum(like_number(cell.strip(b'" \t').decode("latin-1")) for cell in row)
     low, high = LOG_CELLS
-    return low <= counts[len(counts) // 2] <= high
+    if count != low - 1:
+        return low <= count <= high
+    return any(line and len(line.split(mark)) != len(row) for line in lines[LOG_LINES // 2 :])
 
 
 def _refuse_cut_array(path: Path) -> None:

@@ -49,13 +49,34 @@ STRAIN = Column("shear strain", ("strain", "shear strain", "γ", "gamma", "scher
 STRESS = Column("shear stress", ("stress", "shear stress", "τ", "tau", "schubspannung"), "Pa", "Pa")
 SHEAR_STORAGE = Column(
     "storage modulus in shear",
-    ("storage_shear", "storage", "g'", "gp", "g_stor", "storage modulus", "speichermodul"),
+    (
+        "storage_shear",
+        "storage",
+        "g'",
+        "gp",
+        "g_stor",
+        "storage modulus",
+        "speichermodul",
+        "shear modulus (elastic component)",
+        "module de conservation",
+    ),
     "Pa",
     "kPa",
 )
 SHEAR_LOSS = Column(
     "loss modulus in shear",
-    ("loss_shear", "loss", "g''", 'g"', "gpp", "g_loss", "loss modulus", "verlustmodul"),
+    (
+        "loss_shear",
+        "loss",
+        "g''",
+        'g"',
+        "gpp",
+        "g_loss",
+        "loss modulus",
+        "verlustmodul",
+        "shear modulus (viscous component)",
+        "module de perte",
+    ),
     "Pa",
     "kPa",
 )

@@ -34,7 +34,7 @@ from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
-from winkler.study.inspection.file_kinds import GENERAL, SPECIFIC, HeldTable, TableKind
+from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
@@ -178,14 +178,17 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
     curve = _curve(file, brief=brief)
     if curve.is_read:
         return curve
+    is_curve = is_curve_table(file) if head else False
     for kind in GENERAL:
+        if is_curve and kind.name == HELD:  # it names a place as well
+            continue
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
     of_curve = ("force curve", curve.reason)
-    return [of_curve, *reasons] if is_curve_table(file) else [*reasons, of_curve]
+    return [of_curve, *reasons] if is_curve else [*reasons, of_curve]
 
 
 def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple[str, str]]) -> Inspection | None:
