@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -16,7 +17,6 @@ from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.surfaces.surface_container import contained_surface, is_container
-from winkler.io.tables.table_cells import like_number
 from winkler.io.text_file import content_of, refuse_large
 from winkler.limits import FILE_BYTES
 
@@ -31,6 +31,8 @@ REMEDIES = {1: "save it as a table with the columns place and height", 2: "save 
 LOG_CELLS, LOG_LINES, HEAD_BYTES = (3, 32), 1000, 20_000
 """Numbers in a row, and rows, of a table that is no map (points on a grid are read before), and the part of a text that
 is looked at."""
+PLAIN_NUMBER = re.compile(rb"[-+0-9.,eE]{1,40}|nan", re.IGNORECASE)
+"""A cell of a log."""
 UNMARKED = "HGTReader"
 """It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
@@ -147,7 +149,7 @@ def _is_log(path: Path) -> bool:
     marks = (b",", b";", b"\t", None)
     mark = max(marks, key=lambda one: sum(len(line.split(one)) for line in lines[LOG_LINES // 2 : LOG_LINES // 2 + 20]))
     row = lines[LOG_LINES // 2].split(mark)
-    count = sum(like_number(cell.strip(b'" \t').decode("latin-1")) for cell in row)
+    count = sum(PLAIN_NUMBER.fullmatch(cell.strip(b'" \t')) is not None for cell in row)
     low, high = LOG_CELLS
     if count != low - 1:
         return low <= count <= high
