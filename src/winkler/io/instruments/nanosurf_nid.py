@@ -36,7 +36,7 @@ BITS = {8: "<i1", 16: "<i2", 32: "<i4"}
 Sections = dict[str, dict[str, str]]
 
 
-class _Channel(NamedTuple):
+class _WayColumn(NamedTuple):
     """Name, unit and numbers ``(lines, points)`` of a channel of one way."""
 
     way: str
@@ -82,7 +82,12 @@ def tests_of_nanosurf_nid(path: Path, given: GivenFacts) -> Iterator[InstrumentT
 
 
 def _test(
-    ways: list[tuple[_Channel, _Channel]], number: int, name: str, spring: float | None, given: GivenFacts, path: Path
+    ways: list[tuple[_WayColumn, _WayColumn]],
+    number: int,
+    name: str,
+    spring: float | None,
+    given: GivenFacts,
+    path: Path,
 ) -> InstrumentTest:
     position: list[Array] = []
     force: list[Array] = []
@@ -112,7 +117,7 @@ def _test(
     return InstrumentTest("Nanosurf", name, columns, notes, direction=turned, spring_constant=spring)
 
 
-def _channels(path: Path) -> tuple[list[_Channel], Sections]:
+def _channels(path: Path) -> tuple[list[_WayColumn], Sections]:
     """Return the channels of both ways, and the sections of the head."""
     with path.open("rb") as file:
         content = file.read(FILE_BYTES)
@@ -121,7 +126,7 @@ def _channels(path: Path) -> tuple[list[_Channel], Sections]:
         raise InvalidInput(f"{path}: the file ends within its head; copy it anew from the microscope.")
     sections = _sections(head[:HEAD_BYTES].decode("latin-1"))
     groups = sections.get("DataSet", {})
-    channels: list[_Channel] = []
+    channels: list[_WayColumn] = []
     begin = 0
     for group in range(_whole(groups, "GroupCount", path, 1000)):
         for place in range(_whole(groups, f"Gr{group}-Count", path, 1000)):
@@ -142,7 +147,7 @@ def _channels(path: Path) -> tuple[list[_Channel], Sections]:
                 low, span = (_real(section, key, path) for key in ("Dim2Min", "Dim2Range"))
                 scaled = low + span * (raw + 2.0 ** (bits - 1)) / 2.0**bits
                 name, unit = section.get("Dim2Name", ""), section.get("Dim2Unit", "")
-                channels.append(_Channel(section["Frame"], name, unit, scaled))
+                channels.append(_WayColumn(section["Frame"], name, unit, scaled))
             begin = end
     if not any(one.numbers.size for one in channels):
         raise InvalidInput(f"{path}: its curves hold no numbers; record them anew.")
