@@ -19,7 +19,12 @@ POSITION_NAMES = (
     "z-piezo",
     "calc ramp",
     "calc_ramp",
+    "extension",
+    "standard travel",
+    "crosshead displacement",
     "weg",
+    "standardweg",
+    "traversenweg",
 )
 """Travel of a machine whose cantilever bends."""
 DEPTH_NAMES = (
@@ -56,8 +61,10 @@ FORCE_NAMES = (
     "indent load",
     "indent act. load",
     "force a",
+    "standard force",
     "kraft",
     "normalkraft",
+    "standardkraft",
     "last",
     "charge",
     "fuerza",

@@ -6,6 +6,7 @@ Devices, pipes and sockets are refused, since some of them never end; the limits
 from __future__ import annotations
 
 import codecs
+import functools
 import itertools
 import os
 import re
@@ -41,6 +42,8 @@ UNMARKED_UTF16 = re.compile(rb"(?:[\t\n\r -~]\x00){4}|(?:\x00[\t\n\r -~]){4}")
 """Four letters of a text in UTF-16 without these bytes."""
 OTHER_ENDS = re.compile(rb"[\x0b\x0c]")
 """Where a text is cut into lines, and bytes are not."""
+NO_TEXT = bytes([*range(9), *range(14, 32), 127])
+"""Bytes that no text has."""
 UNREADABLE = "the file cannot be read", "check it"
 MOST_NAMES_COMPARED = 1000
 """Files of a folder among which a similar name is searched."""
@@ -158,9 +161,12 @@ def head_of(given: str | os.PathLike[str], needs: str) -> list[str]:
         As `lines_of`; also if a line is too long for a header.
     """
     path = existing(given, "a text file")
-    content = content_of(path, TEXT_BYTES, start=HEADER_LETTERS)
-    lines = lines_of_bytes(content, path_text(path), needs, is_cut=len(content) == HEADER_LETTERS)
-    return headed(lines, path_text(path))
+    return list(_head(content_of(path, TEXT_BYTES, start=HEADER_LETTERS), path_text(path), needs))
+
+
+@functools.lru_cache(maxsize=4)  # each reader that is tried asks for it
+def _head(content: bytes, where: str, needs: str) -> tuple[str, ...]:
+    return tuple(headed(lines_of_bytes(content, where, needs, is_cut=len(content) == HEADER_LETTERS), where))
 
 
 def headed(lines: list[str], where: str) -> list[str]:
@@ -231,7 +237,7 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
         content = content[: max(content.rfind(b"\n"), content.rfind(b"\r")) + 1] or content
     if UNMARKED_UTF16.match(content):
         raise InvalidInput(f"{where}: the file looks like UTF-16 without a byte order mark; save it as UTF-8.")
-    if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
+    if len(content.translate(None, NO_TEXT)) < len(content):
         raise InvalidInput(f"{where}: the file is not a text; save the table as text (CSV) in UTF-8.")
     content = content.removeprefix(codecs.BOM_UTF8)
     if content.isascii() and not OTHER_ENDS.search(content):

@@ -45,6 +45,8 @@ class DynamicSweeps(_Sweeps):
         G' and G'' [Pa], positive.
     poisson : float, optional
         nu [-].
+    reading : str, optional
+        How the file was read: rows that were left out.
 
     Raises
     ------
@@ -59,13 +61,14 @@ class DynamicSweeps(_Sweeps):
     6
     """
 
-    __words__ = words(temperature=("T", "K", "temperature of each row"))
+    __words__ = words(temperature=("T", "K", "temperature of each row"), reading=("", None, "how the file was read"))
 
     temperature: Annotated[Array, ROWS]
     angular_frequency: Annotated[Array, ROWS]
     storage_shear: Annotated[Array, ROWS]
     loss_shear: Annotated[Array, ROWS]
     poisson: PoissonRatio = 0.5
+    reading: str = ""
 
     def measured(self, group: Array) -> tuple[Measurements, ...]:
         """Return storage and loss with the index of their temperature ``(n,)``."""

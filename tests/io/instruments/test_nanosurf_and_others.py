@@ -88,3 +88,61 @@ def test_way_back_written_backwards(tmp_path):
     np.testing.assert_allclose(curve.time, times, atol=1e-12)
     np.testing.assert_allclose(curve.position, np.append(PLACE, PLACE[::-1]), rtol=1e-9)
     assert "1 of 2 segments, written backwards, are turned round" in curve.reading
+
+
+def _nid(order=1, bits=32, lines=2, cut=0, mode="Binary"):
+    """A file of Nanosurf with two curves: each whole number spans the range of its channel."""
+    bend = FORCE / SPRING
+    groups = []
+    for group, (way, turned) in enumerate((("Spec forward", 1), ("Spec backward", -order))):
+        for channel, (name, unit, numbers) in enumerate(
+            (("Deflection", "m", bend), ("Z-Axis Sensor", "m", PLACE), ("Other", "V", PLACE))
+        ):
+            groups.append((group, channel, way, name, unit, numbers[::turned]))
+    head = ["[DataSet]", "Version=2", "GroupCount=2", "Gr0-Count=3", "Gr1-Count=3"]
+    head += [f"Gr{group}-Ch{channel}=DataSet-{group}:{channel}" for group, channel, *_ in groups]
+    head += ["", "[DataSet\\Calibration\\Cantilever]", "Prop0=D[30000]*[Hz]", f"Prop1=D[{SPRING}]*[N/m]"]
+    body = b""
+    for group, channel, way, name, unit, numbers in groups:
+        low, span = float(numbers.min()) - 1e-9, 1.1 * float(np.ptp(numbers)) + 2e-9
+        head += ["", f"[DataSet-{group}:{channel}]", f"Points={numbers.size}", f"Lines={lines}", f"Frame={way}"]
+        head += [f"Dim2Name={name}", f"Dim2Unit={unit}", f"Dim2Range={span!r}", f"Dim2Min={low!r}"]
+        head += [f"SaveMode={mode}", f"SaveBits={bits}", "SaveSign=Signed", "SaveOrder=Intel"]
+        whole = np.round((numbers - low) / span * 2.0**bits - 2.0 ** (bits - 1)).astype(f"<i{bits // 8}")
+        body += lines * whole.tobytes()
+    content = "\r\n".join(head).encode() + b"\r\n#!" + body
+    return content[: len(content) - cut]
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_both_ways_of_a_nid_follow_each_other(tmp_path, order):
+    """The way back may be written from its end."""
+    (tmp_path / "map.nid").write_bytes(_nid(order))
+    curves = [placed.curve for placed in read_curves(tmp_path / "map.nid")]
+    assert len(curves) == 2
+    for curve in curves:
+        np.testing.assert_allclose(curve.position, np.append(PLACE, PLACE[::-1]), atol=1e-9 * np.ptp(PLACE))
+        np.testing.assert_allclose(curve.force, np.append(FORCE, FORCE[::-1]), atol=1e-8 * np.ptp(FORCE))
+        assert curve.machine_stiffness == SPRING
+        assert "Z-Axis Sensor" in curve.reading
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (_nid(cut=20), "ends within its numbers"),
+        (_nid()[:300], "ends within its head"),
+        (_nid(mode="Text"), "not stored as signed ones"),
+        (_nid().replace(b"Points=", b"Points=x"), "states Points=x"),
+        (_nid().replace(b"Dim2Min=", b"Dim2Min=x"), "states Dim2Min=x"),
+        (_nid().replace(b"Deflection", b"Deviation"), "a curve needs Deflection"),
+        (_nid().replace(b"GroupCount=2", b"GroupCount=0"), "hold no numbers"),
+        (_nid().replace(b"*[N/m]", b"*[kg]"), "give spring_constant"),
+        (_nid().replace(b"Dim2Unit=m", b"Dim2Unit=V"), "no sensitivity is stated|export the curve as text"),
+    ],
+)
+def test_a_damaged_nid_is_one_sentence(tmp_path, content, why):
+    head = content.partition(b"#!")[0]
+    (tmp_path / "map.nid").write_bytes(content if b"Frame=Spec" in head else content[:200] + b"\r\nFrame=Spec forward")
+    with pytest.raises(InvalidInput, match=why):
+        list(read_curves(tmp_path / "map.nid"))

@@ -68,6 +68,16 @@ def test_places_in_mm_and_heights_in_um(tmp_path, capsys):
     assert right["statistics"]["rms_slope"]["value"] == pytest.approx(np.std(np.diff(z)), rel=0.01)
 
 
+def test_a_fine_surface_in_mm_and_um(tmp_path, capsys):
+    """A slope of 0.001 by right units is 1 by one unit for both: not steep, and yet worth a remark."""
+    x, z = _wave()
+    path = tmp_path / "fine.txt"
+    np.savetxt(path, np.c_[1e-3 * x, 0.05 * z], fmt="%.9g")
+    (remark,) = _shown(capsys, path, "--unit", "um")["remarks"]
+    assert "if the places are in mm, give --unit 'mm, um'" in remark
+    assert _shown(capsys, path, "--unit", "mm, um")["remarks"] == []
+
+
 def test_a_map_of_160_m(tmp_path, capsys):
     """160 m x 160 m with heights of 0.7 um: Sdq 1.4e-7 without a word."""
     heights = 1e-7 * np.random.default_rng(3).standard_normal((16, 16))

@@ -124,3 +124,26 @@ def test_half_a_letter_at_the_end(tmp_path):
     file.write_bytes(text[:-1].encode("utf-16")[:-1])  # half of the last digit is no end of a line
     with pytest.raises(InvalidInput, match="damaged UTF-16"):
         read_dynamic(str(file))
+
+
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_sweeps_below_each_other_that_begin_again(tmp_path, decimal):
+    """Forty sweeps of one laboratory: 'time does not rise ... average what is given twice' named no way out."""
+    omega = np.geomspace(0.1, 100.0, 12)
+    sweeps = [np.c_[omega, number * (2.0 + omega), number * omega] for number in (1.0, 2.0, 5.0)]
+    rows = "\n".join("\t".join(f"{one:.6g}" for one in row) for row in np.concatenate(sweeps)).replace(".", decimal)
+    file = tmp_path / "sweeps.txt"
+    file.write_text(f"omega [rad/s]\tG' [Pa]\tG'' [Pa]\n{rows}\n", encoding="utf-8")
+    with pytest.raises(InvalidInput, match=r"it holds 3 tests \(1: lines 2 to 13; .*give one, as in test = 1"):
+        read_dynamic(file)
+    assert read_dynamic(file, test=3).loss_shear == pytest.approx(5.0 * omega, rel=1e-5)
+
+
+def test_names_of_malvern(tmp_path):
+    head = "Action Name;Frequency(Hz);Shear modulus (elastic component)(Pa);Shear modulus (viscous component)(Pa)"
+    omega = np.geomspace(0.1, 10.0, 8)
+    rows = "\n".join(f"Sweep;{f:.6g};{2.0 + f:.6g};{f:.6g}".replace(".", ",") for f in omega)
+    (tmp_path / "malvern.csv").write_text(f"{head}\n{rows}\n", encoding="utf-8")
+    found = read_dynamic(tmp_path / "malvern.csv")
+    assert found.angular_frequency == pytest.approx(2.0 * np.pi * omega, rel=1e-5)
+    assert found.loss_shear == pytest.approx(omega, rel=1e-5)

@@ -122,8 +122,14 @@ REFUSED = [
         ": the header has no radius (radius, r, x), there are 'radus [um]', 'height [nm]'" + NAMES,
     ),
     ("radius [um]\n1\n", ": the header has no height (height, h, z, f), there are 'radius [um]'" + NAMES),
-    ("r [um],z [nm],h [nm]\n1,2,3\n", ", line 1: 'z [nm]' and 'h [nm]' may each be the height; rename all but one."),
-    ("x [um],r [um],h [nm]\n1,2,3\n", ", line 1: 'x [um]' and 'r [um]' may each be the radius; rename all but one."),
+    (
+        "r [um],z [nm],h [nm]\n1,2,3\n",
+        ", line 1: 'z [nm]' (column 2) and 'h [nm]' (column 3) may each be the height; rename all but one.",
+    ),
+    (
+        "x [um],r [um],h [nm]\n1,2,3\n",
+        ", line 1: 'x [um]' (column 1) and 'r [um]' (column 2) may each be the radius; rename all but one.",
+    ),
     ("r,h\n1,2\n", ", line 1: no unit stands with 'r' and 'h'" + NO_UNIT),
     ("r [um],h\n1,2\n", ", line 1: no unit stands with 'h'" + NO_UNIT),
     ("r [],h [-]\n1,2\n", ", line 1: no unit stands with 'r []' and 'h [-]'" + NO_UNIT),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.errors import InvalidInput
 
 ROWS = "-10, 1, 3, 0.6\n-10, 10, 6, 1.2\n20, 1, 1.5, 0.3\n20, 10, 3, 0.6\n"
 
@@ -68,4 +69,24 @@ def test_temperatures_below_zero_kelvin_are_refused(tmp_path):
     text = "temperature [degC], frequency [Hz], storage [MPa], loss [MPa]\n" + ROWS.replace("-10", "-300")
     file.write_text(text, encoding="utf-8")
     with pytest.raises(wk.InvalidInput, match="temperature is -26"):
+        wk.read_dynamic_sweeps(file)
+
+
+def test_rows_whose_moduli_are_not_positive_are_left_out_and_named(tmp_path):
+    """Noise makes a small loss negative; more than a fifth of such rows are no noise."""
+    omega = np.tile(np.geomspace(0.1, 100.0, 10), 2)
+    rows = np.c_[np.repeat([20.0, 40.0], 10), omega, 2.0 + omega, 0.1 * omega]
+    rows[3, 3], rows[12, 2] = -0.2, 0.0
+    file = tmp_path / "noisy.csv"
+    np.savetxt(file, rows, delimiter=",", header="temperature [degC],omega [rad/s],G' [Pa],G'' [Pa]", comments="")
+    found = wk.read_dynamic_sweeps(file)
+    assert found.angular_frequency == pytest.approx(np.delete(omega, [3, 12]))
+    assert found.reading == "noisy.csv: 2 rows (line 5, 14) left out, whose storage or loss is not positive"
+    np.savetxt(file, rows[:10, 1:], delimiter=",", header="omega [rad/s],G' [Pa],G'' [Pa]", comments="")
+    alone = wk.read_dynamic(file)
+    assert alone.loss_shear == pytest.approx(np.delete(rows[:10, 3], 3))
+    assert "1 row (line 5) left out" in alone.reading
+    rows[:5, 3], rows[12, 2] = -0.2, 1.0
+    np.savetxt(file, rows, delimiter=",", header="temperature [degC],omega [rad/s],G' [Pa],G'' [Pa]", comments="")
+    with pytest.raises(InvalidInput, match="loss_shear is -0.2 at index 0"):
         wk.read_dynamic_sweeps(file)

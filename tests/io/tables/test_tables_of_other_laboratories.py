@@ -12,6 +12,7 @@ from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps
 from winkler.io.tables.table_cells import named
 from winkler.io.topography_file import read_topography
+from winkler.study.inspection.inspect import inspect_file
 
 DEPTH = np.linspace(0.0, 100.0, 101)
 FORCE = 1e-4 * DEPTH**2
@@ -241,3 +242,31 @@ def test_a_temperature_in_c_is_in_degrees_celsius(tmp_path, unit):
     header = [f"f (Hz),T ({unit}),G' (Pa),G'' (Pa)"]
     columns = [np.tile(OMEGA, 2), np.repeat([20.0, 40.0], 4), np.tile(2.0 + OMEGA, 2), np.tile(OMEGA, 2)]
     assert read_dynamic_sweeps(_file(tmp_path, header, columns)).temperature == pytest.approx(columns[1] + 273.15)
+
+
+def test_a_testing_machine_names_travel_and_force(tmp_path):
+    """Names of Zwick, without units: the one key is named, and the tool separation beside them is no position."""
+    header = ["Test time,     Standard travel,     Tool separation,      Standard force"]
+    path = _file(tmp_path, header, [0.1 * DEPTH, DEPTH, 25.0 - 1e-3 * DEPTH, FORCE])
+    with pytest.raises(InvalidInput, match="no unit stands with 'Standard travel' and 'Standard force'.*units = {"):
+        read_curve(path, spring_constant=1e9)
+    curve = read_curve(path, spring_constant=1e9, units={"position": "um", "force": "N", "time": "s"})
+    assert curve.position == pytest.approx(DEPTH * 1e-6)
+    assert curve.force == pytest.approx(FORCE)
+
+
+def test_the_reason_is_that_of_the_curve_where_the_header_names_one(tmp_path):
+    """'read as force over time of a hold: no unit stands with time and force' left the travel out."""
+    path = _file(tmp_path, ["time,travel,force,stress"], [0.1 * DEPTH, DEPTH, FORCE, FORCE])
+    reason = inspect_file(path, brief=True).reason
+    assert "read as force curve" in reason
+    assert "no unit stands with 'travel'" in reason
+
+
+def test_a_test_with_an_extension_is_no_hold(tmp_path):
+    """Instron's 'Time, Extension, Load' was taken for the force over the time of a hold, its extension unread."""
+    path = _file(tmp_path, ["Time,Extension,Load", "(s),(mm),(N)"], [0.1 * DEPTH, DEPTH, FORCE])
+    found = inspect_file(path, brief=True)
+    assert not found.is_read
+    assert "give spring_constant in N/m" in found.reason
+    assert read_curve(path, spring_constant=1e6).position == pytest.approx(DEPTH * 1e-3)

@@ -154,13 +154,16 @@ def _turns(level: Array, least: float) -> list[int]:
     cells = (np.add.reduceat(level, starts) / np.diff(np.append(starts, level.size))).tolist()
     result: list[tuple[int, float]] = []
     highest = lowest = trend = 0
-    for index in range(1, len(cells)):
-        highest = index if cells[index] > cells[highest] else highest
-        lowest = index if cells[index] < cells[lowest] else lowest
-        if trend >= 0 and cells[index] < cells[highest] - least:
-            result, lowest, trend = [*result, (highest, IN)], index, -1
-        elif trend <= 0 and cells[index] > cells[lowest] + least:
-            result, highest, trend = [*result, (lowest, OUT)], index, 1
+    top = bottom = cells[0]
+    for index, cell in enumerate(cells):
+        if cell > top:
+            highest, top = index, cell
+        elif cell < bottom:
+            lowest, bottom = index, cell
+        if trend >= 0 and cell < top - least:
+            result, lowest, bottom, trend = [*result, (highest, IN)], index, cell, -1
+        elif trend <= 0 and cell > bottom + least:
+            result, highest, top, trend = [*result, (lowest, OUT)], index, cell, 1
     if result and abs(cells[result[0][0]] - cells[0]) <= least:  # the first extreme is noise about the start
         result = result[1:]
     turns = [0]

@@ -72,7 +72,7 @@ def single_direction(curve: ForceCurve) -> tuple[Array, Array]:
 def outline(curve: ForceCurve) -> CurveOutline:
     """Return the rough outline of a curve; of the last ones it is kept, as checks and start of a fit both need it."""
     position, force = single_direction(curve)
-    slope = _first_slope(position, force)
+    slope = _first_slope(position.tobytes(), force.tobytes())
     base = far_force(force - slope * position) + slope * position
     noise = float(np.median(np.abs(np.diff(force, 2)))) / (0.6745 * math.sqrt(6.0))
     tip = max(3, force.size // 200)
@@ -92,11 +92,14 @@ def outline(curve: ForceCurve) -> CurveOutline:
     return CurveOutline(float(position[last]), float(base[last]), slope, noise, top, pull, last)
 
 
-def _first_slope(position: Array, force: Array) -> float:
+@functools.lru_cache(maxsize=2)
+def _first_slope(positions: bytes, forces: bytes) -> float:
     """Return the slope of the baseline, zero if a tilt is not certain or there is none [N/m].
 
-    The points before a split follow a line, those behind it a cubic; the split with the least squares is taken.
+    The points before a split follow a line, those behind it a cubic; the split with the least squares is taken.  The
+    numbers are given as bytes, since the approach is looked at by itself and within the whole curve.
     """
+    position, force = np.frombuffer(positions), np.frombuffer(forces)
     count, span = position.size, float(np.ptp(position))
     splits = np.unique(np.linspace(BASELINE_POINTS, count - BASELINE_POINTS, MOST_SPLITS).astype(int))
     if splits[0] < BASELINE_POINTS or not span > 0.0:

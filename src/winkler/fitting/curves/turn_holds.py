@@ -46,7 +46,7 @@ def turn_hold(level: Array, noise: float, before: int, turn: int, behind: int) -
     fine = np.linspace(-1.0, 1.0, TRIALS) * 1.6 * reach / (TRIALS - 1)
     start, stop, left = _best_level(x, y, start + fine, stop + fine)
     variance = max(noise**2, left / max(x.size - 5, 1))
-    peaked = min(_left(_peak(x, at), y) for at in np.linspace(-0.3 * reach, 0.3 * reach, TRIALS))
+    peaked = _least_left(_peaks(x, np.linspace(-0.3 * reach, 0.3 * reach, TRIALS)), y)
     peaked = min(peaked, _left(np.polynomial.legendre.legvander(x / reach, SMOOTH_DEGREE), y))
     if stop - start < FEWEST_HELD or peaked - left < LEAST_GAIN * variance:
         return None
@@ -88,9 +88,19 @@ def _flat(x: Array, start: float, stop: float) -> Array:
     return np.stack([np.ones(x.size), np.minimum(x - start, 0.0), np.maximum(x - stop, 0.0)], axis=1)
 
 
-def _peak(x: Array, at: float) -> Array:
-    before, behind = np.minimum(x - at, 0.0) / x[-1], np.maximum(x - at, 0.0) / x[-1]
-    return np.stack([np.ones(x.size), before, before**2, behind, behind**2], axis=1)
+def _peaks(x: Array, places: Array) -> Array:
+    """Return the columns of two parabolas that meet at each of the places, below each other ``(m, 5, n)``."""
+    beside = (x - places[:, None]) / x[-1]
+    before, behind = np.minimum(beside, 0.0), np.maximum(beside, 0.0)
+    return np.stack([np.ones_like(beside), before, before**2, behind, behind**2], axis=1)
+
+
+def _least_left(columns: Array, y: Array) -> float:
+    """Return the least squares that any of several sets of columns ``(m, k, n)`` leaves."""
+    centred = y - y.mean()  # every set holds a constant
+    numbers = np.linalg.solve(columns @ columns.swapaxes(1, 2), (columns @ centred)[..., None])
+    rest = centred - (numbers.swapaxes(1, 2) @ columns)[:, 0]
+    return float(np.min(np.sum(rest**2, axis=1)))
 
 
 def _left(columns: Array, y: Array) -> float:

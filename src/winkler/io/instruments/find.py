@@ -17,6 +17,7 @@ from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.nanosurf import is_nanosurf_text, tests_of_nanosurf_text
+from winkler.io.instruments.nanosurf_nid import is_nanosurf_nid, tests_of_nanosurf_nid
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
@@ -57,6 +58,8 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
         return tests_of_archive(path)
     if is_nanoscope(path):
         return tests_of_nanoscope(path, given)
+    if is_nanosurf_nid(path):
+        return tests_of_nanosurf_nid(path, given)
     if is_asylum_half(path):
         return tests_of_asylum_pair(path, given)
     if not is_text:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -16,7 +17,7 @@ from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.surfaces.surface_container import contained_surface, is_container
-from winkler.io.text_file import refuse_large
+from winkler.io.text_file import content_of, refuse_large
 from winkler.limits import FILE_BYTES
 
 __all__ = ["channel_contents", "tip_radius_of"]
@@ -27,6 +28,11 @@ CONTENTS = {1: ("line scan", "height maps"), 2: ("height map", "line scans")}
 """What is looked for, and what else there may be."""
 REMEDIES = {1: "save it as a table with the columns place and height", 2: "save it as an NPY file or as a text"}
 """How else scans and maps are read."""
+LOG_CELLS, LOG_LINES, HEAD_BYTES = (3, 32), 1000, 20_000
+"""Numbers in a row, and rows, of a table that is no map (points on a grid are read before), and the part of a text that
+is looked at."""
+PLAIN_NUMBER = re.compile(rb"[-+0-9.,eE]{1,40}|nan", re.IGNORECASE)
+"""A cell of a log."""
 UNMARKED = "HGTReader"
 """It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
@@ -74,6 +80,8 @@ def channel_contents(
             return contents(surface)
         refuse_other_files(path)
         _refuse_cut_array(path)
+        if _is_log(path):
+            raise InvalidInput(f"{path}: {wrong} (its rows are those of a log, no {what}); {remedy}.")
         try:
             file = open_topography(str(path))
             opened = file.channels
@@ -93,7 +101,13 @@ def channel_contents(
                 f"{', '.join(names)}."
             )
         chosen = fitting[names.index(channel) if channel else 0]
-        refuse(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
+        grid = [int(n) for n in chosen.nb_grid_pts or (0,)]
+        refuse(math.prod(grid), path)
+        if directions == 2 and min(grid) < 2:
+            raise InvalidInput(
+                f"{path}: it holds a row of {math.prod(grid)} numbers without their places, neither a map nor a scan; "
+                f"{REMEDIES[1]}."
+            )
         if chosen.physical_sizes is None:
             if directions == 1 or type(file).__name__ == UNMARKED:
                 raise InvalidInput(f"{path}: the file does not state how long its {what} is; {remedy}.")
@@ -120,6 +134,26 @@ def _others(channels: list[Any], directions: int) -> str:
     if same < len(channels):
         return "other signals; give another file"
     return f"{others}; read them with {'read_scan' if directions == 2 else 'read_topography'}, or give another file"
+
+
+def _is_log(path: Path) -> bool:
+    """Return whether a text is a long table of some columns, or of two with other rows among them.
+
+    SurfaceTopography would read such a text anew below each of its first lines.
+    """
+    with path.open("rb") as file:
+        head = file.read(HEAD_BYTES)
+    if b"\x00" in head or head.count(b"\n") * path.stat().st_size < LOG_LINES * len(head) or not head:
+        return False
+    lines = [line.rstrip() for line in content_of(path, FILE_BYTES).splitlines()]
+    marks = (b",", b";", b"\t", None)
+    mark = max(marks, key=lambda one: sum(len(line.split(one)) for line in lines[LOG_LINES // 2 : LOG_LINES // 2 + 20]))
+    row = lines[LOG_LINES // 2].split(mark)
+    count = sum(PLAIN_NUMBER.fullmatch(cell.strip(b'" \t')) is not None for cell in row)
+    low, high = LOG_CELLS
+    if count != low - 1:
+        return low <= count <= high
+    return any(line and len(line.split(mark)) != len(row) for line in lines[LOG_LINES // 2 :])
 
 
 def _refuse_cut_array(path: Path) -> None:

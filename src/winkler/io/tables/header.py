@@ -130,9 +130,13 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
             ]
             for column, places in zip(columns, candidates, strict=True):
                 if len(places) > 1:
-                    listed = " and ".join(f"'{cells[place]}'" for place in places)
+                    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places)
+                    counted = ", ".join(
+                        f"{one.word} = {all_of[0] + 1}" for one, all_of in zip(columns, candidates, strict=True)
+                    )
+                    way = "" if given is None else f", or give columns, such as columns = {{ {counted} }}"
                     raise InvalidInput(
-                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
+                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one{way}."
                     )
             units = tuple(
                 named(cells[places[0]], column.names)[1] for column, places in zip(columns, candidates, strict=True)

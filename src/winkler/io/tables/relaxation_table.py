@@ -49,13 +49,34 @@ STRAIN = Column("shear strain", ("strain", "shear strain", "γ", "gamma", "scher
 STRESS = Column("shear stress", ("stress", "shear stress", "τ", "tau", "schubspannung"), "Pa", "Pa")
 SHEAR_STORAGE = Column(
     "storage modulus in shear",
-    ("storage_shear", "storage", "g'", "gp", "g_stor", "storage modulus", "speichermodul"),
+    (
+        "storage_shear",
+        "storage",
+        "g'",
+        "gp",
+        "g_stor",
+        "storage modulus",
+        "speichermodul",
+        "shear modulus (elastic component)",
+        "module de conservation",
+    ),
     "Pa",
     "kPa",
 )
 SHEAR_LOSS = Column(
     "loss modulus in shear",
-    ("loss_shear", "loss", "g''", 'g"', "gpp", "g_loss", "loss modulus", "verlustmodul"),
+    (
+        "loss_shear",
+        "loss",
+        "g''",
+        'g"',
+        "gpp",
+        "g_loss",
+        "loss modulus",
+        "verlustmodul",
+        "shear modulus (viscous component)",
+        "module de perte",
+    ),
     "Pa",
     "kPa",
 )
@@ -98,6 +119,8 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
 SAME_MODULUS = 0.2
 """Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater."""
+MOST_LEFT_OUT = 0.2
+"""Greatest share of rows whose moduli are not positive, as noise makes small ones, and that are left out."""
 HELD = 0.1
 """Greatest deviation of a stress or strain that is held, relative to its median."""
 STRAINED = (TIME, STRAIN, STRESS)
@@ -156,6 +179,24 @@ def dynamic_rows(
     return table, np.column_stack([values[:, : place + 1], storage / divisor, loss / divisor])
 
 
+def positive_rows(table: Table, rows: Array) -> tuple[Array, str]:
+    """Return the rows whose last two numbers are positive, and which lines were left out, as a phrase.
+
+    Parameters
+    ----------
+    table : Table
+        Where they stand.
+    rows : ndarray, (n, m)
+        The last two columns are storage and loss.
+    """
+    (off,) = np.nonzero(np.any(rows[:, -2:] <= 0.0, axis=1))
+    if not 0 < off.size <= MOST_LEFT_OUT * rows.shape[0]:
+        return rows, ""
+    lines = ", ".join(str(int(line)) for line in table.lines[off[:5]]) + " ..." * (off.size > 5)
+    which = f"{off.size} row{'s' * (off.size > 1)} (line {lines})"
+    return np.delete(rows, off, axis=0), f"{which} left out, whose storage or loss is not positive"
+
+
 def moduli_table(path: str | os.PathLike[str], columns: tuple[Column, ...], header: str) -> Table:
     """Return a table, with a stated header if there is one; a refusal of the file's own names that key.
 
@@ -209,10 +250,12 @@ def read_relaxation(
         if columns is STRAINED:
             time, strain, stress = table.values.T
             _refuse_unheld(table, strain, "strain", "relaxation")
-            return _data(RelaxationData, table, (time, 100.0 * stress / strain), poisson, "shear = stress / strain")
+            return _data(
+                RelaxationData, table.path, (time, 100.0 * stress / strain), poisson, "shear = stress / strain"
+            )
         time, modulus = table.values.T
         divisor = young_over_shear(poisson) if columns[1] is YOUNG_MODULUS else 1.0
-        return _data(RelaxationData, table, (time, modulus / divisor), poisson)
+        return _data(RelaxationData, table.path, (time, modulus / divisor), poisson)
 
     return of_one_test(path, RELAXATION_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
@@ -251,10 +294,12 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
         if columns is STRAINED:
             time, strain, stress = table.values.T
             _refuse_unheld(table, stress, "stress", "creep")
-            return _data(CreepData, table, (time, strain / (100.0 * stress)), poisson, "compliance = strain / stress")
+            return _data(
+                CreepData, table.path, (time, strain / (100.0 * stress)), poisson, "compliance = strain / stress"
+            )
         time, compliance = table.values.T
         factor = young_over_shear(poisson) if columns[1] is TENSILE_COMPLIANCE else 1.0
-        return _data(CreepData, table, (time, compliance * factor), poisson)
+        return _data(CreepData, table.path, (time, compliance * factor), poisson)
 
     return of_one_test(path, CREEP_HEADERS, test, read, since=TIME) if test or not header else read(path)
 
@@ -269,7 +314,8 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
         The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
         ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of the
         loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).  Rows of one
-        frequency whose moduli agree within a fifth are averaged, and the ``reading`` of the data says so.
+        frequency whose moduli agree within a fifth are averaged, up to a fifth of the rows whose storage or loss is not
+        positive are left out, and the ``reading`` of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -289,8 +335,8 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     """
 
     def read(part: str | os.PathLike[str]) -> DynamicData:
-        table, rows = dynamic_rows(part, (), poisson, header)
-        return _data(DynamicData, table, tuple(rows.T), poisson)
+        rows, reading = positive_rows(*dynamic_rows(part, (), poisson, header))
+        return _data(DynamicData, str(part), tuple(rows.T), poisson, reading)
 
     return of_one_test(path, DYNAMIC_HEADERS, test, read) if test or not header else read(path)
 
@@ -321,7 +367,7 @@ def young_over_shear(poisson: float) -> float:
     return 2.0 * (1.0 + poisson)
 
 
-def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float, reading: str = "") -> T:
+def _data(kind: Callable[..., T], path: str, rows: tuple[np.ndarray, ...], poisson: float, reading: str = "") -> T:
     """Return the data of rows in the order of their times or frequencies; those that stand twice are averaged."""
     order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
     sorted_rows = np.array([row[order] for row in rows])
@@ -338,5 +384,5 @@ def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], po
             averaged = f"{counts[counts > 1].sum()} rows at {again} {size} are averaged"
             reading = f"{reading}; {averaged}" if reading else averaged
             sorted_rows = np.vstack([sorted_rows[0, begins], means])
-    with in_file(table.path):
+    with in_file(path):
         return kind(*sorted_rows, poisson=poisson, reading=reading)

@@ -17,6 +17,7 @@ from winkler.io.tables.relaxation_table import (
     RELAXATION_HEADERS,
     dynamic_rows,
     moduli_table,
+    positive_rows,
     young_over_shear,
 )
 from winkler.io.tables.table import Column
@@ -54,15 +55,19 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, h
     Returns
     -------
     DynamicSweeps
+        Up to a fifth of the rows of a table, whose storage or loss is not positive, are left out; ``reading`` says so.
 
     Raises
     ------
     InvalidInput
         If a file cannot be read, or its rows are no sweeps.
     """
+    readings: dict[str, None] = {}
 
     def read(part: str | os.PathLike[str], first: tuple[Column, ...]) -> Array:
-        return dynamic_rows(part, first, poisson, header)[1]
+        found, reading = positive_rows(*dynamic_rows(part, first, poisson, header))
+        readings.update({f"{os.path.basename(part)}: {reading}": None} if reading else {})
+        return found
 
     rows = [_rows(file, DYNAMIC_HEADERS, read, TEMPERATURE_OR_T, header) for file in _files(path)]
     with in_file(str(path)):
@@ -72,7 +77,7 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, h
                 f"all of its {angular.size} rows have one frequency, {angular[0]:.4g} rad/s, and one temperature, "
                 f"{temperature[0]:.4g} K, as in a sweep of time or strain; give sweeps of frequency or temperature."
             )
-        return DynamicSweeps(temperature, angular, storage, loss, poisson=poisson)
+        return DynamicSweeps(temperature, angular, storage, loss, poisson=poisson, reading="; ".join(readings))
 
 
 @reader("sweeps of relaxation")

@@ -12,6 +12,7 @@ Nothing is guessed or left out silently: what cannot be read is refused with its
 from __future__ import annotations
 
 import math
+import operator
 import os
 import re
 from array import array
@@ -36,8 +37,9 @@ __all__ = ["Column", "Table", "read_table"]
 
 PADDED = ("\t", ";")
 """Separators behind which programs leave out empty cells at the end of a row; a comma may be a decimal one."""
-PLAIN, PLAIN_AND_COMMAS = re.compile(r"[0-9eE.+\- \t;]*[0-9.]\r?"), re.compile(r"[0-9eE.+\- \t,]*[0-9.]\r?")
-"""Rows of plain numbers, which hold no mark of a comment and no comma within a number."""
+PLAIN, ENDS = b"0123456789eE.+- \t\n", frozenset("0123456789.")
+"""Letters of rows of plain numbers beside the separator, no mark of a comment among them; and the last one of a row."""
+LAST = operator.itemgetter(slice(-1, None))
 MARK = re.compile(r"<[A-Za-z /]{1,40}>")
 """A line by which some instruments end a block of numbers."""
 END_OF_HEADER = re.compile(r"[A-Za-z*_-]{1,40}")
@@ -79,14 +81,14 @@ def _plain_rows(lines: Sequence[str], separator: str | None, count: int, wanted:
 
     They are parsed at once, to the same numbers as cell by cell.
     """
-    decimal = PLAIN if separator != "," else PLAIN_AND_COMMAS
-    if not lines or any(decimal.fullmatch(line) is None for line in lines):
+    text = "\n".join(lines)
+    if not text.isascii() or text.encode().translate(None, PLAIN + (separator or "").encode()):
         return None
     if separator is None:
-        sized = all(len(line.split()) == count for line in lines)
+        sizes = {len(line.split()) for line in lines}
     else:
-        sized = all(line.count(separator) == count - 1 for line in lines)
-    if not sized:
+        sizes = {1 + count for count in map(operator.methodcaller("count", separator), lines)}
+    if sizes != {count} or not set(map(LAST, lines)) <= ENDS:
         return None
     try:
         numbers = np.loadtxt(lines, dtype=float, comments=None, delimiter=separator, usecols=list(wanted), ndmin=2)

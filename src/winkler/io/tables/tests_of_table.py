@@ -2,7 +2,7 @@ r"""Several tests in one table of moduli: side by side under names that stand ag
 
 Side by side, ``Frequency, G', G'', Frequency, G', G''`` stands in one row, or one frequency beside all moduli; the
 temperature of each test is in its names, ``G' (20 °C) [Pa]``, or in a row above them.  Below each other, the header
-stands again, or the numbers of the points begin again at one.
+stands again, the numbers of the points begin again at one, or times or frequencies at the first of them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.header import COMMENT_MARKS, SEPARATORS_TRIED, needs_of, zero_of
 from winkler.io.tables.table import read_table
-from winkler.io.tables.table_cells import cells_of, like_number, named
+from winkler.io.tables.table_cells import cells_of, is_number, like_number, named
 from winkler.io.tables.table_lines import TablePart, table_head, table_lines
 
 __all__ = ["of_one_test", "parts_of_table"]
@@ -32,6 +32,8 @@ SUFFIX = re.compile(r"\.\d{1,3}\Z")
 COUNTERS = ("meas. pts.", "meas. pts", "point no.", "point", "pt.", "no.", "messpkt.")
 ROWS_ABOVE = 4
 """Rows above the names in which temperatures are looked for."""
+SAME_START, FEWEST_AGAIN = 1e-6, 4
+"""Relative difference of the first numbers of tests, and fewest rows of one, where the first number stands again."""
 MOST_TESTS, MOST_LETTERS, MOST_LINES = 200, 20_000_000, 10_000_000
 """Of tests in a table, letters of tests side by side, and lines of all tests below each other with those above them."""
 
@@ -203,6 +205,20 @@ def _lead(cells: Sequence[str], groups: Sequence[Sequence[int]]) -> int:
     return lead
 
 
+def _begun_again(rows: list[int], lines: Sequence[str], names: _Names) -> list[list[int]]:
+    """Return the rows of each test where the first named column, of times or frequencies, begins again at its first."""
+    place, numbers = names.places[0][0], list[float]()
+    for index in rows:
+        cell = cells_of(lines[index], names.separator)[place]
+        numbers.append(float(cell.replace(",", ".")) if is_number(cell.replace(",", ".")) else math.nan)
+    begins = [0]
+    for index, number in enumerate(numbers):
+        back = abs(number - numbers[begins[-1]]) <= SAME_START * abs(number)
+        if back and index - begins[-1] >= FEWEST_AGAIN and number != numbers[index - 1]:
+            begins.append(index)
+    return [rows[first:end] for first, end in zip(begins, [*begins[1:], len(rows)], strict=True)]
+
+
 def _below_each_other(path: str | os.PathLike[str], lines: Sequence[str], names: _Names) -> list[TablePart]:
     """Return the tests below each other; none if there is one."""
     head = lines[names.line].strip()
@@ -226,6 +242,8 @@ def _below_each_other(path: str | os.PathLike[str], lines: Sequence[str], names:
             before = number
         tests[-1].append(index)
     tests = [rows for rows in tests if rows]
+    if len(tests) == 1:
+        tests = _begun_again(tests[0], lines, names)
     if len(tests) < 2:
         return []
     _refuse_many(path, len(tests), len(tests) * len(lines) > MOST_LINES)

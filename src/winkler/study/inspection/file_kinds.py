@@ -32,9 +32,10 @@ from winkler.materials.depth_grading import TabulatedGrading
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
-__all__ = ["ASSUMED_POISSON", "GENERAL", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
+__all__ = ["ASSUMED_POISSON", "GENERAL", "HELD", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
 
 Header = tuple[Column, ...]
+HELD = "force over time of a hold"
 ASSUMED_POISSON = 0.3
 """Of a grading whose table has no Poisson's ratio; the study to start from states it."""
 
@@ -176,6 +177,6 @@ GENERAL = (
         cross_profile_file.read_cross_profile,
         "cross_profile",
     ),
-    TableKind("force over time of a hold", ((TIME, held_force_table.FORCE),), _held, ""),
+    TableKind(HELD, ((TIME, held_force_table.FORCE),), _held, ""),
 )
 """Tables that are sought where a file is no force curve."""

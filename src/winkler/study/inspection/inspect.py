@@ -23,17 +23,18 @@ from winkler.io.curves import try_curves
 from winkler.io.foreign import reason_of
 from winkler.io.indenter_file import read_indenter
 from winkler.io.placed_curves import UnreadCurve
-from winkler.io.tables.curve_table import DEPTH, FORCE
+from winkler.io.tables.curve_table import DEPTH, FORCE, is_curve_table
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.text_file import existing
 from winkler.loading import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
-from winkler.study.inspection.file_kinds import GENERAL, SPECIFIC, HeldTable, TableKind
+from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
@@ -177,13 +178,17 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
     curve = _curve(file, brief=brief)
     if curve.is_read:
         return curve
+    is_curve = is_curve_table(file) if head else False
     for kind in GENERAL:
+        if is_curve and kind.name == HELD:  # it names a place as well
+            continue
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
-    return [*reasons, ("force curve", curve.reason)]
+    of_curve = ("force curve", curve.reason)
+    return [of_curve, *reasons] if is_curve else [*reasons, of_curve]
 
 
 def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple[str, str]]) -> Inspection | None:
@@ -208,7 +213,7 @@ def _tried(file: Path, kind: TableKind, why: str) -> Inspection | None:
 def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
     content = kind.read(file)
     done = (TWO_HOLDS,) if isinstance(content, HeldTable) else log_lines(content)
-    if isinstance(content, RelaxationData | CreepData | DynamicData) and content.reading:
+    if isinstance(content, RelaxationData | CreepData | DynamicData | DynamicSweeps) and content.reading:
         done = (*done, content.reading)
     columns = columns_of(content)
     found = Inspection(str(file), kind.name, why, 1, columns, (), done, log_doubts(content), content=content)

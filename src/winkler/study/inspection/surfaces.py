@@ -26,6 +26,8 @@ SHARES = (0.1, 0.5, 0.9)
 """Of the bearing curve among the numbers."""
 LARGE_TILT = 0.2
 """Part of the mean square height that is worth a remark."""
+STEEP = 0.3
+"""Root mean square slope of a scan above which one unit for places and heights is worth a remark."""
 
 
 class SurfaceOptions(NamedTuple):
@@ -69,7 +71,13 @@ def read_surface_file(path: Path, options: SurfaceOptions) -> SurfaceRead:
         whole = scan.missing + scan.heights.size
         remarks = [f"Missing: {scan.missing} of {whole} heights, left out."] if scan.missing else []
         length = float(scan.position[-1] - scan.position[0])
-        doubts = (*_container(path), *remarks, *doubts_of_surface(scan.heights, scan.rms_slope, (length,)))
+        doubted = doubts_of_surface(scan.heights, scan.rms_slope, (length,))
+        if options.unit and "," not in options.unit and scan.rms_slope > STEEP and not doubted:
+            doubted = (
+                f"Doubtful: places and heights were both read in {options.unit}, and the root mean square slope is "
+                f"{scan.rms_slope:.2g}; if the places are in mm, give --unit 'mm, {options.unit}'.",
+            )
+        doubts = (*_container(path), *remarks, *doubted)
         return SurfaceRead(scan, scan, _numbers(scan), doubts)
     statistics = map_statistics(rough)
     doubts = (*_container(path), *_map_doubts(rough, statistics, options))
