@@ -80,11 +80,15 @@ class LayeredGrid(GridTransforms):
         """Return rho(x; t) [1/m] of places x ``(n,)`` and outer ones t ``(m,)``, ``(n, m)``."""
         raise NotImplementedError
 
+    def rule(self, response: WaveResponse, count: int) -> tuple[Array, Array]:
+        """Return so many places of a cell from 0 to 1, and their weights."""
+        return gauss_legendre(count)
+
     def _points(self, response: WaveResponse) -> tuple[Array, Array]:
         """Return Gauss points of all cells, ascending, and their weights [m]."""
         widths = np.diff(self.nodes)
         wanted = math.ceil(POINTS_PER_LENGTH * float(np.max(widths)) / response.smooth)
-        places, weights = gauss_legendre(min(max(wanted, self.fewest), MOST_POINTS))
+        places, weights = self.rule(response, min(max(wanted, self.fewest), MOST_POINTS))
         return (self.nodes[:-1, None] + widths[:, None] * places).ravel(), (widths[:, None] * weights).ravel()
 
     def _by_hats(self, samples: Array, points: Array) -> Array:
