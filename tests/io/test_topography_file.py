@@ -357,3 +357,28 @@ def test_a_log_is_told_before_the_readers_of_texts_are_tried(tmp_path, monkeypat
     path.write_text("\n".join(["Recipe, Averaging", "Rotary,100", "Step, Timestamp, Fz, COF, rpm, X, Y", *rows]))
     with pytest.raises(InvalidInput, match=r"log\.csv"):
         read_topography(path)
+
+
+def test_a_map_in_the_text_of_iso_25178_is_no_log(tmp_path):
+    """Its rows hold as many numbers as the instrument likes, here four."""
+    pytest.importorskip("SurfaceTopography")
+    heights = np.sin(np.arange(80.0))[:, None] * np.cos(np.arange(60.0)) * 1e-7
+    facts = {
+        "ManufacID": "made",
+        "CreateDate": "010120260000",
+        "ModDate": "010120260000",
+        "NumPoints": 60,
+        "NumProfiles": 80,
+        "Xscale": 1e-6,
+        "Yscale": 1e-6,
+        "Zscale": 1.0,
+        "Zresolution": -1,
+        "Compression": 0,
+        "DataType": 7,
+        "CheckType": 0,
+    }
+    head = ["aISO-1.0", *(f"{name} = {stated}" for name, stated in facts.items()), "*"]
+    cells = [f"{height:.9e}" for height in heights.ravel()]
+    path = tmp_path / "map.sdf"
+    path.write_text("\n".join([*head, *(" ".join(cells[n : n + 4]) for n in range(0, len(cells), 4)), "*", ""]))
+    np.testing.assert_allclose(np.sort(read_topography(path).heights.ravel()), np.sort(heights.ravel()), atol=1e-16)

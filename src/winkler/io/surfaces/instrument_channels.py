@@ -33,6 +33,8 @@ LOG_CELLS, LOG_LINES, HEAD_BYTES = (3, 32), 1000, 20_000
 is looked at."""
 PLAIN_NUMBER = re.compile(rb"[-+0-9.,eE]{1,40}|nan", re.IGNORECASE)
 """A cell of a log."""
+SDF = b"aISO-"
+"""How a text of ISO 25178-71 begins, which holds a map in rows of any length."""
 UNMARKED = "HGTReader"
 """It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
@@ -143,7 +145,9 @@ def _is_log(path: Path) -> bool:
     """
     with path.open("rb") as file:
         head = file.read(HEAD_BYTES)
-    if b"\x00" in head or head.count(b"\n") * path.stat().st_size < LOG_LINES * len(head) or not head:
+    if not head or b"\x00" in head or head.startswith(SDF):
+        return False
+    if head.count(b"\n") * path.stat().st_size < LOG_LINES * len(head):
         return False
     lines = [line.rstrip() for line in content_of(path, FILE_BYTES).splitlines()]
     marks = (b",", b";", b"\t", None)
