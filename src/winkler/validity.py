@@ -125,13 +125,17 @@ def in_words(notes: Iterable[Note]) -> str:
 
 
 def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
-    """Return notes; of statements that differ in their numbers only, the worst."""
+    """Return notes; of statements that differ in their numbers only, the worst: of one standing, the greatest error."""
     collected: dict[str, Note] = {}
     for note in notes:
         topic = topic_of(note)
-        if topic not in collected or worst((collected[topic], note)) is note.standing:
+        if topic not in collected or _badness(note) >= _badness(collected[topic]):
             collected[topic] = note
     return tuple(collected.values())
+
+
+def _badness(note: Note) -> tuple[int, float]:
+    return list(Standing).index(note.standing), note.error or 0.0
 
 
 def topic_of(note: Note) -> str:

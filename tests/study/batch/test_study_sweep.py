@@ -373,3 +373,14 @@ def test_two_bounds_of_two_loads_are_no_vector_in_the_plane():
     rough = wk.RoughIndentation(spectrum, bed, 4e-3, wk.Force([1.0, 2.0]), realisations=3, count=256).solve()
     assert rough.depth_band.shape == (2, 2)
     assert [name for name in answers_of(rough) if "band" in name] == []
+
+
+def test_a_sweep_states_the_greatest_error_of_its_points():
+    """The last point had been taken among equals: 4.4 % were stated where one of three points changed by 7.8 %."""
+    steel = wk.HalfSpace.between(wk.Elastic(210e9, 0.3))
+    roller = wk.RollerContact(10e-3, 10e-3, wk.RoundedEnds(0.5e-3), steel, wk.Force(1.0), elements=24)
+    outcome = run(Study("x", roller, sweep=(Axis("problem.load.force", (3e3, 5e3, 2e3)),)))
+    stated = [note for point in outcome.solved for note in point.validity if "half as many elements" in note.statement]
+    assert len({note.standing for note in stated}) == 1
+    (told,) = [note for note in outcome.validity if "half as many elements" in note.statement]
+    assert told.error == max(note.error for note in stated) > stated[-1].error

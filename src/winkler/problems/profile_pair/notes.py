@@ -60,6 +60,7 @@ def pair_notes(
             f"From half as many pixels along a side force and greatest pressure change by up to "
             f"{100.0 * grid_error:.2g} per cent; the profiles are splines through their points.",
             "comparison of two grids",
+            grid_error,
         ),
         *placed_notes(medium, patches, cut, windows),
     ]

@@ -79,6 +79,7 @@ def pair_rolling_notes(
             f"Twice the change from other grids: forces are within {100.0 * grid_error:.2g} per cent of the friction; "
             "the profiles are splines through their points.",
             "comparison of three grids",
+            grid_error,
         ),
         *placed_notes(medium, tuple(each.patch for each in patches), False, windows),
         *yield_of_patches(medium, [each.surface_load for each in patches], len(patches) > windows),

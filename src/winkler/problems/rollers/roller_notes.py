@@ -86,6 +86,7 @@ def roller_notes(
             standing_of(grid_error, FINE, COARSE),
             changes,
             "comparison of two grids",
+            grid_error if math.isfinite(grid_error) else None,
         ),
         *(() if homogeneous else (EDGES_ON_LAYERS,)),
         steepness_note(max(half_width / radius, slope)),

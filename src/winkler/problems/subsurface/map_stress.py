@@ -140,6 +140,7 @@ class MapStressSolution(BelowSurface):
                 f"The greatest stress is {place}; from pixels of twice the size it changes by {percent:.2g} per cent. "
                 "Nearer to the surface than half a pixel the steps between pixels show.",
                 "comparison of two grids",
+                self.grid_error,
             ),
             *map_yield_notes(self._medium, self.problem.load),
         )

@@ -65,6 +65,7 @@ def surface_heating_notes(
             f"The contact has {_most(touching, 0)} pixels along the motion and {_most(touching, 1)} across; from "
             f"pixels of twice the size the greatest rise of temperature changes by {100.0 * change:.2g} per cent.",
             "comparison of two grids",
+            change,
         ),
         temperature_note(max(rise, 0.0)),
     )
