@@ -153,7 +153,7 @@ def test_what_a_medium_leaves_out_is_left_out_by_each_problem_on_it(cells):
     for (kind, medium), cell in cells.cells.items():
         if cell.word != "refused":
             for rest in left_out.get(medium, ()):  # lines say it in sentences of their own
-                assert {rest, f"{rest}_in_lines", f"{rest}_in_strips"} & set(cell.rests), (kind, medium)
+                assert any(one.startswith(rest) for one in cell.rests), (kind, medium)
 
 
 @pytest.mark.parametrize("medium", [*LAYERED, *(pytest.param(medium, marks=pytest.mark.slow) for medium in OTHERS)])
