@@ -111,6 +111,15 @@ class Unrolled(Shape):
             if b < half
         )
 
+    @property
+    def rising(self) -> bool:
+        """Whether u df/du never falls, at many places: then w of a half-plane does not."""
+        u = self.pitch / math.pi * np.sin(0.5 * math.pi * np.linspace(0.0, 1.0, CREST_SAMPLES)[:-1])
+        turned = u * self.slope(u)
+        return bool(np.all(np.diff(turned) >= -ROUNDING * np.max(np.abs(turned)))) and all(
+            jump >= 0.0 for _, jump in self.kinks
+        )
+
     def height(self, r: Array) -> Array:
         """f [m]."""
         return np.asarray(self.profile.height(from_line(np.asarray(r), self.pitch)))

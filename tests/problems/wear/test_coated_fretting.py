@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.foundation.bed import PressedSprings
 
 STEEL = wk.Elastic(210e9, 0.3)
 BALL = wk.Paraboloid(10e-3)
@@ -127,11 +128,18 @@ def test_layers_that_slide_are_refused():
 
 
 @pytest.mark.slow
-def test_a_stiff_layer_says_how_many_cells_are_too_few():
-    """At 60 cells the search for the depth went in circles; the force of a profile of cells is too large by a third."""
+@pytest.mark.parametrize(("count", "standing"), [(20, "OUTSIDE"), (60, "OUTSIDE"), (240, "APPROXIMATE")])
+def test_a_stiff_layer_says_how_far_cells_miss_the_pressure(count, standing):
+    """Rings under a layer a hundred times stiffer than its base, beside flat punches superposed without a grid."""
     stiff = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(100e9, 0.2), 2e-6)], on=wk.Elastic(1e9, 0.3))
     bed = wk.Foundation(wk.Paraboloid(1e-3), stiff)
-    run = wk.SlidingWear(bed, wk.Archard(1e-13), wk.Force(0.1), np.array([0.0, 1e-3]), count=60).solve()
-    (note,) = (note for note in run.validity if "grid of 60 cells" in note.statement)
-    assert note.standing is wk.Standing.OUTSIDE
+    run = wk.SlidingWear(bed, wk.Archard(1e-13), wk.Force(0.1), np.array([0.0, 1e-9]), count=count).solve()
+    fresh, exact = run.states[0], wk.Indentation(bed, wk.Force(0.1)).solve()
+    half = np.sqrt(0.5) * fresh.radii[1]
+    radii = half * np.sqrt((np.arange(24) + 0.5) / 24.0)
+    springs = PressedSprings(bed, float(exact.depth), float(exact.radius))
+    (note,) = (note for note in run.validity if f"grid of {count} cells" in note.statement)
+    missed = abs(fresh.pressure[0] - np.mean(stiff.pressure(springs, radii))) / np.max(fresh.pressure)
+    assert note.error == pytest.approx(missed, rel=1e-2) if count > 20 else note.error > missed  # there the edge
+    assert note.standing is wk.Standing[standing]
     assert run.force[1] == pytest.approx(0.1, rel=1e-6)

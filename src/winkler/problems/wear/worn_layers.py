@@ -10,11 +10,12 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.wear import PairWear, Unworn, WearLaw
-from winkler.loading import Depth, Force, LineForce
+from winkler.loading import Force, LineForce
 from winkler.media.offers import LayerStack, PressedWaves, offers
+from winkler.numerics.types import Array
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.states import WearState, WornState
@@ -37,8 +38,10 @@ MOST_WORN_SHARE = 0.05
 SMALL_CHANGE, LARGE_CHANGE = 0.01, 0.1
 """Relative change of the stiffness by a thinner layer up to which it is small, and beyond which it is not."""
 SMALL_MISS, LARGE_MISS = 0.002, 0.05
-"""Relative error of the force before wear up to which a grid is fine, and beyond which it does not resolve the layers.
-"""
+"""Error of mean pressures before wear over the greatest: up to one a grid is fine, beyond the other too coarse."""
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(3)
+BETWEEN = 10
+"""Rings from the middle to the edge of which the pressure is examined, beside those at both."""
 SMALL_PULL = 1e-3
 """Part of the load that rings may pull before it is stated."""
 
@@ -149,18 +152,27 @@ def layer_notes(
 
 
 def cells_note(first: WearState) -> Iterator[Note]:
-    """Yield by how much a grid misses the force of the profile before wear, where that is not small."""
+    """Yield by how much rings miss the pressure of the profile before wear, where that is not small."""
     if not first.force > 0.0:
         return
-    exact = Indentation(first.bed, Force(first.force)).solve()
-    unworn = wear_grid(first.bed, first.nodes).press(np.zeros(first.nodes.size), Depth(float(exact.depth)))
-    error = unworn.force / first.force - 1.0
-    more = "more" if error > 0.0 else "less"
-    yield from _coarse(
-        abs(error),
-        f"Before wear the grid of {first.nodes.size - 1} cells bears {100.0 * abs(error):.2g} per cent {more} than the "
-        "layers do at the same depth",
-    )
+    exact, grid = Indentation(first.bed, Force(first.force)).solve(), wear_grid(first.bed, first.nodes)
+    found = grid.press(np.zeros(first.nodes.size), Force(first.force)).pressure
+    squares = np.append(grid.transforms.borders, first.nodes[-1] ** 2)
+    # the pressure of layers takes a while at each place: the middle, the edge and some cells between are examined
+    last = int(np.searchsorted(squares, exact.radius**2, side="right")) - 1
+    chosen = np.unique(np.clip([0, 1, 2, *np.linspace(0, last, BETWEEN).astype(int), last - 2, last - 1], 0, last))
+    yield from _coarse(found, found[chosen] - _mean_pressures(exact, squares, chosen))
+
+
+def _mean_pressures(contact: IndentationSolution[float], squares: Array, chosen: Array) -> Array:
+    """Return the mean pressures [Pa] in chosen cells between radii of these squares [m^2]."""
+    # over sqrt(a^2 - r^2), in which neither an edge that closes nor one that bears is singular
+    depth = np.sqrt(np.maximum(contact.radius**2 - squares, 0.0))
+    half = 0.5 * (depth[chosen] - depth[chosen + 1])[:, None]
+    places = 0.5 * (depth[chosen] + depth[chosen + 1])[:, None] + half * NODES
+    radii = np.sqrt(np.maximum(contact.radius**2 - places**2, 0.0))
+    pressure = contact.problem.bed.medium.pressure(contact.pressed, radii.ravel()).reshape(radii.shape)
+    return np.asarray(2.0 * np.sum(half * WEIGHTS * pressure * places, axis=1) / np.diff(squares)[chosen])
 
 
 def strip_cells_note(first: LineWearState) -> Iterator[Note]:
@@ -170,23 +182,21 @@ def strip_cells_note(first: LineWearState) -> Iterator[Note]:
     half_width = float(under_force(bed, np.array([contact.depth]))[0])
     edges = np.append(grid.transforms.borders, first.nodes[-1])
     exact = bed.mean_pressures(edges, half_width, rim_load(bed, force, half_width))
-    error = float(np.max(np.abs(contact.pressure - exact)) / np.max(exact))
-    yield from _coarse(
-        error,
-        f"Before wear the mean pressures about the nodes of the grid of {first.nodes.size - 1} cells differ by up to "
-        f"{100.0 * error:.2g} per cent of the greatest from those of the layers",
-    )
+    yield from _coarse(contact.pressure, contact.pressure - exact)
 
 
-def _coarse(error: float, fact: str) -> Iterator[Note]:
-    """Yield a relative error of a grid where it is not small, after what it is."""
+def _coarse(pressure: Array, missed: Array) -> Iterator[Note]:
+    """Yield by how much pressures about the nodes of a grid miss those of the layers, where that is not small."""
+    error = float(np.max(np.abs(missed)) / np.max(pressure))
     if error > SMALL_MISS:
         yield Note(
             Assumption.RESOLUTION,
             standing_of(error, SMALL_MISS, LARGE_MISS),
-            f"{fact}: a layer that is much stiffer than its base takes cells that are small against its thickness. "
-            "Give more cells (count); the error falls fast.",
+            f"Before wear the mean pressures about the nodes of the grid of {pressure.size - 1} cells differ by up to "
+            f"{100.0 * error:.2g} per cent of the greatest from those of the layers: a layer that is much stiffer than "
+            "its base takes cells that are small against its thickness. Give more cells (count).",
             "flat punches superposed, without a grid",
+            error,
         )
 
 
