@@ -73,7 +73,13 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
             if math.isfinite(error)
             else "The strips are made of even elements; half as many find no contact to compare with."
         )
-        resolution = Note(Assumption.RESOLUTION, standing_of(error, FINE, COARSE), text, "comparison of two grids")
+        resolution = Note(
+            Assumption.RESOLUTION,
+            standing_of(error, FINE, COARSE),
+            text,
+            "comparison of two grids",
+            error if math.isfinite(error) else None,
+        )
     x = _inside(found.edges)
     steep = max(float(np.max(np.abs(section.slope(x) - found.tilt))), abs(found.tilt))
     notes = [*section.notes, response, resolution, steepness_note(steep)]

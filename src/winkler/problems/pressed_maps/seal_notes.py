@@ -60,6 +60,7 @@ def seal_notes(
             standing_of(area, SMALL_CHANGE, LARGE_CHANGE),
             f"On all and every second point of the map areas in contact differ by up to {100.0 * area:.2g} per cent.",
             DAPP,
+            area,
         ),
     ]
     open_loads = leak > 0.0
@@ -83,6 +84,7 @@ def seal_notes(
                 f"On all and every second point of the map leak rates differ by up to {100.0 * worst:.2g} per cent"
                 + ("; the narrowest place is within what the solver left, give a smaller tolerance." if lost else "."),
                 DAPP,
+                worst,
             )
         )
     return tuple(notes)

@@ -198,6 +198,7 @@ class TrueAreaSolution(PerLoad[Q]):
             f"On all and every second point of the map areas differ by up to {100.0 * area:.2g} per cent, greatest "
             f"pressures by {100.0 * peak:.2g} per cent: about as far may they be from those of a finer map.",
             YASTREBOV,
+            max(area, peak),
         )
         # the estimate of the contact itself assumes round spots, this one needs no assumption
         others = (note for note in self.contact.validity if note.source != YASTREBOV)

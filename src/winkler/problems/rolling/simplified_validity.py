@@ -97,6 +97,7 @@ def falling_note(change: float) -> Note:
         "Friction falls with the velocity at which rigid bodies would slip; that at which the springs unload, left "
         f"out, changes it by about {100.0 * change:.2g} per cent at most.",
         POLACH,
+        change,
     )
 
 

@@ -81,6 +81,7 @@ def surface_notes(
                 f"{100.0 * blurred:.2g} per cent, and the greatest pressure may be up to {600.0 * blurred**2:.2g} per "
                 f"cent too low{'; take a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
                 YASTREBOV,
+                blurred,
             )
         )
     slope = rough.rms_slope

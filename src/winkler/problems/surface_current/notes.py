@@ -100,6 +100,7 @@ def current_notes(
                 "A plating and what carries it resist differently as they are heated; the mean of their temperature "
                 f"coefficients is taken, by which the hot resistance may be off by {100.0 * off:.2g} per cent.",
                 HOLM,
+                off,
             )
         )
     return (*notes, *mean_free_path_note(np.array([narrowest]), mean_free_path))

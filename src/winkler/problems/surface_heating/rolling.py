@@ -248,6 +248,7 @@ class SurfaceRollingHeatingSolution(PerLoad[Q]):
             f"Both bodies pass at the speed of rolling; with a slip of {creepage:.2g} of it the share of either may "
             f"differ by {25.0 * creepage:.2g} per cent.",
             JAEGER,
+            0.25 * creepage,
         )
         heat = surface_heating_notes(
             self.last,

@@ -188,7 +188,9 @@ def slip_grid_note(found: float, expected: float, share: float) -> tuple[Note, .
     text = f"In a cycle before wear the grid loses {100.0 * abs(error):.2g} per cent {more} than springs of no width do"
     if abs(error) > FINE_SLIP:
         text += ": the place that slips is narrow, and wears by so much too fast or too slowly; take more cells"
-    return (Note(Assumption.RESOLUTION, standing_of(abs(error), FINE_SLIP, COARSE_SLIP), f"{text}.", DIMAKI),)
+    return (
+        Note(Assumption.RESOLUTION, standing_of(abs(error), FINE_SLIP, COARSE_SLIP), f"{text}.", DIMAKI, abs(error)),
+    )
 
 
 def worn_yield(medium: object, states: Sequence[WornState]) -> tuple[Note, ...]:
