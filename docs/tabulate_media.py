@@ -1,5 +1,7 @@
 """Write the table of media and problems in docs/choosing.md from docs/media/cells.toml, and that file from answers.
 
+The list of all kinds in docs/study-files.md is written from the catalogue at each call.
+
 After a problem, a medium or a note on validity was added or changed, ask the package for the cells concerned; a kind
 takes some seconds, a medium up to a minute::
 
@@ -7,7 +9,7 @@ takes some seconds, a medium up to a minute::
     python docs/tabulate_media.py --media coated_half_space
     python docs/tabulate_media.py --all                            # some minutes
 
-Each call writes the page as well; without an option it writes the page alone, and solves nothing.  Words, notes and
+Each call writes the pages as well; without an option it writes the pages alone, and solves nothing.  Words, notes and
 texts of notes follow the answers.  Reasons of refused cells are written by hand, and kept: each refused cell has one,
 of its note or its own, from ``[physical]`` (nothing would open it) or ``[opens]`` (what would open it).  A cell whose
 kind has no place for its medium has a note from ``[no_place]``, also written by hand.  What is still to be written is
@@ -37,6 +39,8 @@ from winkler.validity import Assumption, Note, Standing
 
 PAGE = Path(__file__).resolve().parent / "choosing.md"
 BEGIN, END = "<!-- media: begin -->", "<!-- media: end -->"
+STUDIES = PAGE.with_name("study-files.md")
+KINDS_HEAD = "| group | kinds |\n|---|---|\n"
 CELLS = PAGE.parent / "media" / "cells.toml"
 OF_METHOD = {
     Assumption.RESPONSE,
@@ -344,8 +348,20 @@ def page(table: Cells) -> str:
     return text[: text.index(BEGIN)] + section(table) + text[text.index(END) + len(END) :]
 
 
+def studies_page() -> str:
+    """Return the text of the page on study files with the kinds of each slot; rows that stand keep their order."""
+    above, head, rest = STUDIES.read_text(encoding="utf-8").partition(KINDS_HEAD)
+    rows, _, below = rest.partition("\n\n")
+    standing = [slot for slot in re.findall(r"^\| (\w+)", rows, re.MULTILINE) if slot in CATALOGUE]
+    lines = [
+        f"| {slot} | {' '.join(f'`{kind}`' for kind in CATALOGUE[slot])} |"
+        for slot in dict.fromkeys([*standing, *CATALOGUE])
+    ]
+    return above + head + "\n".join(lines) + "\n\n" + below
+
+
 def main() -> None:
-    """Ask for the cells that the command line names, and write cells.toml and the page."""
+    """Ask for the cells that the command line names, and write cells.toml and the pages."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for slot, name in (("problem", "kinds"), ("medium", "media")):
         parser.add_argument(f"--{name}", type=lambda text: text.split(","), help=f"names of the slot {slot}, by commas")
@@ -361,6 +377,7 @@ def main() -> None:
         CELLS.write_text(written(table), encoding="utf-8")
         table = read()
     PAGE.write_text(page(table), encoding="utf-8")
+    STUDIES.write_text(studies_page(), encoding="utf-8")
     print(*to_be_written(table), sep="\n")
 
 
