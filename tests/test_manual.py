@@ -154,7 +154,8 @@ def test_what_a_medium_leaves_out_is_left_out_by_each_problem_on_it(cells):
     for (kind, medium), cell in cells.cells.items():
         if cell.word != "refused":
             for rest in left_out.get(medium, ()):  # lines say it in sentences of their own
-                assert {rest, f"{rest}_in_lines", f"{rest}_in_strips"} & set(cell.rests), (kind, medium)
+                own = {rest, *(f"{rest}_in_{form}" for form in ("lines", "periods", "strips"))}
+                assert own & set(cell.rests), (kind, medium)
 
 
 @pytest.mark.parametrize("medium", [*LAYERED, *(pytest.param(medium, marks=pytest.mark.slow) for medium in OTHERS)])
