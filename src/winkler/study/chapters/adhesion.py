@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, is_a, kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import bed_formulas
 
 __all__ = ["ADHESION", "adhesion_formulas"]
@@ -88,22 +88,18 @@ ADHESION = Chapter(
             "short_range": kind(
                 "winkler.laws.adhesion:ShortRange",
                 "johnson_kendall_roberts_1971",
-                words=Words(
-                    en="jkr johnson kendall roberts short-range attraction",
-                    de="jkr",
-                    fr="jkr",
-                ),
+                en="jkr johnson kendall roberts short-range attraction",
+                de="jkr",
+                fr="jkr",
                 problem="adhesive_indentation",
                 work="50 mJ/m^2",
             ),
             "dugdale": kind(
                 "winkler.laws.adhesion:Dugdale",
                 "maugis_1992",
-                words=Words(
-                    en="maugis cohesive zone constant attraction strength range of attraction",
-                    de="maugis kohäsivzone",
-                    fr="maugis zone cohésive",
-                ),
+                en="maugis cohesive zone constant attraction strength range of attraction",
+                de="maugis kohäsivzone",
+                fr="maugis zone cohésive",
                 problem="adhesive_indentation",
                 work="50 mJ/m^2",
                 strength="1 MPa",
@@ -119,12 +115,10 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "maugis_1992",
-            words=Words(
-                key="adhesion",
-                en="stiction stickyness sticking cling grip of a gecko mems stiction release micro device jkr dmt maugis dugdale adhesion sticky bead afm pull-off work of adhesion surface energy van der waals glue tabor parameter does it stick tacky stickiness colloid probe kendall gecko wet particle sticking snap johnson kendall roberts derjaguin muller toporov jkr convention work of adhesion contact printing particle on wall toner electrostatic no wafer wring gauge block fuller tabor lens sticks transition jkr dmt spatula hair pad wall climbing stamp how to implement jkr cohesion particles",
-                de="adhäsion haftung jkr dmt klebt haftkraft oberflächenenergie klebrig haftet es van der waals abziehkraft johnson kendall roberts staubhaftung haftkraft oberflächenenergie",
-                fr="collage coller colle adhésion collant jkr dmt énergie de surface force d'adhérence est-ce que ça colle van der waals adhérence collage johnson kendall roberts énergie d'adhésion",
-            ),
+            key="adhesion",
+            en="stiction stickyness sticking cling grip of a gecko mems stiction release micro device jkr dmt maugis dugdale adhesion sticky bead afm pull-off work of adhesion surface energy van der waals glue tabor parameter does it stick tacky stickiness colloid probe kendall gecko wet particle sticking snap johnson kendall roberts derjaguin muller toporov jkr convention work of adhesion contact printing particle on wall toner electrostatic no wafer wring gauge block fuller tabor lens sticks transition jkr dmt spatula hair pad wall climbing stamp how to implement jkr cohesion particles",
+            de="adhäsion haftung jkr dmt klebt haftkraft oberflächenenergie klebrig haftet es van der waals abziehkraft johnson kendall roberts staubhaftung haftkraft oberflächenenergie",
+            fr="collage coller colle adhésion collant jkr dmt énergie de surface force d'adhérence est-ce que ça colle van der waals adhérence collage johnson kendall roberts énergie d'adhésion",
             headline=("force", "depth", "radius", "stiffness"),
             pictured=PicturedContact.EDGE,
             formulas=adhesion_formulas,
@@ -133,11 +127,9 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.pull_off:PullOff",
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
-            words=Words(
-                en="peel a sphere off a surface stiction unstick pull off force separation detachment how strong does it stick adhesive strength peel tear off debonding lift-off detach critical force retract curve minimum snap-off break a bead off adhesion force tear loose remove a particle removal force",
-                de="abreisskraft ablösen abziehen haftkraft wie stark haftet trennen abheben pull-off-kraft losreissen abreissen löst sich",
-                fr="force d'arrachement décollement détachement force de séparation arracher force d'adhérence décolle arracher bille décolle",
-            ),
+            en="peel a sphere off a surface stiction unstick pull off force separation detachment how strong does it stick adhesive strength peel tear off debonding lift-off detach critical force retract curve minimum snap-off break a bead off adhesion force tear loose remove a particle removal force",
+            de="abreisskraft ablösen abziehen haftkraft wie stark haftet trennen abheben pull-off-kraft losreissen abreissen löst sich",
+            fr="force d'arrachement décollement détachement force de séparation arracher force d'adhérence décolle arracher bille décolle",
             event="at which the contact comes apart",
             headline=("force", "depth", "radius"),
             picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
@@ -150,11 +142,9 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "guduru_2007",
-            words=Words(
-                en="stability branches unstable equilibrium jump into contact snap-in stable curve of adhesion",
-                de="gleichgewicht stabilität instabil sprung in den kontakt zweige",
-                fr="équilibre stabilité instable saut au contact branches",
-            ),
+            en="stability branches unstable equilibrium jump into contact snap-in stable curve of adhesion",
+            de="gleichgewicht stabilität instabil sprung in den kontakt zweige",
+            fr="équilibre stabilité instable saut au contact branches",
             reach="10 um",
             count=200,
             picture=Caption(
@@ -172,11 +162,9 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "guduru_2007",
-            words=Words(
-                en="approach and retract force-distance curve snap-in pull-off hysteresis loading unloading cantilever adhesion hysteresis loss of sticking energy afm force curve simulated snap-off distance loading and unloading differ adhesive hysteresis loop energy lost in approach and retract",
-                de="annähern und zurückziehen kraft-abstands-kurve hysterese einschnappen adhäsionshysterese zyklus",
-                fr="approche et retrait courbe de force hystérésis d'adhésion cycle saut cantilever",
-            ),
+            en="approach and retract force-distance curve snap-in pull-off hysteresis loading unloading cantilever adhesion hysteresis loss of sticking energy afm force curve simulated snap-off distance loading and unloading differ adhesive hysteresis loop energy lost in approach and retract",
+            de="annähern und zurückziehen kraft-abstands-kurve hysterese einschnappen adhäsionshysterese zyklus",
+            fr="approche et retrait courbe de force hystérésis d'adhésion cycle saut cantilever",
             headline=("dissipation", "hysteresis"),
             path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
             picture=Caption(
@@ -193,11 +181,9 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.shear:AdhesiveShear",
             "popov_hess_2015",
             "savkoor_briggs_1977",
-            words=Words(
-                en="adhesion under shear sheared bead savkoor briggs friction of sticky contact peeling by shear gecko toe pushing a sticky particle sideways",
-                de="adhäsion unter schub scherung klebende kugel seitlich geckos",
-                fr="adhésion sous cisaillement bille collante cisaillée",
-            ),
+            en="adhesion under shear sheared bead savkoor briggs friction of sticky contact peeling by shear gecko toe pushing a sticky particle sideways",
+            de="adhäsion unter schub scherung klebende kugel seitlich geckos",
+            fr="adhésion sous cisaillement bille collante cisaillée",
             headline=("shear_force", "shift", "force", "depth", "radius"),
             normal={"kind": "force", "force": "100 N"},
             lateral={"kind": "shear_force", "shear_force": "1 mN"},

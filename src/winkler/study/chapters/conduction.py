@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import Words, is_a, kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, ROLLER
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
@@ -139,20 +139,16 @@ CONDUCTION = Chapter(
         "film": {
             "surface_film": kind(
                 "winkler.laws.film:SurfaceFilm",
-                words=Words(
-                    en="sulphide film tarnish oxide film insulating film on contacts",
-                    de="fremdschicht",
-                    fr="film d'oxyde",
-                ),
+                en="sulphide film tarnish oxide film insulating film on contacts",
+                de="fremdschicht",
+                fr="film d'oxyde",
                 area_resistance="1e-12 ohm m^2",
             ),
             "thermal_interface": kind(
                 "winkler.laws.film:ThermalInterface",
-                words=Words(
-                    en="kapitza boundary resistance thermal film thermal paste layer",
-                    de="",
-                    fr="",
-                ),
+                en="kapitza boundary resistance thermal film thermal paste layer",
+                de="",
+                fr="",
                 interface_conductance="1e7 W/(m^2 K)",
             ),
         },
@@ -173,11 +169,9 @@ CONDUCTION = Chapter(
             "wiedemann_franz": kind(
                 "winkler.laws.current:WiedemannFranz",
                 "kohlrausch_1900",
-                words=Words(
-                    en="wiedemann-franz lorenz number",
-                    de="",
-                    fr="",
-                ),
+                en="wiedemann-franz lorenz number",
+                de="",
+                fr="",
                 lorenz_number="2.44e-8 V^2/K^2",
             ),
         },
@@ -185,11 +179,9 @@ CONDUCTION = Chapter(
     answers={
         "constriction": answer(
             "winkler.problems.conduction.constriction:Constriction",
-            words=Words(
-                en="contact resistance electrical holm relay switch connector plug a-spot plating gold ohm constriction milliohm terminal pin electrical connection spreading resistance voltage drop sharvin sharvin resistance ballistic crimp connection sulphide film on silver slip ring brush carbon brush commutator clamping force of copper bars contact force and resistance four-wire voltage drop battery tab fritting tarnish oxide film earthing clamp pogo pin tunnel film resistance electrical contact of gold spring contact milliohms of closed contacts separable interface normal force mating bulk resistance screw clamp copper bar joint losses",
-                de="kontaktwiderstand elektrisch holm relais stecker engewiderstand übergangswiderstand schalter steckverbinder vergoldung ohm fremdschichtwiderstand kohlebürste kommutator schleifring klemmkraft kupferschiene anlaufschicht durchgangswiderstand kontaktnormalkraft",
-                fr="résistance de contact électrique holm relais connecteur interrupteur constriction dorure ohm fiche balai collecteur connexion électrique pince film d'oxyde",
-            ),
+            en="contact resistance electrical holm relay switch connector plug a-spot plating gold ohm constriction milliohm terminal pin electrical connection spreading resistance voltage drop sharvin sharvin resistance ballistic crimp connection sulphide film on silver slip ring brush carbon brush commutator clamping force of copper bars contact force and resistance four-wire voltage drop battery tab fritting tarnish oxide film earthing clamp pogo pin tunnel film resistance electrical contact of gold spring contact milliohms of closed contacts separable interface normal force mating bulk resistance screw clamp copper bar joint losses",
+            de="kontaktwiderstand elektrisch holm relais stecker engewiderstand übergangswiderstand schalter steckverbinder vergoldung ohm fremdschichtwiderstand kohlebürste kommutator schleifring klemmkraft kupferschiene anlaufschicht durchgangswiderstand kontaktnormalkraft",
+            fr="résistance de contact électrique holm relais connecteur interrupteur constriction dorure ohm fiche balai collecteur connexion électrique pince film d'oxyde",
             headline=("resistance", "conductance", "film_resistance", "radius"),
             load={"kind": "force", "force": "1 N"},
             picture=Caption(
@@ -201,11 +193,9 @@ CONDUCTION = Chapter(
         ),
         "measured_constriction": answer(
             "winkler.fitting.logs.contact_resistance:MeasuredConstriction",
-            words=Words(
-                en="measured contact resistance over force resistivity from measurement film resistance tarnish leads four wire log of resistance connector test",
-                de="gemessener kontaktwiderstand über der kraft fremdschicht zuleitung spezifischer widerstand aus messung",
-                fr="résistance de contact mesurée en fonction de la force film résistivité mesure",
-            ),
+            en="measured contact resistance over force resistivity from measurement film resistance tarnish leads four wire log of resistance connector test",
+            de="gemessener kontaktwiderstand über der kraft fremdschicht zuleitung spezifischer widerstand aus messung",
+            fr="résistance de contact mesurée en fonction de la force film résistivité mesure",
             headline=("resistivity", "film", "series", "exponent"),
             log={"kind": "resistance_log", "force": MEASURED_FORCE, "resistance": MEASURED_RESISTANCE},
             picture=Caption(
@@ -218,11 +208,9 @@ CONDUCTION = Chapter(
         ),
         "line_constriction": answer(
             "winkler.problems.conduction.line_constriction:LineConstriction",
-            words=Words(
-                en="busbar edge bar contact resistance per length wire on plane rail shunt brush roller contact resistance line electrical copper bar joint losses",
-                de="sammelschiene stromschiene engewiderstand linienkontakt draht übergangswiderstand je länge",
-                fr="barre conductrice résistance linéique fil sur plan contact électrique linéaire",
-            ),
+            en="busbar edge bar contact resistance per length wire on plane rail shunt brush roller contact resistance line electrical copper bar joint losses",
+            de="sammelschiene stromschiene engewiderstand linienkontakt draht übergangswiderstand je länge",
+            fr="barre conductrice résistance linéique fil sur plan contact électrique linéaire",
             headline=("resistance_per_length", "film_resistance_per_length", "half_width"),
             bed=ROLLER,
             first_depth="5 mm",
@@ -238,11 +226,9 @@ CONDUCTION = Chapter(
         ),
         "thermal_constriction": answer(
             "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
-            words=Words(
-                en="heat flows from a hot part to a cold one pressed against it in vacuum thermal contact resistance heat flow conductance heat transfer thermal interface heat sink cooling spot how much heat passes tcr steady heat kapitza resistance boundary resistance interface satellite structure support ball support cryogenic",
-                de="wärmeübergang zwischen kontaktflächen wärmeübergang thermischer kontaktwiderstand wärmestrom wärmeleitung kühlkörper wärmedurchgang",
-                fr="chaleur traverse résistance thermique de contact flux de chaleur transfert thermique refroidissement dissipateur conductance liaison thermique cryogénie",
-            ),
+            en="heat flows from a hot part to a cold one pressed against it in vacuum thermal contact resistance heat flow conductance heat transfer thermal interface heat sink cooling spot how much heat passes tcr steady heat kapitza resistance boundary resistance interface satellite structure support ball support cryogenic",
+            de="wärmeübergang zwischen kontaktflächen wärmeübergang thermischer kontaktwiderstand wärmestrom wärmeleitung kühlkörper wärmedurchgang",
+            fr="chaleur traverse résistance thermique de contact flux de chaleur transfert thermique refroidissement dissipateur conductance liaison thermique cryogénie",
             headline=("conductance", "resistance", "heat_rate"),
             conductors={"kind": "heat_conductors", **STEEL_PAIR},
             temperature_drop="10 K",
@@ -255,12 +241,10 @@ CONDUCTION = Chapter(
         ),
         "joule_heating": answer(
             "winkler.problems.conduction.joule_heating:JouleHeating",
-            words=Words(
-                key="hot",
-                en="plug contact heats up current heats hot current welding softening voltage contact temperature kohlrausch fuse overheating connector melting voltage ampacity resistance welding electric heating spot weld hot spot ampere amperage spring probe overheats ampacity of a pin current carrying capacity softening voltage melting voltage inrush current welds contact glows overload battery tab heats crimp overheats how many amps can it handle runs hot interface temperature of connector power connector",
-                de="stromwärme joule schweissen kontakttemperatur erweichungsspannung überhitzung strom heiss stecker schmelzspannung punktschweissen stromtragfähigkeit kontakterwärmung überlast stecker heizt sich auf verschweisst schmelzspannung",
-                fr="effet joule température de contact soudage courant surchauffe tension de ramollissement fusion ampère chaud échauffement d'une connexion électrique surcharge soudure des contacts courant d'appel",
-            ),
+            key="hot",
+            en="plug contact heats up current heats hot current welding softening voltage contact temperature kohlrausch fuse overheating connector melting voltage ampacity resistance welding electric heating spot weld hot spot ampere amperage spring probe overheats ampacity of a pin current carrying capacity softening voltage melting voltage inrush current welds contact glows overload battery tab heats crimp overheats how many amps can it handle runs hot interface temperature of connector power connector",
+            de="stromwärme joule schweissen kontakttemperatur erweichungsspannung überhitzung strom heiss stecker schmelzspannung punktschweissen stromtragfähigkeit kontakterwärmung überlast stecker heizt sich auf verschweisst schmelzspannung",
+            fr="effet joule température de contact soudage courant surchauffe tension de ramollissement fusion ampère chaud échauffement d'une connexion électrique surcharge soudure des contacts courant d'appel",
             headline=("max_temperature", "contact_temperature", "voltage", "current", "resistance"),
             load={"kind": "force", "force": "1 N"},
             picture=Caption(
@@ -272,11 +256,9 @@ CONDUCTION = Chapter(
         ),
         "spot_cluster": answer(
             "winkler.problems.conduction.spots:SpotCluster",
-            words=Words(
-                en="several touching points side by side current through many points a-spots greenwood many spots interaction of spots multi-spot contact resistance holm radius cluster constriction many small spots conduct better than one large group of contacts",
-                de="viele kontaktstellen holm radius a-spots wechselwirkung greenwood",
-                fr="plusieurs points de contact interaction rayon de holm spots",
-            ),
+            en="several touching points side by side current through many points a-spots greenwood many spots interaction of spots multi-spot contact resistance holm radius cluster constriction many small spots conduct better than one large group of contacts",
+            de="viele kontaktstellen holm radius a-spots wechselwirkung greenwood",
+            fr="plusieurs points de contact interaction rayon de holm spots",
             headline=("resistance", "conductance", "holm_radius"),
             x=["0 um", "10 um", "5 um"],
             y=["0 um", "0 um", "8 um"],
@@ -292,11 +274,9 @@ CONDUCTION = Chapter(
         ),
         "conductance_bounds": answer(
             "winkler.problems.conduction.bounds:ConductanceBounds",
-            words=Words(
-                en="bounds of conductance barber stiffness and conductance rough limits analogy upper lower bound",
-                de="schranken leitwert steifigkeit rau barber grenzen",
-                fr="bornes conductance raideur rugueux encadrement barber",
-            ),
+            en="bounds of conductance barber stiffness and conductance rough limits analogy upper lower bound",
+            de="schranken leitwert steifigkeit rau barber grenzen",
+            fr="bornes conductance raideur rugueux encadrement barber",
             headline=("least_conductance", "greatest_conductance", "smooth_conductance"),
             roughness="0.1 um",
             force="10 N",

@@ -6,7 +6,7 @@ from typing import Any
 
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
 
 __all__ = ["FRICTION", "TANGENTIAL_FORCE", "TANGENTIAL_SPRINGS", "tangential_formulas"]
@@ -110,11 +110,9 @@ FRICTION = Chapter(
         "law": {
             "coulomb": kind(
                 "winkler.laws.friction:Coulomb",
-                words=Words(
-                    en="coulomb friction law amontons constant coefficient",
-                    de="coulombsches gesetz",
-                    fr="loi de coulomb",
-                ),
+                en="coulomb friction law amontons constant coefficient",
+                de="coulombsches gesetz",
+                fr="loi de coulomb",
                 problem="tangential",
                 coefficient=0.3,
             ),
@@ -169,12 +167,10 @@ FRICTION = Chapter(
     answers={
         "tangential": answer(
             "winkler.problems.friction.tangential:Tangential",
-            words=Words(
-                key="friction slip",
-                en="mindlin cattaneo friction stick slip partial slip tangential stiffness micro-slip hysteresis loop fretting loop presliding how stiff is the joint sideways shear pre-sliding displacement microslip static friction coulomb dem contact law sliding begins hysteresis bolt damping friction on coating layered shear of a film coated fretting stick slip of layers friction of polymer rubber pad viscoelastic shear creep of joint sliding of rubber with time amontons coulomb law ring of slip annulus cattaneo-mindlin pull sideways push sideways whole area slides gross sliding friction joint prestressed stick zone slip zone piezo drive inertia actuator dahl model lugre bristle preload and lateral force static friction limit contact stiffness lateral ratio of tangential to normal stiffness tangential displacement of a circular region gross slip limit",
-                de="reibung haften gleiten mindlin tangentialsteifigkeit teilschlupf mikroschlupf haftreibung schubsteifigkeit reibhysterese losbrechkraft reibkraft beschichtung schicht tangential beschichtet gummi viskoelastisch polymer amontons coulombsche reibung haftgebiet gleitgebiet seitlich schieben wann rutscht der gepresste körper rutscht durch",
-                fr="frottement adhérence glissement mindlin raideur tangentielle glissement partiel micro-glissement cisaillement boucle d'hystérésis revêtement couche polymère caoutchouc viscoélastique loi de coulomb amontons anneau de glissement collé glissant",
-            ),
+            key="friction slip",
+            en="mindlin cattaneo friction stick slip partial slip tangential stiffness micro-slip hysteresis loop fretting loop presliding how stiff is the joint sideways shear pre-sliding displacement microslip static friction coulomb dem contact law sliding begins hysteresis bolt damping friction on coating layered shear of a film coated fretting stick slip of layers friction of polymer rubber pad viscoelastic shear creep of joint sliding of rubber with time amontons coulomb law ring of slip annulus cattaneo-mindlin pull sideways push sideways whole area slides gross sliding friction joint prestressed stick zone slip zone piezo drive inertia actuator dahl model lugre bristle preload and lateral force static friction limit contact stiffness lateral ratio of tangential to normal stiffness tangential displacement of a circular region gross slip limit",
+            de="reibung haften gleiten mindlin tangentialsteifigkeit teilschlupf mikroschlupf haftreibung schubsteifigkeit reibhysterese losbrechkraft reibkraft beschichtung schicht tangential beschichtet gummi viskoelastisch polymer amontons coulombsche reibung haftgebiet gleitgebiet seitlich schieben wann rutscht der gepresste körper rutscht durch",
+            fr="frottement adhérence glissement mindlin raideur tangentielle glissement partiel micro-glissement cisaillement boucle d'hystérésis revêtement couche polymère caoutchouc viscoélastique loi de coulomb amontons anneau de glissement collé glissant",
             headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
             path={"kind": "program", "steps": OSCILLATION},
             picture=Caption(
@@ -195,11 +191,9 @@ FRICTION = Chapter(
         ),
         "torsion": answer(
             "winkler.problems.friction.torsion:Torsion",
-            words=Words(
-                en="twist spin torque rotate pivot bearing friction torque screw drilling twisting pivot lubkin jäger reissner sagoci swivel centre plate turning moment clutch spinning friction drilling friction pivot jewel bearing drag torque to break loose turning on the spot ball turntable torsional loading of a circular region torque until a pressed ball spins around its axis",
-                de="drehmoment verdrehen torsion drehen bohrreibung zapfen spin verdrillen kupplung reibmoment losbrechmoment bohrmoment",
-                fr="couple torsion pivot vriller rotation moment de frottement pivotement embrayage frottement de pivotement pivot couple de décollement",
-            ),
+            en="twist spin torque rotate pivot bearing friction torque screw drilling twisting pivot lubkin jäger reissner sagoci swivel centre plate turning moment clutch spinning friction drilling friction pivot jewel bearing drag torque to break loose turning on the spot ball turntable torsional loading of a circular region torque until a pressed ball spins around its axis",
+            de="drehmoment verdrehen torsion drehen bohrreibung zapfen spin verdrillen kupplung reibmoment losbrechmoment bohrmoment",
+            fr="couple torsion pivot vriller rotation moment de frottement pivotement embrayage frottement de pivotement pivot couple de décollement",
             headline=("dissipation", "torque", "angle", "stick_radius", "loss_per_cycle"),
             path={"kind": "program", "steps": TWIST},
             picture=Caption(
@@ -214,11 +208,9 @@ FRICTION = Chapter(
         ),
         "friction_damping": answer(
             "winkler.problems.friction.damping:FrictionDamping",
-            words=Words(
-                en="damping vibration joint loss per cycle what does it cost per cycle energy dissipation blade damper underplatform damper loss factor dissipated energy bolted joint hysteresis structural damping friction damper iwan quality factor friction loss iwan element masing loop under-platform damper ring damper area of the hysteresis loop lap joint damping wedge damper freight bogie friction ring microslip damping wire rope self damping riveted joint dissipation built-up structure",
-                de="dämpfung schwingung energieverlust je zyklus verlustfaktor reibdämpfer fügestelle fugendämpfung schraubverbindung reibungsdämpfung verlust pro umlauf fügestellendämpfung reibkeil schleife fläche der hystereseschleife",
-                fr="amortissement vibration perte par cycle énergie dissipée amortisseur à friction liaison boulonnée facteur de perte assemblage vibrant énergie perdue par cycle amortisseur à coin",
-            ),
+            en="damping vibration joint loss per cycle what does it cost per cycle energy dissipation blade damper underplatform damper loss factor dissipated energy bolted joint hysteresis structural damping friction damper iwan quality factor friction loss iwan element masing loop under-platform damper ring damper area of the hysteresis loop lap joint damping wedge damper freight bogie friction ring microslip damping wire rope self damping riveted joint dissipation built-up structure",
+            de="dämpfung schwingung energieverlust je zyklus verlustfaktor reibdämpfer fügestelle fugendämpfung schraubverbindung reibungsdämpfung verlust pro umlauf fügestellendämpfung reibkeil schleife fläche der hystereseschleife",
+            fr="amortissement vibration perte par cycle énergie dissipée amortisseur à friction liaison boulonnée facteur de perte assemblage vibrant énergie perdue par cycle amortisseur à coin",
             headline=("loss_per_cycle", "loss_factor", "secant_stiffness", "shear_force"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
@@ -228,11 +220,9 @@ FRICTION = Chapter(
         ),
         "bimodal_damping": answer(
             "winkler.problems.friction.bimodal_damping:BimodalDamping",
-            words=Words(
-                en="shaking vertically vibration makes sliding easier vibration lowers friction shake two-directional vibration normal and tangential oscillation phase ultrasonic vibration combined damping oblique loading vibrating both ways ultrasonic vibration reduces friction shaken up and down and sideways",
-                de="schwingung in zwei richtungen normal und tangential phase ultraschall",
-                fr="vibration bidirectionnelle normale et tangentielle phase ultrasons ultrasons réduisent le frottement",
-            ),
+            en="shaking vertically vibration makes sliding easier vibration lowers friction shake two-directional vibration normal and tangential oscillation phase ultrasonic vibration combined damping oblique loading vibrating both ways ultrasonic vibration reduces friction shaken up and down and sideways",
+            de="schwingung in zwei richtungen normal und tangential phase ultraschall",
+            fr="vibration bidirectionnelle normale et tangentielle phase ultrasons ultrasons réduisent le frottement",
             headline=("loss_per_cycle", "loss_stiffness"),
             depth="3 um",
             depth_amplitude="1 um",
@@ -244,11 +234,9 @@ FRICTION = Chapter(
         ),
         "relaxation_damper": answer(
             "winkler.problems.friction.relaxation_damping:RelaxationDamper",
-            words=Words(
-                en="shaking vertically vibration eases sliding damper without sliding relaxation damping oscillating depth viscous like damping lossless material",
-                de="relaxationsdämpfer dämpfer ohne gleiten",
-                fr="amortisseur par relaxation sans glissement",
-            ),
+            en="shaking vertically vibration eases sliding damper without sliding relaxation damping oscillating depth viscous like damping lossless material",
+            de="relaxationsdämpfer dämpfer ohne gleiten",
+            fr="amortisseur par relaxation sans glissement",
             headline=("damping", "shear_stiffness"),
             depth="3 um",
             depth_amplitude="1 um",
@@ -259,11 +247,9 @@ FRICTION = Chapter(
         ),
         "friction_loops": answer(
             "winkler.fitting.logs.friction_loops:FrictionLoops",
-            words=Words(
-                en="measured friction loops fretting test log hysteresis loops of a rig friction coefficient from loops frame compliance of the machine tangential stiffness measured gross slip tribometer reciprocating fretting loops",
-                de="gemessene reibschleifen schwingverschleiss fretting versuch hysterese reibungskoeffizient aus messung rahmennachgiebigkeit",
-                fr="boucles de frottement mesurées fretting essai coefficient de frottement mesuré souplesse du bâti",
-            ),
+            en="measured friction loops fretting test log hysteresis loops of a rig friction coefficient from loops frame compliance of the machine tangential stiffness measured gross slip tribometer reciprocating fretting loops",
+            de="gemessene reibschleifen schwingverschleiss fretting versuch hysterese reibungskoeffizient aus messung rahmennachgiebigkeit",
+            fr="boucles de frottement mesurées fretting essai coefficient de frottement mesuré souplesse du bâti",
             headline=("coefficient", "contact_stiffness", "series_compliance", "loss_per_cycle"),
             normal={"kind": "force", "force": "100 N"},
             log={"kind": "friction_log", "displacement": LOOP_WAY, "shear_force": LOOP_FORCE},

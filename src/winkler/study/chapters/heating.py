@@ -6,7 +6,7 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
 
@@ -96,12 +96,10 @@ HEATING = Chapter(
     answers={
         "friction_heating": answer(
             "winkler.problems.heating.steady:FrictionHeating",
-            words=Words(
-                key="hot temperature flash",
-                en="flash temperature friction heat how hot does it get hot temperature rise sliding brake dry bearing pin on disc temperature jaeger archard blok heat partition frictional heating burn grinding temperature peclet heat partition coefficient charron peclet number bulk temperature brake pad ice skate snow ski melting by friction asperity temperature pad on disc hot sliding shoe temperature at asperities clutch lining burn locked brake wheel flat pv limit clutch judder hot spots slip ring brush sandpaper burn",
-                de="blitztemperatur reibwärme wie heiss temperatur erwärmung gleiten bremse stift scheibe reibungshitze heiss bremsbelag reibfläche bremstemperatur kontakterwärmung kupplungsbelag eis schlittschuh",
-                fr="température éclair chaleur de frottement échauffement quelle température frein pion disque chaud patin de frein garniture température flash patinage glace",
-            ),
+            key="hot temperature flash",
+            en="flash temperature friction heat how hot does it get hot temperature rise sliding brake dry bearing pin on disc temperature jaeger archard blok heat partition frictional heating burn grinding temperature peclet heat partition coefficient charron peclet number bulk temperature brake pad ice skate snow ski melting by friction asperity temperature pad on disc hot sliding shoe temperature at asperities clutch lining burn locked brake wheel flat pv limit clutch judder hot spots slip ring brush sandpaper burn",
+            de="blitztemperatur reibwärme wie heiss temperatur erwärmung gleiten bremse stift scheibe reibungshitze heiss bremsbelag reibfläche bremstemperatur kontakterwärmung kupplungsbelag eis schlittschuh",
+            fr="température éclair chaleur de frottement échauffement quelle température frein pion disque chaud patin de frein garniture température flash patinage glace",
             headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
@@ -118,11 +116,9 @@ HEATING = Chapter(
         "line_friction_heating": answer(
             "winkler.problems.heating.line_heating:LineFrictionHeating",
             "johnson_1985",
-            words=Words(
-                en="gear flash temperature blok scuffing tooth hot roller frictional heat line contact disc machine twin disc traction heat piston ring seizure cam temperature scuffing load scuffing criterion integral temperature gear mesh heat scoring bulk temperature plus flash plain bearing seizure third rail shoe pantograph strip heat smearing marks roller",
-                de="blitztemperatur zahnrad fressen blok zwei-scheiben rolle reibwärme linienkontakt kolbenring temperatur nocken fresstragfähigkeit fressen blitztemperatur zahneingriff verzahnung anschmierungen an rollen",
-                fr="température éclair engrenage grippage rouleau échauffement contact linéique segment de piston bi-disque grippage température de denture",
-            ),
+            en="gear flash temperature blok scuffing tooth hot roller frictional heat line contact disc machine twin disc traction heat piston ring seizure cam temperature scuffing load scuffing criterion integral temperature gear mesh heat scoring bulk temperature plus flash plain bearing seizure third rail shoe pantograph strip heat smearing marks roller",
+            de="blitztemperatur zahnrad fressen blok zwei-scheiben rolle reibwärme linienkontakt kolbenring temperatur nocken fresstragfähigkeit fressen blitztemperatur zahneingriff verzahnung anschmierungen an rollen",
+            fr="température éclair engrenage grippage rouleau échauffement contact linéique segment de piston bi-disque grippage température de denture",
             headline=("flash_temperature", "first_mean_temperature", "heat_per_length", "first_share"),
             bed=ROLLER,
             law={"kind": "coulomb", "coefficient": 0.05},
@@ -141,11 +137,9 @@ HEATING = Chapter(
         ),
         "band_heating": answer(
             "winkler.problems.heating.band_heating:BandHeating",
-            words=Words(
-                en="moving heat source strip laser grinding band jaeger carslaw moving band brake pad belt heat source wheel grinding burn workpiece wheel zone heat flux strip cutting zone brake band",
-                de="wandernde wärmequelle bandquelle streifen schleifen laser jaeger schleifbrand",
-                fr="source de chaleur mobile bande laser rectification jaeger meulage brûlure de rectification",
-            ),
+            en="moving heat source strip laser grinding band jaeger carslaw moving band brake pad belt heat source wheel grinding burn workpiece wheel zone heat flux strip cutting zone brake band",
+            de="wandernde wärmequelle bandquelle streifen schleifen laser jaeger schleifbrand",
+            fr="source de chaleur mobile bande laser rectification jaeger meulage brûlure de rectification",
             headline=("flash_temperature", "first_mean_temperature", "heat_per_length", "first_share"),
             half_width="0.1 mm",
             heat_flux="100 W/mm^2",
@@ -164,11 +158,9 @@ HEATING = Chapter(
         "elliptic_friction_heating": answer(
             "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
             "johnson_1985",
-            words=Words(
-                en="wheel rail temperature bearing flash temperature skidding ball smearing spinning traction heat ellipse wheel slide heat ball bearing hot skidding in high speed bearings locked brake wheel flat slides on rail smearing damage heat smearing marks roller",
-                de="rad schiene temperatur wälzlager blitztemperatur anschmierung ellipse heiss schlupf blockiertes rad flachstelle anschmierungen",
-                fr="température roue rail roulement éclair ellipse patinage enrayage roue bloquée",
-            ),
+            en="wheel rail temperature bearing flash temperature skidding ball smearing spinning traction heat ellipse wheel slide heat ball bearing hot skidding in high speed bearings locked brake wheel flat slides on rail smearing damage heat smearing marks roller",
+            de="rad schiene temperatur wälzlager blitztemperatur anschmierung ellipse heiss schlupf blockiertes rad flachstelle anschmierungen",
+            fr="température roue rail roulement éclair ellipse patinage enrayage roue bloquée",
             headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
             law={"kind": "coulomb", "coefficient": 0.1},
             load={"kind": "force", "force": "200 N"},
@@ -186,11 +178,9 @@ HEATING = Chapter(
         ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",
-            words=Words(
-                en="warm up in time start of sliding thermal transient how long until hot heating up start-stop warming time heat builds up with time spin welding friction stir dwell heating clutch engagement short slide",
-                de="aufwärmen anlauf instationär wie lange bis heiss zeitlicher verlauf erwärmung einkuppeln aufheizzeit",
-                fr="échauffement transitoire démarrage temps de chauffe montée en température embrayage",
-            ),
+            en="warm up in time start of sliding thermal transient how long until hot heating up start-stop warming time heat builds up with time spin welding friction stir dwell heating clutch engagement short slide",
+            de="aufwärmen anlauf instationär wie lange bis heiss zeitlicher verlauf erwärmung einkuppeln aufheizzeit",
+            fr="échauffement transitoire démarrage temps de chauffe montée en température embrayage",
             headline=("flash_temperature", "stationary_temperature", "time"),
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
@@ -207,11 +197,9 @@ HEATING = Chapter(
         ),
         "fretting_heat": answer(
             "winkler.problems.heating.fretting:FrettingHeat",
-            words=Words(
-                en="small oscillation warms up the contact plug vibrates warm heat by vibration fretting temperature ultrasonic welding reciprocating heat oscillating contact warm linear friction welding",
-                de="reibschweissen fretting temperatur schwingend erwärmung ultraschallschweissen hin und her",
-                fr="échauffement par vibration fretting soudage par friction ultrasons va-et-vient",
-            ),
+            en="small oscillation warms up the contact plug vibrates warm heat by vibration fretting temperature ultrasonic welding reciprocating heat oscillating contact warm linear friction welding",
+            de="reibschweissen fretting temperatur schwingend erwärmung ultraschallschweissen hin und her",
+            fr="échauffement par vibration fretting soudage par friction ultrasons va-et-vient",
             headline=("max_temperature", "mean_temperature", "heat_rate", "loss_per_cycle"),
             motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
             frequency="100 Hz",

@@ -7,7 +7,6 @@ from typing import Any
 from winkler.study.chapters.adhesion import adhesion_formulas
 from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
-from winkler.study.chapters.kind import Words
 
 __all__ = ["EQUATION_OF_MOTION", "IMPACT"]
 
@@ -31,12 +30,10 @@ IMPACT = Chapter(
     answers={
         "impact": answer(
             "winkler.problems.impact.impact:Impact",
-            words=Words(
-                key="bounce",
-                en="ball bounces grains particles collide impact collision bounce rebound restitution drop test coefficient of restitution ball drop hit strike contact time oblique spin tennis golf shot peening granular dem collide how hard does it hit shock ping pong hertz theory of impact duration of contact dropped ball measured contact time inelastic collision elastic collision billiard ball side spin cushion hail marble seed bearing dropped hammer newton cradle particle wall collision rotation collision time step granular flow billiards",
-                de="stoss aufprall stosszahl kontaktzeit prallen springen rückprall kollision schlag fallversuch abprallen restitutionskoeffizient kontaktdauer springt die kugel kugel springt hagel billard",
-                fr="bille rebondit sur une plaque choc impact rebond coefficient de restitution collision temps de contact chute percussion coefficient de restitution d'une bille durée de contact percussion billard grêle",
-            ),
+            key="bounce",
+            en="ball bounces grains particles collide impact collision bounce rebound restitution drop test coefficient of restitution ball drop hit strike contact time oblique spin tennis golf shot peening granular dem collide how hard does it hit shock ping pong hertz theory of impact duration of contact dropped ball measured contact time inelastic collision elastic collision billiard ball side spin cushion hail marble seed bearing dropped hammer newton cradle particle wall collision rotation collision time step granular flow billiards",
+            de="stoss aufprall stosszahl kontaktzeit prallen springen rückprall kollision schlag fallversuch abprallen restitutionskoeffizient kontaktdauer springt die kugel kugel springt hagel billard",
+            fr="bille rebondit sur une plaque choc impact rebond coefficient de restitution collision temps de contact chute percussion coefficient de restitution d'une bille durée de contact percussion billard grêle",
             headline=("restitution", "duration", "dissipation"),
             mass="33 g",
             velocity="1 m/s",
@@ -50,11 +47,9 @@ IMPACT = Chapter(
         ),
         "adhesive_impact": answer(
             "winkler.problems.impact.adhesive_impact:AdhesiveImpact",
-            words=Words(
-                en="grains particles collide sticky particle impact capture dust sticks aerosol critical velocity sticking powder coating cold spray adhesion bounce filter critical sticking velocity aerosol deposition bounce-off cohesive grains restitution capture efficiency of a filter fibre toner deposit cohesion of particles agglomeration pollen leaf spore grain sticking",
-                de="klebendes teilchen aufprall staub haftet grenzgeschwindigkeit aerosol pulver stoss mit adhäsion staubhaftung anhaften",
-                fr="impact collant particule poussière capture vitesse critique aérosol particules cohésives dépôt",
-            ),
+            en="grains particles collide sticky particle impact capture dust sticks aerosol critical velocity sticking powder coating cold spray adhesion bounce filter critical sticking velocity aerosol deposition bounce-off cohesive grains restitution capture efficiency of a filter fibre toner deposit cohesion of particles agglomeration pollen leaf spore grain sticking",
+            de="klebendes teilchen aufprall staub haftet grenzgeschwindigkeit aerosol pulver stoss mit adhäsion staubhaftung anhaften",
+            fr="impact collant particule poussière capture vitesse critique aérosol particules cohésives dépôt",
             headline=("restitution", "duration", "dissipation"),
             law={"kind": "short_range", "work": "50 mJ/m^2"},
             mass="33 g",

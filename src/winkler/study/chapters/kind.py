@@ -83,8 +83,11 @@ def kind(
     reader: str = "",
     within: dict[str, Any] | list[dict[str, Any]] | None = None,
     problem: str = "",
-    words: Words = Words(),  # noqa: B008 (values are immutable)
+    en: str = "",
+    de: str = "",
+    fr: str = "",
+    key: str = "",
     **example: Any,
 ) -> Kind:
-    """Return a line: the path of a class, its papers, what people call it, and an example."""
-    return Kind(path, example, cites, reader, within, problem, words)
+    """Return a line: the path of a class, its papers, what people call it (see `Words`), and an example."""
+    return Kind(path, example, cites, reader, within, problem, Words(en, de, fr, key))

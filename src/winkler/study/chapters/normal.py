@@ -7,7 +7,7 @@ from typing import Any
 
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import Words, is_a, kind
+from winkler.study.chapters.kind import is_a, kind
 
 __all__ = [
     "BACK",
@@ -227,12 +227,10 @@ NORMAL = Chapter(
             "galin_1946",
             "sneddon_1965",
             "jaeger_1995",
-            words=Words(
-                key="hertz ball tip depth contact",
-                en="hertzian stress contact patch of a ball on a flat plate rubber foot sinks under weight sink in under load floor flattening of a ball hertz hertzian contact pressure sneddon boussinesq galin ball on flat sphere on plane point contact penetration approach contact radius area stiffness compliance normal load press squeeze how deep does my tip go how hard is it pressed contact size footprint dent elastic bearing ball deflection hertz contact stress sphere on flat two spheres touching spheres actual size of a touching point weight flattens circle of contact compression of spheres stylus force on a surface dimple effective radius elastic foundation doubling the load force goes with depth to the three halves contact spring spring constant of a contact dent depth under weight finger pressing probe needle on skin jewel kinematic mount bead pressed colloid pressed gauge block measurement force stylus deformation correction flat-ended indenter pressure under a rigid flat cylinder hertz contact of two curved bodies jack screw pad on concrete contact circle diameter contact radius of a ball",
-                de="abplattung einer kugel auf einer platte einfedern einsinken gewicht hertzsche pressung kontakt flächenpressung eindringtiefe kugel auf ebene kontaktradius kontaktfläche steifigkeit wie tief dringt die spitze ein druck anpressen eindrücken punktkontakt abplattung annäherung zwei kugeln abplattung eindrückung federsteifigkeit des kontakts kugel zwischen platten messkraft taster abflachung gewölbte körper messkraftabplattung kontaktradius kugel",
-                fr="contact de hertz pression bille sur plan enfoncement profondeur d'indentation rayon de contact raideur aire jusqu'où pénètre la pointe écrasement appui ponctuel raideur d'un contact bille plan deux billes empreinte élastique palpeur",
-            ),
+            key="hertz ball tip depth contact",
+            en="hertzian stress contact patch of a ball on a flat plate rubber foot sinks under weight sink in under load floor flattening of a ball hertz hertzian contact pressure sneddon boussinesq galin ball on flat sphere on plane point contact penetration approach contact radius area stiffness compliance normal load press squeeze how deep does my tip go how hard is it pressed contact size footprint dent elastic bearing ball deflection hertz contact stress sphere on flat two spheres touching spheres actual size of a touching point weight flattens circle of contact compression of spheres stylus force on a surface dimple effective radius elastic foundation doubling the load force goes with depth to the three halves contact spring spring constant of a contact dent depth under weight finger pressing probe needle on skin jewel kinematic mount bead pressed colloid pressed gauge block measurement force stylus deformation correction flat-ended indenter pressure under a rigid flat cylinder hertz contact of two curved bodies jack screw pad on concrete contact circle diameter contact radius of a ball",
+            de="abplattung einer kugel auf einer platte einfedern einsinken gewicht hertzsche pressung kontakt flächenpressung eindringtiefe kugel auf ebene kontaktradius kontaktfläche steifigkeit wie tief dringt die spitze ein druck anpressen eindrücken punktkontakt abplattung annäherung zwei kugeln abplattung eindrückung federsteifigkeit des kontakts kugel zwischen platten messkraft taster abflachung gewölbte körper messkraftabplattung kontaktradius kugel",
+            fr="contact de hertz pression bille sur plan enfoncement profondeur d'indentation rayon de contact raideur aire jusqu'où pénètre la pointe écrasement appui ponctuel raideur d'un contact bille plan deux billes empreinte élastique palpeur",
             headline=("depth", "force", "radius", "peak_pressure"),
             formulas=normal_formulas,
         ),
@@ -240,12 +238,10 @@ NORMAL = Chapter(
             "winkler.problems.normal.yielding:YieldOnset",
             "johnson_1985",
             "popov_hess_2015",
-            words=Words(
-                key="strength yield",
-                en="will it yield plastic yielding strength von mises tresca first plastic deformation limit load safety margin permanent dent coating failure delamination of layers overload static capacity max load shear stress below surface ball on coated disc when does it deform for good brinelling proof yield point indent left in a plate mark remains dented permanent set static strength of a ball contact brinell mark load at which a ball leaves an indentation yield at the interface of a coating hard layer protects substrate onset of yielding allowable contact pressure safety against yield plastic limit stiletto heel mark overloaded damage scratch load of paint indentation from debris over-rolled particles handling damage",
-                de="schicht fliesst zapfen fliesst nicht härte der schicht fliessen fliessgrenze plastische verformung beginnt wann fliesst es streckgrenze vergleichsspannung festigkeit bleibende verformung tragfähigkeit statische grenzlast sicherheit eindruck bleibt eindruck hinterlässt bleibender eindruck zulässige pressung zulässige last kugel hinterlässt eindruck sicherheit gegen fliessen",
-                fr="plastification limite d'élasticité début de plasticité va-t-il plastifier déformation permanente résistance seuil de plasticité charge limite empreinte capacité statique marque une empreinte reste charge admissible pression admissible empreinte permanente couche dure",
-            ),
+            key="strength yield",
+            en="will it yield plastic yielding strength von mises tresca first plastic deformation limit load safety margin permanent dent coating failure delamination of layers overload static capacity max load shear stress below surface ball on coated disc when does it deform for good brinelling proof yield point indent left in a plate mark remains dented permanent set static strength of a ball contact brinell mark load at which a ball leaves an indentation yield at the interface of a coating hard layer protects substrate onset of yielding allowable contact pressure safety against yield plastic limit stiletto heel mark overloaded damage scratch load of paint indentation from debris over-rolled particles handling damage",
+            de="schicht fliesst zapfen fliesst nicht härte der schicht fliessen fliessgrenze plastische verformung beginnt wann fliesst es streckgrenze vergleichsspannung festigkeit bleibende verformung tragfähigkeit statische grenzlast sicherheit eindruck bleibt eindruck hinterlässt bleibender eindruck zulässige pressung zulässige last kugel hinterlässt eindruck sicherheit gegen fliessen",
+            fr="plastification limite d'élasticité début de plasticité va-t-il plastifier déformation permanente résistance seuil de plasticité charge limite empreinte capacité statique marque une empreinte reste charge admissible pression admissible empreinte permanente couche dure",
             event="at which a body begins to yield",
             headline=("force", "depth", "radius", "z"),
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
@@ -253,12 +249,10 @@ NORMAL = Chapter(
         ),
         "elliptic_indentation": answer(
             "winkler.problems.normal.elliptic:EllipticIndentation",
-            words=Words(
-                key="bearing hertz lager roulement",
-                en="contact ellipse of a ball bearing race hertz ellipse crossed cylinders ball in groove raceway bearing osculation conformity wheel on rail toroid barrel two radii of curvature general hertz contact ball bearing race semi-axes footprint elliptical thread guide cam angular contact ball bearing contact angle ball groove v groove kinematic coupling vee deep groove thrust ball bearing four-point bearing gothic arch linear guide ball screw spherical roller barrel wheel crown ellipticity ratio principal radii skew cylinders conformity of raceway curvature sum curvature difference contact in a bearing ring joint of two tori crowned gear worm truncation of the ellipse at a shoulder race shoulder ball and ring rotary table ball screw preload stiffness of ball bearing",
-                de="elliptischer kontakt kugellager laufbahn rille schmiegung gekreuzte zylinder rad schiene hertz ellipse halbachsen wälzlager laufring tonnenrolle druckellipse kugelgewindetrieb linearführung schrägkugellager vierpunktlager tonnenlager hauptkrümmung krümmungssumme kugel in rille berührellipse wälzkontakt kreuzzylinder kugelumlaufspindel gewölbte körper",
-                fr="contact elliptique roulement à billes chemin de roulement gorge cylindres croisés ellipse de hertz roue rail demi-axes bague vis à billes guidage linéaire roulement à rotule rayons principaux bille dans une gorge contact oblique bille dans une gorge",
-            ),
+            key="bearing hertz lager roulement",
+            en="contact ellipse of a ball bearing race hertz ellipse crossed cylinders ball in groove raceway bearing osculation conformity wheel on rail toroid barrel two radii of curvature general hertz contact ball bearing race semi-axes footprint elliptical thread guide cam angular contact ball bearing contact angle ball groove v groove kinematic coupling vee deep groove thrust ball bearing four-point bearing gothic arch linear guide ball screw spherical roller barrel wheel crown ellipticity ratio principal radii skew cylinders conformity of raceway curvature sum curvature difference contact in a bearing ring joint of two tori crowned gear worm truncation of the ellipse at a shoulder race shoulder ball and ring rotary table ball screw preload stiffness of ball bearing",
+            de="elliptischer kontakt kugellager laufbahn rille schmiegung gekreuzte zylinder rad schiene hertz ellipse halbachsen wälzlager laufring tonnenrolle druckellipse kugelgewindetrieb linearführung schrägkugellager vierpunktlager tonnenlager hauptkrümmung krümmungssumme kugel in rille berührellipse wälzkontakt kreuzzylinder kugelumlaufspindel gewölbte körper",
+            fr="contact elliptique roulement à billes chemin de roulement gorge cylindres croisés ellipse de hertz roue rail demi-axes bague vis à billes guidage linéaire roulement à rotule rayons principaux bille dans une gorge contact oblique bille dans une gorge",
             headline=("peak_pressure", "depth", "force", "longitudinal_semi_axis", "lateral_semi_axis"),
             picture=Caption(
                 "ellipse",
@@ -273,11 +267,9 @@ NORMAL = Chapter(
         "elliptic_yield_onset": answer(
             "winkler.problems.normal.elliptic_yielding:EllipticYieldOnset",
             "johnson_1985",
-            words=Words(
-                en="ball bearing static load rating raceway yield brinelling of bearing race strength of ball in groove crossed cylinders plastic wheel rail yield iso 76 true brinelling static safety factor of a bearing dropped bearing shock load mark on the ring static capacity guideway wheel crushes rail crane wheel groove overload of a rolling bearing indentation from handling debris dents raceway",
-                de="statische tragzahl kugellager laufbahn fliessen eindrückung rad schiene plastisch kranrad laufrad tragsicherheit linearführung eindrücke stillstand überlast wälzlager",
-                fr="charge statique roulement plastification du chemin de roulement roue rail marques sur la bague capacité statique guidage galet marque le rail",
-            ),
+            en="ball bearing static load rating raceway yield brinelling of bearing race strength of ball in groove crossed cylinders plastic wheel rail yield iso 76 true brinelling static safety factor of a bearing dropped bearing shock load mark on the ring static capacity guideway wheel crushes rail crane wheel groove overload of a rolling bearing indentation from handling debris dents raceway",
+            de="statische tragzahl kugellager laufbahn fliessen eindrückung rad schiene plastisch kranrad laufrad tragsicherheit linearführung eindrücke stillstand überlast wälzlager",
+            fr="charge statique roulement plastification du chemin de roulement roue rail marques sur la bague capacité statique guidage galet marque le rail",
             event="at which a body begins to yield",
             headline=("force", "peak_pressure", "depth", "z"),
             medium={"kind": "half_space", **STRONG},
@@ -293,11 +285,9 @@ NORMAL = Chapter(
         ),
         "nearly_round_indentation": answer(
             "winkler.problems.normal.near_round:NearlyRoundIndentation",
-            words=Words(
-                en="not quite round slightly oval imperfect shape square pyramid punch polygon triangular berkovich non-axisymmetric almost circular square cross section punch stiffness square pad non-circular punch rectangular foot",
-                de="nicht ganz rund fast rund unrund pyramide stempel vieleck quadratischer stempel",
-                fr="presque rond ovale pas tout à fait rond poinçon carré pyramide polygone section carrée",
-            ),
+            en="not quite round slightly oval imperfect shape square pyramid punch polygon triangular berkovich non-axisymmetric almost circular square cross section punch stiffness square pad non-circular punch rectangular foot",
+            de="nicht ganz rund fast rund unrund pyramide stempel vieleck quadratischer stempel",
+            fr="presque rond ovale pas tout à fait rond poinçon carré pyramide polygone section carrée",
             headline=("force", "depth", "stiffness"),
             profiles=OVAL,
             load={"kind": "depth", "depth": "1 um"},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 
 __all__ = ["ROUGH"]
 
@@ -98,11 +98,9 @@ ROUGH = Chapter(
         "topography": {
             "random_topography": kind(
                 "winkler.profiles.rough.random_surface:RandomTopography",
-                words=Words(
-                    en="generate random rough surface synthetic roughness artificial surface",
-                    de="zufällige rauheit erzeugen",
-                    fr="surface aléatoire générer",
-                ),
+                en="generate random rough surface synthetic roughness artificial surface",
+                de="zufällige rauheit erzeugen",
+                fr="surface aléatoire générer",
                 problem="surface_contact",
                 lengths=["1 mm", "1 mm"],
                 spectrum=BLASTED,
@@ -110,11 +108,9 @@ ROUGH = Chapter(
             ),
             "height_map": kind(
                 "winkler.profiles.rough.topography:Topography",
-                words=Words(
-                    en="measured heights afm scan interferometer image topography file",
-                    de="gemessene höhen",
-                    fr="hauteurs mesurées",
-                ),
+                en="measured heights afm scan interferometer image topography file",
+                de="gemessene höhen",
+                fr="hauteurs mesurées",
                 reader="winkler.study.chapters.surfaces:read_surface",
                 problem="surface_contact",
                 heights=PYRAMID,
@@ -138,11 +134,9 @@ ROUGH = Chapter(
             "lennard_jones": kind(
                 "winkler.laws.attraction:LennardJones",
                 "greenwood_1997",
-                words=Words(
-                    en="lennard-jones potential surface potential attraction",
-                    de="",
-                    fr="potentiel",
-                ),
+                en="lennard-jones potential surface potential attraction",
+                de="",
+                fr="potentiel",
                 problem="surface_adhesion",
                 work="50 mJ/m^2",
                 spacing="0.8 um",
@@ -151,11 +145,9 @@ ROUGH = Chapter(
         "spectrum": {
             "self_affine": kind(
                 "winkler.profiles.rough.spectrum:SelfAffine",
-                words=Words(
-                    en="self-affine fractal surface hurst exponent spectrum of roughness roll-off cut-off",
-                    de="selbstaffin fraktal",
-                    fr="auto-affine fractale",
-                ),
+                en="self-affine fractal surface hurst exponent spectrum of roughness roll-off cut-off",
+                de="selbstaffin fraktal",
+                fr="auto-affine fractale",
                 problem="rough_contact",
                 hurst=0.8,
                 rms_height="0.3 um",
@@ -164,11 +156,9 @@ ROUGH = Chapter(
             ),
             "power_spectrum": kind(
                 "winkler.profiles.rough.spectrum:PowerSpectrum",
-                words=Words(
-                    en="power spectral density psd of a surface as input",
-                    de="leistungsdichtespektrum",
-                    fr="densité spectrale",
-                ),
+                en="power spectral density psd of a surface as input",
+                de="leistungsdichtespektrum",
+                fr="densité spectrale",
                 reader="winkler.io.tables.spectrum_table:read_spectrum",
                 problem="rough_contact",
                 wave_numbers=["1e4 1/m", "1e5 1/m", "1e6 1/m"],
@@ -184,12 +174,10 @@ ROUGH = Chapter(
     answers={
         "surface_contact": answer(
             "winkler.problems.rough.surface_contact:SurfaceContact",
-            words=Words(
-                key="roughness rough",
-                en="rough surface contact boundary element height map asperities real contact area topography bem polonsky keer measured surface pressed scan profilometer gap interfacial separation boundary element method real surface scan pressed nominal pressure sandblasted bead blasted gap distribution gap height close the rough gap contact area under pressure sandpaper fingertip",
-                de="raue oberfläche kontakt höhenkarte topographie randelemente rauheit reale kontaktfläche asperiten messung sandgestrahlt spaltverteilung",
-                fr="surface rugueuse contact carte de hauteurs topographie éléments de frontière rugosité aire réelle aspérités sablé distribution des jeux",
-            ),
+            key="roughness rough",
+            en="rough surface contact boundary element height map asperities real contact area topography bem polonsky keer measured surface pressed scan profilometer gap interfacial separation boundary element method real surface scan pressed nominal pressure sandblasted bead blasted gap distribution gap height close the rough gap contact area under pressure sandpaper fingertip",
+            de="raue oberfläche kontakt höhenkarte topographie randelemente rauheit reale kontaktfläche asperiten messung sandgestrahlt spaltverteilung",
+            fr="surface rugueuse contact carte de hauteurs topographie éléments de frontière rugosité aire réelle aspérités sablé distribution des jeux",
             headline=("area", "depth", "force", "mean_gap"),
             load=LOADS,
             picture=Caption(
@@ -204,11 +192,9 @@ ROUGH = Chapter(
         ),
         "surface_adhesion": answer(
             "winkler.problems.surface_adhesion.adhesion:SurfaceAdhesion",
-            words=Words(
-                en="rough adhesion sticky rough surface roughness kills adhesion attraction of a map lennard-jones rough wafer bonding does roughness stop sticking fuller tabor roughness reduces adhesion gauge blocks wring wringing lennard-jones",
-                de="haftung rauer oberflächen adhäsion rauheit waferbonden endmasse ansprengen",
-                fr="adhésion surface rugueuse rugosité collage de plaquettes cales étalons adhérence",
-            ),
+            en="rough adhesion sticky rough surface roughness kills adhesion attraction of a map lennard-jones rough wafer bonding does roughness stop sticking fuller tabor roughness reduces adhesion gauge blocks wring wringing lennard-jones",
+            de="haftung rauer oberflächen adhäsion rauheit waferbonden endmasse ansprengen",
+            fr="adhésion surface rugueuse rugosité collage de plaquettes cales étalons adhérence",
             headline=("pull_off_force", "dissipation", "force", "area", "attracted_area", "loss_per_cycle"),
             topography=SOFT_BALL,
             medium={"kind": "half_space", "first": {"kind": "elastic", "young": "1 MPa", "poisson": 0.5}},
@@ -226,11 +212,9 @@ ROUGH = Chapter(
         ),
         "surface_conduction": answer(
             "winkler.problems.rough.surface_conduction:SurfaceConduction",
-            words=Words(
-                en="electrical contact of rough surface current through asperities map current density rough contact resistance",
-                de="elektrischer kontakt raue oberfläche strom durch rauheit",
-                fr="contact électrique rugueux courant à travers les aspérités",
-            ),
+            en="electrical contact of rough surface current through asperities map current density rough contact resistance",
+            de="elektrischer kontakt raue oberfläche strom durch rauheit",
+            fr="contact électrique rugueux courant à travers les aspérités",
             headline=("resistance", "conductance", "least_resistance", "greatest_resistance"),
             contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
             picture=Caption(
@@ -246,11 +230,9 @@ ROUGH = Chapter(
         ),
         "reduction": answer(
             "winkler.problems.rough.reduce:Reduction",
-            words=Words(
-                en="equivalent springs of a rough surface reduce map to line equivalent profile of a height map fast model",
-                de="ersatzfedern reduktion höhenkarte ersatzprofil",
-                fr="ressorts équivalents réduction de carte profil équivalent",
-            ),
+            en="equivalent springs of a rough surface reduce map to line equivalent profile of a height map fast model",
+            de="ersatzfedern reduktion höhenkarte ersatzprofil",
+            fr="ressorts équivalents réduction de carte profil équivalent",
             headline=("stiffness", "depth", "force", "misfit"),
             topography={**STAMP, "seed": 1},
             depth="1 um",
@@ -265,11 +247,9 @@ ROUGH = Chapter(
         ),
         "rough_contact": answer(
             "winkler.problems.rough.line_contact:RoughContact",
-            words=Words(
-                en="power spectral density topography rough contact stiffness lines of springs self-affine fractal roughness stiffness of a rough square hurst power law stiffness persson compliance of rough bodies",
-                de="rauer kontakt steifigkeit fraktal selbstaffin hurst rauheit",
-                fr="contact rugueux raideur fractal auto-affine hurst rugosité",
-            ),
+            en="power spectral density topography rough contact stiffness lines of springs self-affine fractal roughness stiffness of a rough square hurst power law stiffness persson compliance of rough bodies",
+            de="rauer kontakt steifigkeit fraktal selbstaffin hurst rauheit",
+            fr="contact rugueux raideur fractal auto-affine hurst rugosité",
             headline=("area", "mean_gap", "stiffness"),
             side="1 mm",
             load=LOADS,
@@ -286,11 +266,9 @@ ROUGH = Chapter(
         ),
         "rough_indentation": answer(
             "winkler.problems.rough.line_indentation:RoughIndentation",
-            words=Words(
-                en="rough ball roughness on a sphere greenwood tripp rough indenter pressed rough tip rough bead surface roughness of spheres effective hertz radius",
-                de="raue kugel rauheit auf kugel rauer eindringkörper",
-                fr="bille rugueuse rugosité sur sphère",
-            ),
+            en="rough ball roughness on a sphere greenwood tripp rough indenter pressed rough tip rough bead surface roughness of spheres effective hertz radius",
+            de="raue kugel rauheit auf kugel rauer eindringkörper",
+            fr="bille rugueuse rugosité sur sphère",
             headline=("depth", "force", "area"),
             length="4 mm",
             load=LOADS,
@@ -308,11 +286,9 @@ ROUGH = Chapter(
         ),
         "elastomer_friction": answer(
             "winkler.problems.rough.elastomer_friction:ElastomerFriction",
-            words=Words(
-                en="rubber friction tyre grip tire road asphalt sole shoe floor hysteresis friction persson rubber grip on rough road mu of rubber slip resistance wiper wet grip dry grip sole slip grosch tyre on smooth road texture macrotexture pavement skid shoe sole windscreen wiper blade squeal rubber lip on glass",
-                de="gummireibung reifen strasse griffigkeit schuhsohle asphalt reibwert elastomer haftung reifen nassgriff profil fahrbahn textur rutschhemmung finger auf glas fingerabdruck wischerblatt",
-                fr="frottement du caoutchouc pneu route adhérence semelle chaussure élastomère adhérence sur route mouillée texture",
-            ),
+            en="rubber friction tyre grip tire road asphalt sole shoe floor hysteresis friction persson rubber grip on rough road mu of rubber slip resistance wiper wet grip dry grip sole slip grosch tyre on smooth road texture macrotexture pavement skid shoe sole windscreen wiper blade squeal rubber lip on glass",
+            de="gummireibung reifen strasse griffigkeit schuhsohle asphalt reibwert elastomer haftung reifen nassgriff profil fahrbahn textur rutschhemmung finger auf glas fingerabdruck wischerblatt",
+            fr="frottement du caoutchouc pneu route adhérence semelle chaussure élastomère adhérence sur route mouillée texture",
             headline=("coefficient", "velocity"),
             velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
             picture=Caption(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 
 __all__ = ["SUBSURFACE"]
 
@@ -53,12 +53,10 @@ SUBSURFACE = Chapter(
     answers={
         "contact_stress": answer(
             "winkler.problems.subsurface.contact_stress:ContactStress",
-            words=Words(
-                key="stress",
-                en="stresses under gear teeth hertzian stress case depth hardening depth needed how deep must the case be subsurface stress von mises max shear stress below contact where is the highest stress tresca maximum depth stress field principal stress orthogonal shear fatigue initiation how deep is the greatest stress maximum shear stress for sphere on flat plate and its depth case depth gear shaft induction hardened nitriding depth needed stress along the axis depth of the greatest orthogonal shear stress hertz stress field sub-surface spalling from below hertz pitting depth shear at the interface of a coating delaminates stress in a thermal spray layer",
-                de="wie hart muss die schicht sein einhärtetiefe spannung unter der oberfläche vergleichsspannung schubspannung maximum tiefe von mises grösste beanspruchung hauptspannung einsatzhärteschicht zahnrad nitrierhärtetiefe grösste schubspannung tiefe randschichthärten druckstelle im laminat",
-                fr="contrainte sous la surface cisaillement maximal von mises profondeur contrainte maximale champ de contraintes contraintes en sous-couche profondeur du cisaillement maximal profondeur de cémentation",
-            ),
+            key="stress",
+            en="stresses under gear teeth hertzian stress case depth hardening depth needed how deep must the case be subsurface stress von mises max shear stress below contact where is the highest stress tresca maximum depth stress field principal stress orthogonal shear fatigue initiation how deep is the greatest stress maximum shear stress for sphere on flat plate and its depth case depth gear shaft induction hardened nitriding depth needed stress along the axis depth of the greatest orthogonal shear stress hertz stress field sub-surface spalling from below hertz pitting depth shear at the interface of a coating delaminates stress in a thermal spray layer",
+            de="wie hart muss die schicht sein einhärtetiefe spannung unter der oberfläche vergleichsspannung schubspannung maximum tiefe von mises grösste beanspruchung hauptspannung einsatzhärteschicht zahnrad nitrierhärtetiefe grösste schubspannung tiefe randschichthärten druckstelle im laminat",
+            fr="contrainte sous la surface cisaillement maximal von mises profondeur contrainte maximale champ de contraintes contraintes en sous-couche profondeur du cisaillement maximal profondeur de cémentation",
             headline=("max_shear", "max_shear_depth", "orthogonal_shear", "orthogonal_shear_depth", "von_mises"),
             contact={"kind": "indentation"},
             picture=Caption(
@@ -71,11 +69,9 @@ SUBSURFACE = Chapter(
         ),
         "map_stress": answer(
             "winkler.problems.subsurface.map_stress:MapStress",
-            words=Words(
-                en="stress below a given pressure map pressure film footprint boussinesq cerruti load patch stress from measured pressure stress under foundation fuji film pressure sensitive paper tekscan uniform pressure patch under a wheel track pad",
-                de="spannung unter gegebenem druck druckkarte boussinesq cerruti druckfolie",
-                fr="contrainte sous une carte de pression donnée boussinesq cerruti film de pression film fuji répartition de pression mesurée",
-            ),
+            en="stress below a given pressure map pressure film footprint boussinesq cerruti load patch stress from measured pressure stress under foundation fuji film pressure sensitive paper tekscan uniform pressure patch under a wheel track pad",
+            de="spannung unter gegebenem druck druckkarte boussinesq cerruti druckfolie",
+            fr="contrainte sous une carte de pression donnée boussinesq cerruti film de pression film fuji répartition de pression mesurée",
             headline=("von_mises", "z", "x", "y", "yield_factor"),
             solid={"kind": "elastic", "strength": "500 MPa"},
             picture=Caption(

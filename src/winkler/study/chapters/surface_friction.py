@@ -6,7 +6,7 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.friction import NORMAL_START
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import DISC, ELEMENTS, SAME_AREA, STAMP
 
 __all__ = ["SURFACE_FRICTION"]
@@ -75,11 +75,9 @@ SURFACE_FRICTION = Chapter(
     answers={
         "surface_tangential": answer(
             "winkler.problems.surface_friction.tangential:SurfaceTangential",
-            words=Words(
-                en="friction of rough surface partial slip map shear of asperities fretting of a measured surface stick slip in three dimensions",
-                de="reibung rauer oberflächen teilschlupf höhenkarte scherung asperiten",
-                fr="frottement surface rugueuse glissement partiel cisaillement aspérités",
-            ),
+            en="friction of rough surface partial slip map shear of asperities fretting of a measured surface stick slip in three dimensions",
+            de="reibung rauer oberflächen teilschlupf höhenkarte scherung asperiten",
+            fr="frottement surface rugueuse glissement partiel cisaillement aspérités",
             headline=("dissipation", "shear_force_x", "stick_share", "peak_pressure", "force", "loss_per_cycle"),
             topography=BALL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
@@ -102,11 +100,9 @@ SURFACE_FRICTION = Chapter(
         ),
         "reduced_friction": answer(
             "winkler.problems.surface_friction.reduced:ReducedFriction",
-            words=Words(
-                en="springs for friction of a map equivalent friction model reduced order joint model",
-                de="ersatzfedern reibung höhenkarte reduziertes modell",
-                fr="ressorts équivalents frottement modèle réduit",
-            ),
+            en="springs for friction of a map equivalent friction model reduced order joint model",
+            de="ersatzfedern reibung höhenkarte reduziertes modell",
+            fr="ressorts équivalents frottement modèle réduit",
             headline=("shift_error", "loss_error", "force", "shift", "spring_shift"),
             topography=OBLONG,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
@@ -123,12 +119,10 @@ SURFACE_FRICTION = Chapter(
         ),
         "joint_stiffness": answer(
             "winkler.problems.surface_friction.joint:JointStiffness",
-            words=Words(
-                key="bolt joint",
-                en="bolted joint stiffness interface stiffness machine tool joint contact stiffness per area damping how stiff is the joint flange shear stiffness joint damping bolted flange clamp guideway stiffness machine tool interface per unit area ultrasonic reflection tangential stiffness of a rough interface normal stiffness of joint modal identification of joint contact layer for finite elements greenwood stiffness bolted faces compliance of rough bodies asperity compliance",
-                de="fügestelle steifigkeit schraubverbindung fugensteifigkeit kontaktsteifigkeit werkzeugmaschine dämpfung wie steif führungssteifigkeit verschraubte fuge",
-                fr="raideur de liaison boulonnée assemblage raideur de contact amortissement joint machine-outil raideur d'interface glissière serrage de vis rigidité des plaques",
-            ),
+            key="bolt joint",
+            en="bolted joint stiffness interface stiffness machine tool joint contact stiffness per area damping how stiff is the joint flange shear stiffness joint damping bolted flange clamp guideway stiffness machine tool interface per unit area ultrasonic reflection tangential stiffness of a rough interface normal stiffness of joint modal identification of joint contact layer for finite elements greenwood stiffness bolted faces compliance of rough bodies asperity compliance",
+            de="fügestelle steifigkeit schraubverbindung fugensteifigkeit kontaktsteifigkeit werkzeugmaschine dämpfung wie steif führungssteifigkeit verschraubte fuge",
+            fr="raideur de liaison boulonnée assemblage raideur de contact amortissement joint machine-outil raideur d'interface glissière serrage de vis rigidité des plaques",
             headline=("areal_stiffness", "areal_stiffness_x", "ratio_x", "loss_per_cycle", "shift_error", "loss_error"),
             topography={**STAMP, "seed": 1},
             medium={"kind": "half_space", "second": {"kind": "elastic"}},

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.heating import STEELS
-from winkler.study.chapters.kind import Words
 from winkler.study.chapters.rough import ELEMENTS
 from winkler.study.chapters.subsurface import HILL
 from winkler.study.chapters.surface_friction import CERRUTI
@@ -62,11 +61,9 @@ SURFACE_HEATING = Chapter(
     answers={
         "surface_rolling_heating": answer(
             "winkler.problems.surface_heating.rolling:SurfaceRollingHeating",
-            words=Words(
-                en="temperature of rolling with creepage wheel rail heat traction martensite white etching layer wheel spin heat",
-                de="temperatur rollen schlupf rad schiene wärme martensit",
-                fr="température roulement pseudo-glissement roue rail chaleur",
-            ),
+            en="temperature of rolling with creepage wheel rail heat traction martensite white etching layer wheel spin heat",
+            de="temperatur rollen schlupf rad schiene wärme martensit",
+            fr="température roulement pseudo-glissement roue rail chaleur",
             headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
             rolling=PULLS,
             conductors=STEELS,
@@ -81,11 +78,9 @@ SURFACE_HEATING = Chapter(
         ),
         "surface_friction_heating": answer(
             "winkler.problems.surface_heating.sliding:SurfaceFrictionHeating",
-            words=Words(
-                en="temperature of a rough sliding contact map flash temperature hot spots pressure map brake disc hot spot asperity temperature",
-                de="temperatur rauer gleitkontakt blitztemperatur heisse stellen druckkarte",
-                fr="température contact glissant rugueux points chauds carte de pression",
-            ),
+            en="temperature of a rough sliding contact map flash temperature hot spots pressure map brake disc hot spot asperity temperature",
+            de="temperatur rauer gleitkontakt blitztemperatur heisse stellen druckkarte",
+            fr="température contact glissant rugueux points chauds carte de pression",
             headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
             load=RUBBED,
             conductors=STEELS,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import ELEMENTS
 from winkler.study.chapters.surface_friction import CERRUTI, SHEAR_FORCE
 
@@ -63,11 +63,9 @@ SURFACE_ROLLING = Chapter(
         "twist": {
             "spin": kind(
                 "winkler.problems.surface_rolling.creep_force:Spin",
-                words=Words(
-                    en="spin creepage twist rate",
-                    de="bohrschlupf",
-                    fr="spin",
-                ),
+                en="spin creepage twist rate",
+                de="bohrschlupf",
+                fr="spin",
                 problem="surface_rolling",
                 spin="5 1/m",
             ),
@@ -76,11 +74,9 @@ SURFACE_ROLLING = Chapter(
     answers={
         "surface_rolling": answer(
             "winkler.problems.surface_rolling.steady:SurfaceRolling",
-            words=Words(
-                en="creep forces contact kalker exact rolling boundary elements creep wheel rail variational half-space rolling of a map rough rolling heathcote slip conforming groove rolling spin corrugation rail slip velocities in the contact patch",
-                de="rollen randelemente kalker contact schlupf rad schiene exakt",
-                fr="roulement éléments de frontière kalker contact pseudo-glissement exact",
-            ),
+            en="creep forces contact kalker exact rolling boundary elements creep wheel rail variational half-space rolling of a map rough rolling heathcote slip conforming groove rolling spin corrugation rail slip velocities in the contact patch",
+            de="rollen randelemente kalker contact schlupf rad schiene exakt",
+            fr="roulement éléments de frontière kalker contact pseudo-glissement exact",
             headline=("longitudinal_force", "lateral_force", "moment", "stick_share"),
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
@@ -104,11 +100,9 @@ SURFACE_ROLLING = Chapter(
         ),
         "surface_rolling_start": answer(
             "winkler.problems.surface_rolling.start:SurfaceRollingStart",
-            words=Words(
-                en="transient rolling boundary elements start from rest kalker transient",
-                de="instationäres rollen randelemente anfahren",
-                fr="roulement transitoire éléments de frontière démarrage",
-            ),
+            en="transient rolling boundary elements start from rest kalker transient",
+            de="instationäres rollen randelemente anfahren",
+            fr="roulement transitoire éléments de frontière démarrage",
             headline=("longitudinal_force", "longitudinal_creepage", "stick_share", "distance"),
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},

@@ -7,7 +7,7 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.impact import EQUATION_OF_MOTION
-from winkler.study.chapters.kind import Words, is_a
+from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.normal import BACK, PLANE, PLANE_FOUNDATION
 
 __all__ = [
@@ -202,12 +202,10 @@ VISCOELASTIC = Chapter(
     answers={
         "viscoelastic_indentation": answer(
             "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
-            words=Words(
-                key="rubber",
-                en="rubber foot sinks into the floor polymer rubber gel creep time-dependent ting lee radok loading rate viscoelasticity cell tissue soft matter plastic creeping hysteresis of polymer loading unloading rate dependence biological cells loading curve differs from unloading hysteresis time-dependent poisson ratio skin soft tissue fading memory silicone pad standard linear solid maxwell kelvin indentation silly putty memory foam",
-                de="viskoelastisch gummi polymer kriechen zeitabhängig gel kunststoff gewebe zelle belastungsgeschwindigkeit haut weichgewebe standardmodell",
-                fr="viscoélastique caoutchouc polymère fluage gel dépendant du temps tissu cellule plastique vitesse de charge peau tissu mou",
-            ),
+            key="rubber",
+            en="rubber foot sinks into the floor polymer rubber gel creep time-dependent ting lee radok loading rate viscoelasticity cell tissue soft matter plastic creeping hysteresis of polymer loading unloading rate dependence biological cells loading curve differs from unloading hysteresis time-dependent poisson ratio skin soft tissue fading memory silicone pad standard linear solid maxwell kelvin indentation silly putty memory foam",
+            de="viskoelastisch gummi polymer kriechen zeitabhängig gel kunststoff gewebe zelle belastungsgeschwindigkeit haut weichgewebe standardmodell",
+            fr="viscoélastique caoutchouc polymère fluage gel dépendant du temps tissu cellule plastique vitesse de charge peau tissu mou",
             headline=("dissipation", "force", "depth", "radius", "loss_per_cycle"),
             bed=BED,
             path={"kind": "program", "steps": IN_AND_OUT},
@@ -224,11 +222,9 @@ VISCOELASTIC = Chapter(
         ),
         "creep_test": answer(
             "winkler.problems.viscoelastic.material_tests:CreepTest",
-            words=Words(
-                en="creep compliance constant load step load sinks in over time settling slow penetration sagging retardation dwell hold at load standing load mark over years furniture foot on vinyl flooring slow settlement cold flow retardation time pad under constant load grow with time under dead weight grows in time",
-                de="dauerlast knorpel verformt sich kriechversuch kriechen konstante last retardation setzt sich haltezeit einsinken gummipuffer langzeitverformung setzverhalten dauerbelastung",
-                fr="essai de fluage charge constante enfoncement lent tassement tassement sous charge",
-            ),
+            en="creep compliance constant load step load sinks in over time settling slow penetration sagging retardation dwell hold at load standing load mark over years furniture foot on vinyl flooring slow settlement cold flow retardation time pad under constant load grow with time under dead weight grows in time",
+            de="dauerlast knorpel verformt sich kriechversuch kriechen konstante last retardation setzt sich haltezeit einsinken gummipuffer langzeitverformung setzverhalten dauerbelastung",
+            fr="essai de fluage charge constante enfoncement lent tassement tassement sous charge",
             headline=("depth", "radius", "force", "time"),
             bed=BED,
             force="1 N",
@@ -240,11 +236,9 @@ VISCOELASTIC = Chapter(
         ),
         "relaxation_test": answer(
             "winkler.problems.viscoelastic.material_tests:RelaxationTest",
-            words=Words(
-                en="force drops after pressing force falls relaxation stress relaxation hold depth force decays loses preload gasket relaxation compression set ramp and hold bolted flange loosens gasket stress relaxation elastomer sealing force over time loosens long-term force loss compression set of a snap fit",
-                de="relaxationsversuch spannungsrelaxation kraftabfall haltezeit vorspannung lässt nach setzen dichtung setzverhalten flachdichtung dichtkraft nimmt ab",
-                fr="relaxation essai de relaxation relaxation des contraintes maintien force diminue précontrainte perte de serrage élastomère",
-            ),
+            en="force drops after pressing force falls relaxation stress relaxation hold depth force decays loses preload gasket relaxation compression set ramp and hold bolted flange loosens gasket stress relaxation elastomer sealing force over time loosens long-term force loss compression set of a snap fit",
+            de="relaxationsversuch spannungsrelaxation kraftabfall haltezeit vorspannung lässt nach setzen dichtung setzverhalten flachdichtung dichtkraft nimmt ab",
+            fr="relaxation essai de relaxation relaxation des contraintes maintien force diminue précontrainte perte de serrage élastomère",
             headline=("force", "radius", "depth", "time"),
             bed=BED,
             depth="100 um",
@@ -256,11 +250,9 @@ VISCOELASTIC = Chapter(
         ),
         "harmonic_indentation": answer(
             "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
-            words=Words(
-                en="dma storage modulus loss modulus tan delta dynamic indentation oscillation csm frequency sweep complex modulus loss tangent dynamic stiffness nanodma complex modulus of a gel oscillate continuous stiffness dynamic mechanical analysis bead rheometry phase angle under sinusoidal load lag",
-                de="speichermodul verlustmodul dynamisch schwingend frequenz dma komplexer modul verlustfaktor phasenwinkel",
-                fr="module de conservation module de perte dynamique oscillation fréquence tan delta",
-            ),
+            en="dma storage modulus loss modulus tan delta dynamic indentation oscillation csm frequency sweep complex modulus loss tangent dynamic stiffness nanodma complex modulus of a gel oscillate continuous stiffness dynamic mechanical analysis bead rheometry phase angle under sinusoidal load lag",
+            de="speichermodul verlustmodul dynamisch schwingend frequenz dma komplexer modul verlustfaktor phasenwinkel",
+            fr="module de conservation module de perte dynamique oscillation fréquence tan delta",
             headline=("storage_stiffness", "loss_stiffness", "loss_tangent"),
             bed=BED,
             normal={"kind": "depth", "depth": "100 um"},
@@ -280,11 +272,9 @@ VISCOELASTIC = Chapter(
         ),
         "viscoelastic_impact": answer(
             "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
-            words=Words(
-                en="rubber ball bounce polymer impact rebound resilience schob drop on rubber viscoelastic restitution pendulum rebound rubber bushing impact foam mat squash ball polymer ball energy return rebound test rebound resilience of elastomer impact pendulum silly putty",
-                de="gummiball rückprallelastizität aufprall auf gummi stoss viskoelastisch dämpfender stoss rückprallversuch elastomere gummi prallt",
-                fr="rebond caoutchouc résilience choc viscoélastique balle rebond d'élastomère balle de squash mousse",
-            ),
+            en="rubber ball bounce polymer impact rebound resilience schob drop on rubber viscoelastic restitution pendulum rebound rubber bushing impact foam mat squash ball polymer ball energy return rebound test rebound resilience of elastomer impact pendulum silly putty",
+            de="gummiball rückprallelastizität aufprall auf gummi stoss viskoelastisch dämpfender stoss rückprallversuch elastomere gummi prallt",
+            fr="rebond caoutchouc résilience choc viscoélastique balle rebond d'élastomère balle de squash mousse",
             headline=("restitution", "duration", "dissipation"),
             bed=BED,
             mass="30 g",

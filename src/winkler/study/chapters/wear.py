@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import ELLIPSE, normal_formulas
 
 __all__ = ["WEAR"]
@@ -57,11 +57,9 @@ WEAR = Chapter(
             "archard": kind(
                 "winkler.laws.wear:Archard",
                 "archard_1953",
-                words=Words(
-                    en="archard wear coefficient specific wear rate holm",
-                    de="archard verschleisskoeffizient",
-                    fr="loi d'archard",
-                ),
+                en="archard wear coefficient specific wear rate holm",
+                de="archard verschleisskoeffizient",
+                fr="loi d'archard",
                 rate="1e-5 mm^3/(N m)",
             ),
             "pair_wear": kind(
@@ -75,12 +73,10 @@ WEAR = Chapter(
     answers={
         "fretting_wear": answer(
             "winkler.problems.wear.fretting:FrettingWear",
-            words=Words(
-                key="fretting",
-                en="fretting wear scar reciprocating wear archard vibration wear contact scar depth connector fretting how long does it last lifetime debris hip implant taper worn off rate dissipated energy wear coefficient fretting modular taper micromotion trunnion fretting corrosion of connectors tin fretting number of cycles electric contact vibration wear tube million cycles vibrating plug wears through its gold plating press fit of a hub on a shaft fretting spline coupling",
-                de="schwingverschleiss fretting reibkorrosion verschleissnarbe archard lebensdauer passungsrost wie lange hält es zyklen hält schwingungsreibung modularer konus reibkorrosion einer passung welle nabe",
-                fr="usure par fretting petits débattements trace d'usure archard durée de vie vibration million de cycles usure cône modulaire usure après cycles",
-            ),
+            key="fretting",
+            en="fretting wear scar reciprocating wear archard vibration wear contact scar depth connector fretting how long does it last lifetime debris hip implant taper worn off rate dissipated energy wear coefficient fretting modular taper micromotion trunnion fretting corrosion of connectors tin fretting number of cycles electric contact vibration wear tube million cycles vibrating plug wears through its gold plating press fit of a hub on a shaft fretting spline coupling",
+            de="schwingverschleiss fretting reibkorrosion verschleissnarbe archard lebensdauer passungsrost wie lange hält es zyklen hält schwingungsreibung modularer konus reibkorrosion einer passung welle nabe",
+            fr="usure par fretting petits débattements trace d'usure archard durée de vie vibration million de cycles usure cône modulaire usure après cycles",
             headline=("worn_volume", "worn_depth", "cycles"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
@@ -98,12 +94,10 @@ WEAR = Chapter(
         ),
         "sliding_wear": answer(
             "winkler.problems.wear.sliding:SlidingWear",
-            words=Words(
-                key="wear",
-                en="knee implant wear bushing sleeve loses material material loss cup wear denture tooth wear pin on disc wear rate archard volume worn tip wear ball wears flat lifetime block running-in ball-on-disc wear track how long does it last abrasion prosthesis adhesive wear reciprocating ball-on-flat tribometer wear coefficient specific wear rate severe and mild plain bushing kilometres pin lost brush wear enamel polyethylene knee slip ring jewel valve wear brake pad wear clutch lining life",
-                de="nutzt sich ab gleitschuh abnutzen kilometer verschleiss stift scheibe verschleissrate archard abrieb einlaufen standzeit abnutzung gleitverschleiss verschleisskoeffizient gleitbuchse bremsbelagverschleiss adhäsiver verschleiss lebensdauer buchse gleitlagerverschleiss verschleiss eines gleitlagers",
-                fr="usure pion disque taux d'usure archard abrasion durée de vie rodage bille disque usure adhésive coefficient d'usure bague lisse usure des dents plaquette usure d'un palier lisse",
-            ),
+            key="wear",
+            en="knee implant wear bushing sleeve loses material material loss cup wear denture tooth wear pin on disc wear rate archard volume worn tip wear ball wears flat lifetime block running-in ball-on-disc wear track how long does it last abrasion prosthesis adhesive wear reciprocating ball-on-flat tribometer wear coefficient specific wear rate severe and mild plain bushing kilometres pin lost brush wear enamel polyethylene knee slip ring jewel valve wear brake pad wear clutch lining life",
+            de="nutzt sich ab gleitschuh abnutzen kilometer verschleiss stift scheibe verschleissrate archard abrieb einlaufen standzeit abnutzung gleitverschleiss verschleisskoeffizient gleitbuchse bremsbelagverschleiss adhäsiver verschleiss lebensdauer buchse gleitlagerverschleiss verschleiss eines gleitlagers",
+            fr="usure pion disque taux d'usure archard abrasion durée de vie rodage bille disque usure adhésive coefficient d'usure bague lisse usure des dents plaquette usure d'un palier lisse",
             headline=("worn_volume", "worn_depth", "distance"),
             normal={"kind": "force", "force": "100 N"},
             distance=["0 m", "0.1 m", "0.3 m", "1 m"],
@@ -120,11 +114,9 @@ WEAR = Chapter(
         ),
         "elliptic_wear": answer(
             "winkler.problems.wear.elliptic:EllipticWear",
-            words=Words(
-                en="knee implant wear condyle wheel wear bearing wear raceway wear ellipse crossed cylinder wear test wire rope wires crossed polyethylene tray enamel crossed-cylinder tester",
-                de="verschleiss ellipse laufbahn rad gekreuzte zylinder",
-                fr="usure ellipse cylindres croisés chemin de roulement",
-            ),
+            en="knee implant wear condyle wheel wear bearing wear raceway wear ellipse crossed cylinder wear test wire rope wires crossed polyethylene tray enamel crossed-cylinder tester",
+            de="verschleiss ellipse laufbahn rad gekreuzte zylinder",
+            fr="usure ellipse cylindres croisés chemin de roulement",
             headline=("worn_depth", "worn_volume", "track_depth", "track_half_width"),
             wear={"kind": "pair_wear", "first": {**STEEL, "rate": "1e-8 mm^3/(N m)"}, "second": STEEL},
             load={"kind": "force", "force": "100 N"},
@@ -141,11 +133,9 @@ WEAR = Chapter(
         ),
         "limiting_profile": answer(
             "winkler.problems.wear.limiting_profile:LimitingProfile",
-            words=Words(
-                en="worn surface look after millions of small vibrations final shape after fretting worn end state steady state scar where does wear stop limiting shape",
-                de="endform grenzprofil wo hört verschleiss auf endzustand fretting riffelbildung einer schiene",
-                fr="forme limite fin de l'usure profil final fretting",
-            ),
+            en="worn surface look after millions of small vibrations final shape after fretting worn end state steady state scar where does wear stop limiting shape",
+            de="endform grenzprofil wo hört verschleiss auf endzustand fretting riffelbildung einer schiene",
+            fr="forme limite fin de l'usure profil final fretting",
             headline=("worn_volume", "worn_depth", "stick_radius"),
             normal={"kind": "depth", "depth": "1 um"},
             amplitude={"kind": "shift", "shift": "0.2 um"},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, is_a, kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
 __all__ = ["LINE", "LOAD", "LOAD_PROFILE", "PRESSURE", "ROLLER"]
@@ -182,11 +182,9 @@ LINE = Chapter(
                 "winkler.profiles.roller_ends:LogarithmicEnds",
                 "lundberg_1939",
                 "fujiwara_kawase_2007",
-                words=Words(
-                    en="lundberg profile logarithmic roller profile",
-                    de="",
-                    fr="",
-                ),
+                en="lundberg profile logarithmic roller profile",
+                de="",
+                fr="",
                 problem="roller_contact",
                 design_force_per_length="1 kN/mm",
             ),
@@ -225,12 +223,10 @@ LINE = Chapter(
             "winkler.problems.line.indentation:LineIndentation",
             "johnson_1985",
             "jaeger_1995",
-            words=Words(
-                key="gear roller cylinder hertz",
-                en="cylinder on flat roller shaft in plain bearing hertz line contact gear tooth flank pair gears teeth cam follower roller bearing knife edge two-dimensional plane strain half-width roll nip cylinders pressed flattening of two cylinders parallel cylinders shaft on shaft follower tappet valve lifter cam pressure gear contact stress pitch point pressure roller on plane bridge bearing hinge pin joint pin in a hole lug clearance rack and pinion needle bearing worm sprocket roller chain pressing knife edge loading wheel tread flat cylinder wheel calender cross roller bearing preload roller stiffness geneva drive pin rotary table mast roller hertz line wedge pressure beneath a wedge piston pin boss",
-                de="flächenpressung zylinder linienkontakt linienberührung walze rolle zylinder auf ebene zahnrad zahnflanke zahnräder rollenlager nadellager wälzpressung nocken stempel welle abplattung zweier zylinder kurvenrolle stössel nockenfolger brückenlager auflagerolle wälzpressung stribecksche wälzkontakt rolle auf schiene kettenrolle bolzen in bohrung kegelrollenlager keil",
-                fr="deux cylindres parallèles surface de contact contact linéique cylindre sur plan galet rouleau denture engrenage dent came roulement à rouleaux roulement à aiguilles arbre écrasement de deux cylindres pression superficielle galet came poussoir axe dans un alésage denture rouleau sur plan coin axe de piston",
-            ),
+            key="gear roller cylinder hertz",
+            en="cylinder on flat roller shaft in plain bearing hertz line contact gear tooth flank pair gears teeth cam follower roller bearing knife edge two-dimensional plane strain half-width roll nip cylinders pressed flattening of two cylinders parallel cylinders shaft on shaft follower tappet valve lifter cam pressure gear contact stress pitch point pressure roller on plane bridge bearing hinge pin joint pin in a hole lug clearance rack and pinion needle bearing worm sprocket roller chain pressing knife edge loading wheel tread flat cylinder wheel calender cross roller bearing preload roller stiffness geneva drive pin rotary table mast roller hertz line wedge pressure beneath a wedge piston pin boss",
+            de="flächenpressung zylinder linienkontakt linienberührung walze rolle zylinder auf ebene zahnrad zahnflanke zahnräder rollenlager nadellager wälzpressung nocken stempel welle abplattung zweier zylinder kurvenrolle stössel nockenfolger brückenlager auflagerolle wälzpressung stribecksche wälzkontakt rolle auf schiene kettenrolle bolzen in bohrung kegelrollenlager keil",
+            fr="deux cylindres parallèles surface de contact contact linéique cylindre sur plan galet rouleau denture engrenage dent came roulement à rouleaux roulement à aiguilles arbre écrasement de deux cylindres pression superficielle galet came poussoir axe dans un alésage denture rouleau sur plan coin axe de piston",
             headline=("peak_pressure", "half_width", "force_per_length", "mean_pressure"),
             bed=ROLLER,
             picture=Caption(
@@ -245,12 +241,10 @@ LINE = Chapter(
         ),
         "roller_contact": answer(
             "winkler.problems.rollers.roller_contact:RollerContact",
-            words=Words(
-                key="roller bearing",
-                en="pressure between roller and raceway roller bearing edge stress crowning crowned roller finite length misalignment tilt logarithmic profile lundberg edge loading end relief needle cylindrical roller tapered roller end drop dub-off edge stress concentration roller deflection skewed roller load distribution along a roller palmgren uniform pressure along the length barrelled roller bearing overload cross roller roller with rounded corners",
-                de="flächenpressung zylinder rollenlager kantenpressung balligkeit ballige rolle kantentragen schiefstellung verkippung logarithmisches profil nadel zylinderrolle endliche länge kegelrollenlager kegelrolle nadelkranz kantenspannung pressungsverteilung entlang der rolle",
-                fr="roulement à rouleaux surpression de bord bombé rouleau bombé désalignement profil logarithmique longueur finie rouleau conique répartition de pression le long du rouleau bombé surcharge en bout",
-            ),
+            key="roller bearing",
+            en="pressure between roller and raceway roller bearing edge stress crowning crowned roller finite length misalignment tilt logarithmic profile lundberg edge loading end relief needle cylindrical roller tapered roller end drop dub-off edge stress concentration roller deflection skewed roller load distribution along a roller palmgren uniform pressure along the length barrelled roller bearing overload cross roller roller with rounded corners",
+            de="flächenpressung zylinder rollenlager kantenpressung balligkeit ballige rolle kantentragen schiefstellung verkippung logarithmisches profil nadel zylinderrolle endliche länge kegelrollenlager kegelrolle nadelkranz kantenspannung pressungsverteilung entlang der rolle",
+            fr="roulement à rouleaux surpression de bord bombé rouleau bombé désalignement profil logarithmique longueur finie rouleau conique répartition de pression le long du rouleau bombé surcharge en bout",
             headline=("peak_pressure", "edge_factor", "depth", "force", "tilt"),
             radius="10 mm",
             length="10 mm",
@@ -273,11 +267,9 @@ LINE = Chapter(
             "barquins_1988",
             "chaudhury_1996",
             "baney_hui_1997",
-            words=Words(
-                en="sticky cylinder fibre fiber nanowire nanotube roller adhesion jkr cylinder peel line gecko adhering strip crossed nanotubes fibres carbon nanotube on a substrate cylinder jkr rod sticks",
-                de="klebender zylinder faser haftung linienkontakt adhäsion walze klebt nanoröhre stäbchen",
-                fr="adhésion cylindre fibre collant contact linéique adhésif",
-            ),
+            en="sticky cylinder fibre fiber nanowire nanotube roller adhesion jkr cylinder peel line gecko adhering strip crossed nanotubes fibres carbon nanotube on a substrate cylinder jkr rod sticks",
+            de="klebender zylinder faser haftung linienkontakt adhäsion walze klebt nanoröhre stäbchen",
+            fr="adhésion cylindre fibre collant contact linéique adhésif",
             headline=("pull_off_force_per_length", "half_width", "force_per_length"),
             bed=STICKY_ROLLER,
             load={"kind": "line_force", "force_per_length": "1 N/m"},
@@ -290,11 +282,9 @@ LINE = Chapter(
             "winkler.problems.line_strips.periodic:PeriodicIndentation",
             "westergaard_1939",
             "johnson_1985",
-            words=Words(
-                en="ridge pattern regular pattern pillars wavy surface westergaard ripples ridges grooves grating texture knurl sinusoidal periodic many strips full contact closure pressure flattening waviness stamp corrugated rail washboard stamp with lines close the gap completely machined lay turning marks",
-                de="welligkeit wellige oberfläche riefen rillen gitter periodisch sinus textur stempel drehriefen",
-                fr="surface ondulée ondulation stries rainures réseau sinusoïdal périodique texture tampon stries d'usinage",
-            ),
+            en="ridge pattern regular pattern pillars wavy surface westergaard ripples ridges grooves grating texture knurl sinusoidal periodic many strips full contact closure pressure flattening waviness stamp corrugated rail washboard stamp with lines close the gap completely machined lay turning marks",
+            de="welligkeit wellige oberfläche riefen rillen gitter periodisch sinus textur stempel drehriefen",
+            fr="surface ondulée ondulation stries rainures réseau sinusoïdal périodique texture tampon stries d'usinage",
             headline=("contact_share", "peak_pressure", "half_width", "closure_pressure"),
             bed=WAVES,
             pitch="1 mm",
@@ -307,11 +297,9 @@ LINE = Chapter(
         "line_yield_onset": answer(
             "winkler.problems.line.yielding:LineYieldOnset",
             "johnson_1985",
-            words=Words(
-                en="roller yields shaft yield gear flank strength plastic cylinder plastic line contact von mises rail head cam yields roller follower survives tread yields crane wheel groove in the rail roller marks rail allowable roller load allowable line load contact stress limit of cam",
-                de="walze fliesst zahnflanke festigkeit zylinder plastisch rolle fliessgrenze laufrolle zulässige pressung nocken kranrad zulässige linienlast",
-                fr="galet plastifie limite élastique cylindre rouleau plastique flanc de dent charge limite galet galet marque le rail pression admissible galet",
-            ),
+            en="roller yields shaft yield gear flank strength plastic cylinder plastic line contact von mises rail head cam yields roller follower survives tread yields crane wheel groove in the rail roller marks rail allowable roller load allowable line load contact stress limit of cam",
+            de="walze fliesst zahnflanke festigkeit zylinder plastisch rolle fliessgrenze laufrolle zulässige pressung nocken kranrad zulässige linienlast",
+            fr="galet plastifie limite élastique cylindre rouleau plastique flanc de dent charge limite galet galet marque le rail pression admissible galet",
             event="at which a body begins to yield",
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
@@ -323,11 +311,9 @@ LINE = Chapter(
         "line_shakedown": answer(
             "winkler.problems.line.shakedown:LineShakedown",
             "johnson_1985",
-            words=Words(
-                en="shakedown rolling contact fatigue ratcheting ratchetting rail life repeated rolling overrolling cyclic plasticity melan safe load spalling pitting limit shakedown map rcf elastic in the end rail squat head checks rolling contact fatigue limit residual stresses after shakedown repeated passes is the load above shakedown ratchet limit plastic flow of rail accumulates crack on rail surface from rolling case hardened roller endurance limit pressure cyclic rolling spalls pitting",
-                de="einspielen shakedown ratcheting wälzfestigkeit wälzermüdung wiederholtes überrollen dauerfest schiene grübchen überrollung rollkontaktermüdung schiene squat schädigung überrollungen dauerhafte pressung wälzermüdung grübchenbildung",
-                fr="adaptation plastique shakedown rochet fatigue de roulement chargement répété passages répétés rail écaillage fatigue de contact de roulement squat rail limite d'adaptation écaillage",
-            ),
+            en="shakedown rolling contact fatigue ratcheting ratchetting rail life repeated rolling overrolling cyclic plasticity melan safe load spalling pitting limit shakedown map rcf elastic in the end rail squat head checks rolling contact fatigue limit residual stresses after shakedown repeated passes is the load above shakedown ratchet limit plastic flow of rail accumulates crack on rail surface from rolling case hardened roller endurance limit pressure cyclic rolling spalls pitting",
+            de="einspielen shakedown ratcheting wälzfestigkeit wälzermüdung wiederholtes überrollen dauerfest schiene grübchen überrollung rollkontaktermüdung schiene squat schädigung überrollungen dauerhafte pressung wälzermüdung grübchenbildung",
+            fr="adaptation plastique shakedown rochet fatigue de roulement chargement répété passages répétés rail écaillage fatigue de contact de roulement squat rail limite d'adaptation écaillage",
             event="up to which the body shakes down",
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},

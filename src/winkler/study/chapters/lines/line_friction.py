@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import MODULUS
 
@@ -56,11 +56,9 @@ LINE_FRICTION = Chapter(
             "jaeger_1995",
             "ciavarella_1998",
             "nowell_hills_1987",
-            words=Words(
-                en="fretting cylinder dovetail blade root fretting fatigue bulk stress tension cattaneo mindlin line contact stick slip shear roller partial slip press fit spline turbine blade root attachment fir tree dovetail joint lug interference shear on cylinder rope wires",
-                de="reibkorrosion schwingreibverschleiss schwalbenschwanz schaufelfuss zylinder reibung haften gleiten teilschlupf linienkontakt presssitz turbinenschaufelfuss tannenbaum reibschluss schlupfwelle",
-                fr="fretting cylindre queue d'aronde pied d'aube fatigue glissement partiel contact linéique frottement emmanchement aube de turbine attache",
-            ),
+            en="fretting cylinder dovetail blade root fretting fatigue bulk stress tension cattaneo mindlin line contact stick slip shear roller partial slip press fit spline turbine blade root attachment fir tree dovetail joint lug interference shear on cylinder rope wires",
+            de="reibkorrosion schwingreibverschleiss schwalbenschwanz schaufelfuss zylinder reibung haften gleiten teilschlupf linienkontakt presssitz turbinenschaufelfuss tannenbaum reibschluss schlupfwelle",
+            fr="fretting cylindre queue d'aronde pied d'aube fatigue glissement partiel contact linéique frottement emmanchement aube de turbine attache",
             headline=(
                 "dissipation_per_length",
                 "stick_half_width",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import MODULUS
 
 __all__ = ["LINE_PROFILES"]
@@ -97,11 +97,9 @@ LINE_PROFILES = Chapter(
             "winkler.problems.line_strips.profile_contact:LineProfileContact",
             "polonsky_keer_1999",
             "johnson_1985",
-            words=Words(
-                en="measured section cross-section several strips sealing lip profilometer trace gasket ridge groove seal lip multiple contacts cylinder row pin rows lip seal wiper blade pressure seal edge pressure pin in hole of measured form several contact strips",
-                de="gemessener schnitt profilschnitt dichtlippe mehrere streifen querschnitt dichtkante rauheitsprofil linie dichtkante kontaktdruck dichtlippe",
-                fr="section mesurée lèvre de joint plusieurs bandes profil mesuré coupe profilomètre lèvre pression de contact",
-            ),
+            en="measured section cross-section several strips sealing lip profilometer trace gasket ridge groove seal lip multiple contacts cylinder row pin rows lip seal wiper blade pressure seal edge pressure pin in hole of measured form several contact strips",
+            de="gemessener schnitt profilschnitt dichtlippe mehrere streifen querschnitt dichtkante rauheitsprofil linie dichtkante kontaktdruck dichtlippe",
+            fr="section mesurée lèvre de joint plusieurs bandes profil mesuré coupe profilomètre lèvre pression de contact",
             headline=("peak_pressure", "contact_length", "strip_count", "mean_pressure", "tilt"),
             section={"kind": "cylinder_row"},
             load={"kind": "line_force", "force_per_length": "200 N/mm"},

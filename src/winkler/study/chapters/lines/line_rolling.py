@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import ROLLER
 from winkler.study.chapters.normal import MODULUS
 
@@ -87,11 +87,9 @@ LINE_ROLLING = Chapter(
             "carter_1926",
             "johnson_1985",
             "bentall_johnson_1967",
-            words=Words(
-                en="creep forces carter driving roller traction creepage cylinder traction coefficient driven wheel roller drive friction drive transmission microslip belt variator two-dimensional rolling paper feed roller drive cvt traction drive tangential force of rollers paper feed cylinder nip drive creep of belt on pulley microslip carter creep of a belt",
-                de="carter reibrad walze schlupf treibrolle antrieb zylinder rollen traktion übertragung reibradgetriebe wälzen reibradantrieb papiervorschub wälzgetriebe schlupfwelle",
-                fr="carter rouleau entraîneur glissement cylindre roulant transmission par friction pseudo-glissement galet moteur galet tracteur entraînement par galet variateur",
-            ),
+            en="creep forces carter driving roller traction creepage cylinder traction coefficient driven wheel roller drive friction drive transmission microslip belt variator two-dimensional rolling paper feed roller drive cvt traction drive tangential force of rollers paper feed cylinder nip drive creep of belt on pulley microslip carter creep of a belt",
+            de="carter reibrad walze schlupf treibrolle antrieb zylinder rollen traktion übertragung reibradgetriebe wälzen reibradantrieb papiervorschub wälzgetriebe schlupfwelle",
+            fr="carter rouleau entraîneur glissement cylindre roulant transmission par friction pseudo-glissement galet moteur galet tracteur entraînement par galet variateur",
             headline=("shear_force_per_length", "stick_share", "traction_ratio", "longitudinal_creepage"),
             bed=STEEL_ON_STEEL,
             drive=CREEPAGES,
@@ -108,11 +106,9 @@ LINE_ROLLING = Chapter(
             "kalker_1970",
             "carter_1926",
             "bentall_johnson_1967",
-            words=Words(
-                en="starting to roll roller from rest transient creepage kalker two-dimensional start-up cylinder",
-                de="anrollen anfahren walze instationär schlupf zylinder",
-                fr="démarrage du roulement cylindre transitoire départ galet",
-            ),
+            en="starting to roll roller from rest transient creepage kalker two-dimensional start-up cylinder",
+            de="anrollen anfahren walze instationär schlupf zylinder",
+            fr="démarrage du roulement cylindre transitoire départ galet",
             headline=("shear_force_per_length", "stick_share", "distance"),
             bed=STEEL_ON_STEEL,
             drive={"kind": "line_shear_force", "shear_force_per_length": "19.2 N/mm"},
@@ -130,11 +126,9 @@ LINE_ROLLING = Chapter(
         "line_rolling_resistance": answer(
             "winkler.problems.line_rolling.resistance:LineRollingResistance",
             "hunter_1961",
-            words=Words(
-                en="rolling loss of rubber roller conveyor belt indentation resistance rubber tyre hysteresis cylinder energy loss roller drag conveyor idler hunter conveyor belt power drawn by belt idlers pressing rubber energy needed to roll polyurethane wheel rolling friction coefficient of a roller",
-                de="rollwiderstand gummiwalze förderband eindrückrollwiderstand tragrolle hysterese verlust walze reifen rollreibungszahl förderband leistung",
-                fr="énergie perdue par un pneu en roulant perd énergie roule résistance au roulement rouleau caoutchouc bande transporteuse convoyeur hystérésis perte pneu puissance convoyeur",
-            ),
+            en="rolling loss of rubber roller conveyor belt indentation resistance rubber tyre hysteresis cylinder energy loss roller drag conveyor idler hunter conveyor belt power drawn by belt idlers pressing rubber energy needed to roll polyurethane wheel rolling friction coefficient of a roller",
+            de="rollwiderstand gummiwalze förderband eindrückrollwiderstand tragrolle hysterese verlust walze reifen rollreibungszahl förderband leistung",
+            fr="énergie perdue par un pneu en roulant perd énergie roule résistance au roulement rouleau caoutchouc bande transporteuse convoyeur hystérésis perte pneu puissance convoyeur",
             headline=("coefficient", "shear_force_per_length", "peak_pressure", "half_width"),
             bed=RELAXING,
             load={"kind": "line_force", "force_per_length": "0.1 N/mm"},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD_PROFILE, ROLLER
 from winkler.study.chapters.viscoelastic import pair_formulas
 
@@ -49,11 +49,9 @@ LINE_VISCOELASTIC = Chapter(
             "lee_radok_1960",
             "ting_1966",
             "jaeger_1995",
-            words=Words(
-                en="rubber roller roll cover o-ring cylinder creeps polymer roller time dependent line contact printing roll sealing cord nip polyurethane wheel tyre press rubber-covered roll printing nip o-ring force over time caster wheel flat spot tyre flat",
-                de="gummiwalze o-ring walzenbezug kriecht zylinder zeitabhängig kunststoffrolle walzenspalt rundschnur polyurethanrad gummierte walze druckwalze einfederung gummiwalze",
-                fr="rouleau caoutchouc joint torique cylindre fluage viscoélastique linéique galet polymère roulette polyuréthane rouleau gommé",
-            ),
+            en="rubber roller roll cover o-ring cylinder creeps polymer roller time dependent line contact printing roll sealing cord nip polyurethane wheel tyre press rubber-covered roll printing nip o-ring force over time caster wheel flat spot tyre flat",
+            de="gummiwalze o-ring walzenbezug kriecht zylinder zeitabhängig kunststoffrolle walzenspalt rundschnur polyurethanrad gummierte walze druckwalze einfederung gummiwalze",
+            fr="rouleau caoutchouc joint torique cylindre fluage viscoélastique linéique galet polymère roulette polyuréthane rouleau gommé",
             headline=("peak_pressure", "half_width", "force_per_length", "time"),
             bed=RELAXING,
             path={"kind": "line_force_path", **ON_AND_OFF},

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import MODULUS
 
@@ -47,11 +46,9 @@ LINE_WEAR = Chapter(
             "winkler.problems.wear.line_fretting:LineFrettingWear",
             "archard_1953",
             "ciavarella_hills_1999",
-            words=Words(
-                en="fretting wear cylinder spline worn line contact tube support steam generator tube wear key spline tooth fretting key joint rope strand tube against support",
-                de="fretting verschleiss zylinder passfeder keilwelle linienkontakt reibverschleiss vielkeil keilwelle zyklen schwingungsreibung",
-                fr="usure par fretting cylindre cannelures contact linéique tube cannelures clavette",
-            ),
+            en="fretting wear cylinder spline worn line contact tube support steam generator tube wear key spline tooth fretting key joint rope strand tube against support",
+            de="fretting verschleiss zylinder passfeder keilwelle linienkontakt reibverschleiss vielkeil keilwelle zyklen schwingungsreibung",
+            fr="usure par fretting cylindre cannelures contact linéique tube cannelures clavette",
             headline=("worn_depth", "worn_volume_per_length", "stick_half_width", "cycles"),
             bed=STEEL_ON_STEEL,
             normal=PRESSED,
@@ -71,11 +68,9 @@ LINE_WEAR = Chapter(
         "line_sliding_wear": answer(
             "winkler.problems.wear.line_sliding:LineSlidingWear",
             "archard_1953",
-            words=Words(
-                en="roller wears block on ring wear cam wear piston ring wear cylinder sliding wear archard line blade",
-                de="verschleiss block auf ring zylinder gleiten nocken kolbenring linienkontakt",
-                fr="usure bloc sur anneau cylindre glissant segment came archard",
-            ),
+            en="roller wears block on ring wear cam wear piston ring wear cylinder sliding wear archard line blade",
+            de="verschleiss block auf ring zylinder gleiten nocken kolbenring linienkontakt",
+            fr="usure bloc sur anneau cylindre glissant segment came archard",
             headline=("worn_depth", "worn_volume_per_length", "mean_pressure", "distance"),
             bed=STEEL_ON_STEEL,
             normal=PRESSED,
@@ -99,11 +94,9 @@ LINE_WEAR = Chapter(
             "winkler.problems.wear.line_limiting_profile:LineLimitingProfile",
             "ciavarella_hills_1999",
             "popov_2014",
-            words=Words(
-                en="final worn shape line contact end of fretting cylinder steady worn profile spline form after long fretting",
-                de="endform grenzprofil verschlissen zylinder linienkontakt endzustand",
-                fr="forme finale usée cylindre profil limite fretting",
-            ),
+            en="final worn shape line contact end of fretting cylinder steady worn profile spline form after long fretting",
+            de="endform grenzprofil verschlissen zylinder linienkontakt endzustand",
+            fr="forme finale usée cylindre profil limite fretting",
             headline=("worn_depth", "worn_volume_per_length", "stick_half_width"),
             bed=STEEL_ON_STEEL,
             normal=PRESSED,

@@ -6,7 +6,7 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.conduction import KOHLRAUSCH, PLATING
-from winkler.study.chapters.kind import Words, is_a, kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.rough import ELEMENTS, STAMP
 
 __all__ = ["SURFACE_CURRENT"]
@@ -83,11 +83,9 @@ SURFACE_CURRENT = Chapter(
     answers={
         "surface_constriction": answer(
             "winkler.problems.surface_current.constriction:SurfaceConstriction",
-            words=Words(
-                en="contact resistance of rough plated surfaces connector plating current through spots tin gold plate rough electrical terminal crimp",
-                de="kontaktwiderstand rau beschichtet stecker verzinnt vergoldet strom crimp",
-                fr="résistance de contact surface rugueuse plaquée connecteur étamé doré sertissage",
-            ),
+            en="contact resistance of rough plated surfaces connector plating current through spots tin gold plate rough electrical terminal crimp",
+            de="kontaktwiderstand rau beschichtet stecker verzinnt vergoldet strom crimp",
+            fr="résistance de contact surface rugueuse plaquée connecteur étamé doré sertissage",
             headline=("resistance", "voltage", "max_temperature", "softening_current"),
             contact=PRESSED,
             conductors={"kind": "electrical_conductors", "first": PLATED, "second": PLATED},

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 
 __all__ = ["MASTER_CURVES"]
 
@@ -80,11 +80,9 @@ MASTER_CURVES = Chapter(
     answers={
         "master_curve": answer(
             "winkler.problems.master_curves.master_curve:MasterCurve",
-            words=Words(
-                en="time temperature superposition wlf shift factor master curve frequency sweep dma temperature williams landel ferry arrhenius glass transition grosch horizontal shift reduced frequency glass transition modulus at reference temperature",
-                de="masterkurve zeit-temperatur-verschiebung wlf frequenz dma verschiebungsfaktor glasübergang",
-                fr="courbe maîtresse équivalence temps-température wlf facteur de décalage dma transition vitreuse",
-            ),
+            en="time temperature superposition wlf shift factor master curve frequency sweep dma temperature williams landel ferry arrhenius glass transition grosch horizontal shift reduced frequency glass transition modulus at reference temperature",
+            de="masterkurve zeit-temperatur-verschiebung wlf frequenz dma verschiebungsfaktor glasübergang",
+            fr="courbe maîtresse équivalence temps-température wlf facteur de décalage dma transition vitreuse",
             event="of Williams, Landel and Ferry",
             headline=("first_constant", "second_constant", "activation_energy"),
             sweeps=SWEEPS,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import Words, kind
+from winkler.study.chapters.kind import kind
 
 __all__ = ["POROELASTIC"]
 
@@ -58,11 +58,9 @@ POROELASTIC = Chapter(
     answers={
         "poroelastic_relaxation": answer(
             "winkler.problems.poroelastic.held:PoroelasticRelaxation",
-            words=Words(
-                en="articular cartilage liquid squeezed out loses its liquid tissue drains force drops after pressing hydrogel cartilage biphasic drainage pore pressure consolidation permeability swelling gel poroelasticity tissue water flows out sponge wet gel biphasic theory mow fluid pressurisation gel drainage time contact lens",
-                de="knorpel unter dauerlast poroelastisch hydrogel knorpel porendruck konsolidierung durchlässigkeit gel wasser schwamm",
-                fr="perd son liquide quand on appuie poroélastique hydrogel cartilage consolidation perméabilité drainage pression interstitielle éponge",
-            ),
+            en="articular cartilage liquid squeezed out loses its liquid tissue drains force drops after pressing hydrogel cartilage biphasic drainage pore pressure consolidation permeability swelling gel poroelasticity tissue water flows out sponge wet gel biphasic theory mow fluid pressurisation gel drainage time contact lens",
+            de="knorpel unter dauerlast poroelastisch hydrogel knorpel porendruck konsolidierung durchlässigkeit gel wasser schwamm",
+            fr="perd son liquide quand on appuie poroélastique hydrogel cartilage consolidation perméabilité drainage pression interstitielle éponge",
             headline=("relaxation_time", "first_force", "last_force"),
             profile={"kind": "paraboloid", "curvature_radius": "1 mm"},
             shear="5 kPa",
@@ -81,11 +79,9 @@ POROELASTIC = Chapter(
         ),
         "held_contacts": answer(
             "winkler.fitting.holds.held_contacts:HeldContacts",
-            words=Words(
-                en="is it poroelastic or viscoelastic two contact sizes ramp hold gel several radii separate relaxation diffusion diffusivity of a gel",
-                de="poroelastisch oder viskoelastisch zwei kontaktgrössen haltezeit gel diffusion",
-                fr="poroélastique ou viscoélastique deux rayons maintien gel diffusion",
-            ),
+            en="is it poroelastic or viscoelastic two contact sizes ramp hold gel several radii separate relaxation diffusion diffusivity of a gel",
+            de="poroelastisch oder viskoelastisch zwei kontaktgrössen haltezeit gel diffusion",
+            fr="poroélastique ou viscoélastique deux rayons maintien gel diffusion",
             verdict="verdict",
             headline=("exponent", "shear", "poisson", "diffusivity"),
             holds=[SHALLOW, DEEP],
