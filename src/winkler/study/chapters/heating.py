@@ -96,6 +96,8 @@ HEATING = Chapter(
     answers={
         "friction_heating": answer(
             "winkler.problems.heating.steady:FrictionHeating",
+            question="How hot do two rubbing bodies get?",
+            page="chapters/heating.md",
             key="hot temperature flash",
             en="flash temperature friction heat how hot does it get hot temperature rise sliding brake dry bearing pin on disc temperature jaeger archard blok heat partition frictional heating burn grinding temperature peclet heat partition coefficient charron peclet number bulk temperature brake pad ice skate snow ski melting by friction asperity temperature pad on disc hot sliding shoe temperature at asperities clutch lining burn locked brake wheel flat pv limit clutch judder hot spots slip ring brush sandpaper burn",
             de="blitztemperatur reibwärme wie heiss temperatur erwärmung gleiten bremse stift scheibe reibungshitze heiss bremsbelag reibfläche bremstemperatur kontakterwärmung kupplungsbelag eis schlittschuh",
@@ -116,6 +118,8 @@ HEATING = Chapter(
         "line_friction_heating": answer(
             "winkler.problems.heating.line_heating:LineFrictionHeating",
             "johnson_1985",
+            question="How hot does a sliding roller, gear tooth or cam get?",
+            page="chapters/flash.md#lines",
             en="gear flash temperature blok scuffing tooth hot roller frictional heat line contact disc machine twin disc traction heat piston ring seizure cam temperature scuffing load scuffing criterion integral temperature gear mesh heat scoring bulk temperature plus flash plain bearing seizure third rail shoe pantograph strip heat smearing marks roller",
             de="blitztemperatur zahnrad fressen blok zwei-scheiben rolle reibwärme linienkontakt kolbenring temperatur nocken fresstragfähigkeit fressen blitztemperatur zahneingriff verzahnung anschmierungen an rollen",
             fr="température éclair engrenage grippage rouleau échauffement contact linéique segment de piston bi-disque grippage température de denture",
@@ -137,6 +141,8 @@ HEATING = Chapter(
         ),
         "band_heating": answer(
             "winkler.problems.heating.band_heating:BandHeating",
+            question="How hot does an even band of heat, such as a line of laser light, make a body that moves past it?",
+            page="chapters/flash.md#an-even-band",
             en="moving heat source strip laser grinding band jaeger carslaw moving band brake pad belt heat source wheel grinding burn workpiece wheel zone heat flux strip cutting zone brake band",
             de="wandernde wärmequelle bandquelle streifen schleifen laser jaeger schleifbrand",
             fr="source de chaleur mobile bande laser rectification jaeger meulage brûlure de rectification",
@@ -158,6 +164,8 @@ HEATING = Chapter(
         "elliptic_friction_heating": answer(
             "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
             "johnson_1985",
+            question="How hot do bodies with two curvatures get that slide on each other in any direction?",
+            page="chapters/flash.md#ellipses",
             en="wheel rail temperature bearing flash temperature skidding ball smearing spinning traction heat ellipse wheel slide heat ball bearing hot skidding in high speed bearings locked brake wheel flat slides on rail smearing damage heat smearing marks roller",
             de="rad schiene temperatur wälzlager blitztemperatur anschmierung ellipse heiss schlupf blockiertes rad flachstelle anschmierungen",
             fr="température roue rail roulement éclair ellipse patinage enrayage roue bloquée",
@@ -178,6 +186,8 @@ HEATING = Chapter(
         ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",
+            question="How fast do two bodies warm up after they begin to slide slowly?",
+            page="chapters/heating.md#when-it-begins",
             en="warm up in time start of sliding thermal transient how long until hot heating up start-stop warming time heat builds up with time spin welding friction stir dwell heating clutch engagement short slide",
             de="aufwärmen anlauf instationär wie lange bis heiss zeitlicher verlauf erwärmung einkuppeln aufheizzeit",
             fr="échauffement transitoire démarrage temps de chauffe montée en température embrayage",
@@ -197,6 +207,8 @@ HEATING = Chapter(
         ),
         "fretting_heat": answer(
             "winkler.problems.heating.fretting:FrettingHeat",
+            question="How hot does a contact get that is pushed to and fro?",
+            page="chapters/heating.md#fretting",
             en="small oscillation warms up the contact plug vibrates warm heat by vibration fretting temperature ultrasonic welding reciprocating heat oscillating contact warm linear friction welding",
             de="reibschweissen fretting temperatur schwingend erwärmung ultraschallschweissen hin und her",
             fr="échauffement par vibration fretting soudage par friction ultrasons va-et-vient",

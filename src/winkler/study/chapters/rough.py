@@ -174,6 +174,8 @@ ROUGH = Chapter(
     answers={
         "surface_contact": answer(
             "winkler.problems.rough.surface_contact:SurfaceContact",
+            question="Where does a measured or rough surface touch, how hard, and how stiff is the contact?",
+            page="chapters/rough.md",
             key="roughness rough",
             en="rough surface contact boundary element height map asperities real contact area topography bem polonsky keer measured surface pressed scan profilometer gap interfacial separation boundary element method real surface scan pressed nominal pressure sandblasted bead blasted gap distribution gap height close the rough gap contact area under pressure sandpaper fingertip",
             de="raue oberfläche kontakt höhenkarte topographie randelemente rauheit reale kontaktfläche asperiten messung sandgestrahlt spaltverteilung",
@@ -192,6 +194,8 @@ ROUGH = Chapter(
         ),
         "surface_adhesion": answer(
             "winkler.problems.surface_adhesion.adhesion:SurfaceAdhesion",
+            question="Where does a measured or rough surface snap in, which force pulls it off, and what does a loop lose?",
+            page="chapters/surfaces/surface-adhesion.md",
             en="rough adhesion sticky rough surface roughness kills adhesion attraction of a map lennard-jones rough wafer bonding does roughness stop sticking fuller tabor roughness reduces adhesion gauge blocks wring wringing lennard-jones",
             de="haftung rauer oberflächen adhäsion rauheit waferbonden endmasse ansprengen",
             fr="adhésion surface rugueuse rugosité collage de plaquettes cales étalons adhérence",
@@ -212,6 +216,8 @@ ROUGH = Chapter(
         ),
         "surface_conduction": answer(
             "winkler.problems.rough.surface_conduction:SurfaceConduction",
+            question="How much current does a measured or rough surface conduct?",
+            page="chapters/rough.md",
             en="electrical contact of rough surface current through asperities map current density rough contact resistance",
             de="elektrischer kontakt raue oberfläche strom durch rauheit",
             fr="contact électrique rugueux courant à travers les aspérités",
@@ -230,6 +236,8 @@ ROUGH = Chapter(
         ),
         "reduction": answer(
             "winkler.problems.rough.reduce:Reduction",
+            question="Which springs replace a measured or rough surface, and how large is their error?",
+            page="chapters/rough.md#springs-in-place-of-a-surface",
             en="equivalent springs of a rough surface reduce map to line equivalent profile of a height map fast model",
             de="ersatzfedern reduktion höhenkarte ersatzprofil",
             fr="ressorts équivalents réduction de carte profil équivalent",
@@ -247,6 +255,8 @@ ROUGH = Chapter(
         ),
         "rough_contact": answer(
             "winkler.problems.rough.line_contact:RoughContact",
+            question="How stiff is a rough square of which only the power spectrum is known, to about a fourth?",
+            page="chapters/rough.md",
             en="power spectral density topography rough contact stiffness lines of springs self-affine fractal roughness stiffness of a rough square hurst power law stiffness persson compliance of rough bodies",
             de="rauer kontakt steifigkeit fraktal selbstaffin hurst rauheit",
             fr="contact rugueux raideur fractal auto-affine hurst rugosité",
@@ -266,6 +276,8 @@ ROUGH = Chapter(
         ),
         "rough_indentation": answer(
             "winkler.problems.rough.line_indentation:RoughIndentation",
+            question="How deep does a rough ball or another rough body of revolution sink in?",
+            page="chapters/rough.md",
             en="rough ball roughness on a sphere greenwood tripp rough indenter pressed rough tip rough bead surface roughness of spheres effective hertz radius",
             de="raue kugel rauheit auf kugel rauer eindringkörper",
             fr="bille rugueuse rugosité sur sphère",
@@ -286,6 +298,8 @@ ROUGH = Chapter(
         ),
         "elastomer_friction": answer(
             "winkler.problems.rough.elastomer_friction:ElastomerFriction",
+            question="How does the friction of rubber on a rough surface change with speed and temperature, as a trend?",
+            page="chapters/rough.md#rough-rubber-a-trend",
             en="rubber friction tyre grip tire road asphalt sole shoe floor hysteresis friction persson rubber grip on rough road mu of rubber slip resistance wiper wet grip dry grip sole slip grosch tyre on smooth road texture macrotexture pavement skid shoe sole windscreen wiper blade squeal rubber lip on glass",
             de="gummireibung reifen strasse griffigkeit schuhsohle asphalt reibwert elastomer haftung reifen nassgriff profil fahrbahn textur rutschhemmung finger auf glas fingerabdruck wischerblatt",
             fr="frottement du caoutchouc pneu route adhérence semelle chaussure élastomère adhérence sur route mouillée texture",

@@ -202,6 +202,8 @@ VISCOELASTIC = Chapter(
     answers={
         "viscoelastic_indentation": answer(
             "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
+            question="How do force and depth change with time when a body is pressed into rubber, a gel or a cell?",
+            page="chapters/viscoelastic.md#along-a-path",
             key="rubber",
             en="rubber foot sinks into the floor polymer rubber gel creep time-dependent ting lee radok loading rate viscoelasticity cell tissue soft matter plastic creeping hysteresis of polymer loading unloading rate dependence biological cells loading curve differs from unloading hysteresis time-dependent poisson ratio skin soft tissue fading memory silicone pad standard linear solid maxwell kelvin indentation silly putty memory foam",
             de="viskoelastisch gummi polymer kriechen zeitabhängig gel kunststoff gewebe zelle belastungsgeschwindigkeit haut weichgewebe standardmodell",
@@ -222,6 +224,8 @@ VISCOELASTIC = Chapter(
         ),
         "creep_test": answer(
             "winkler.problems.viscoelastic.material_tests:CreepTest",
+            question="How deep does a body sink into rubber or a gel under a constant force?",
+            page="chapters/viscoelastic.md",
             en="creep compliance constant load step load sinks in over time settling slow penetration sagging retardation dwell hold at load standing load mark over years furniture foot on vinyl flooring slow settlement cold flow retardation time pad under constant load grow with time under dead weight grows in time",
             de="dauerlast knorpel verformt sich kriechversuch kriechen konstante last retardation setzt sich haltezeit einsinken gummipuffer langzeitverformung setzverhalten dauerbelastung",
             fr="essai de fluage charge constante enfoncement lent tassement tassement sous charge",
@@ -236,6 +240,8 @@ VISCOELASTIC = Chapter(
         ),
         "relaxation_test": answer(
             "winkler.problems.viscoelastic.material_tests:RelaxationTest",
+            question="How does the force fall when rubber or a gel is held at a depth?",
+            page="chapters/viscoelastic.md",
             en="force drops after pressing force falls relaxation stress relaxation hold depth force decays loses preload gasket relaxation compression set ramp and hold bolted flange loosens gasket stress relaxation elastomer sealing force over time loosens long-term force loss compression set of a snap fit",
             de="relaxationsversuch spannungsrelaxation kraftabfall haltezeit vorspannung lässt nach setzen dichtung setzverhalten flachdichtung dichtkraft nimmt ab",
             fr="relaxation essai de relaxation relaxation des contraintes maintien force diminue précontrainte perte de serrage élastomère",
@@ -250,6 +256,8 @@ VISCOELASTIC = Chapter(
         ),
         "harmonic_indentation": answer(
             "winkler.problems.viscoelastic.oscillation:HarmonicIndentation",
+            question="Which storage and loss stiffness does a shaken indenter measure?",
+            page="chapters/viscoelastic.md",
             en="dma storage modulus loss modulus tan delta dynamic indentation oscillation csm frequency sweep complex modulus loss tangent dynamic stiffness nanodma complex modulus of a gel oscillate continuous stiffness dynamic mechanical analysis bead rheometry phase angle under sinusoidal load lag",
             de="speichermodul verlustmodul dynamisch schwingend frequenz dma komplexer modul verlustfaktor phasenwinkel",
             fr="module de conservation module de perte dynamique oscillation fréquence tan delta",
@@ -272,6 +280,8 @@ VISCOELASTIC = Chapter(
         ),
         "viscoelastic_impact": answer(
             "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
+            question="How high does a rubber ball bounce?",
+            page="chapters/viscoelastic.md#struck-rubbed-rolled-over-pulled-off",
             en="rubber ball bounce polymer impact rebound resilience schob drop on rubber viscoelastic restitution pendulum rebound rubber bushing impact foam mat squash ball polymer ball energy return rebound test rebound resilience of elastomer impact pendulum silly putty",
             de="gummiball rückprallelastizität aufprall auf gummi stoss viskoelastisch dämpfender stoss rückprallversuch elastomere gummi prallt",
             fr="rebond caoutchouc résilience choc viscoélastique balle rebond d'élastomère balle de squash mousse",

@@ -17,6 +17,7 @@ from importlib import resources
 from typing import Any, NamedTuple
 
 from winkler.materials.named import material_names, other_names
+from winkler.study.chapters.contents import answers
 from winkler.study.chapters.kind import Words
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
@@ -243,7 +244,9 @@ class _Index:
 
         for kind, line in kinds().items():  # their classes are not loaded for this: that takes seconds
             self.hits[kind] = Hit(kind, slot_of(kind), f"winkler show {kind}")
-            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID), (_told(kind).key, KEY))
+            asked = answers()[kind].question if kind in answers() else ""
+            said = f"{words(kind)} {asked}"
+            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (said, SAID), (_told(kind).key, KEY))
         for name, entry in table["task"].items():
             self.hits[name] = Hit(name, "task", entry["command"])
             count(name, (name, NAME), (words(name), SAID), (_told(name).key, KEY))

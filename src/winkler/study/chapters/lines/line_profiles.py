@@ -97,6 +97,8 @@ LINE_PROFILES = Chapter(
             "winkler.problems.line_strips.profile_contact:LineProfileContact",
             "polonsky_keer_1999",
             "johnson_1985",
+            question="Where does a measured, tilted or many-crested section touch, in how many strips, and how hard?",
+            page="chapters/line-strips.md",
             en="measured section cross-section several strips sealing lip profilometer trace gasket ridge groove seal lip multiple contacts cylinder row pin rows lip seal wiper blade pressure seal edge pressure pin in hole of measured form several contact strips",
             de="gemessener schnitt profilschnitt dichtlippe mehrere streifen querschnitt dichtkante rauheitsprofil linie dichtkante kontaktdruck dichtlippe",
             fr="section mesurée lèvre de joint plusieurs bandes profil mesuré coupe profilomètre lèvre pression de contact",

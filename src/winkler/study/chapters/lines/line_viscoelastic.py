@@ -49,6 +49,8 @@ LINE_VISCOELASTIC = Chapter(
             "lee_radok_1960",
             "ting_1966",
             "jaeger_1995",
+            question="How wide is the contact of a roller that is pressed on rubber, held and lifted again?",
+            page="chapters/line-viscoelastic.md#pressed-held-and-lifted",
             en="rubber roller roll cover o-ring cylinder creeps polymer roller time dependent line contact printing roll sealing cord nip polyurethane wheel tyre press rubber-covered roll printing nip o-ring force over time caster wheel flat spot tyre flat",
             de="gummiwalze o-ring walzenbezug kriecht zylinder zeitabhängig kunststoffrolle walzenspalt rundschnur polyurethanrad gummierte walze druckwalze einfederung gummiwalze",
             fr="rouleau caoutchouc joint torique cylindre fluage viscoélastique linéique galet polymère roulette polyuréthane rouleau gommé",
