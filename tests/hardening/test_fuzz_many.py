@@ -67,7 +67,7 @@ MADE = {
     "spoilt tables": (spoilt_table, 4_500),
     "any bytes as a file": (any_file, 3_000),
 }
-GROUPS = 4
+GROUPS = 8
 """Groups of problems that are solved; each takes about as long as the others."""
 FEW = {
     "viscoelastic_adhesion": 3,
