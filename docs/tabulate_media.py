@@ -1,5 +1,8 @@
 """Write the table of media and problems in docs/choosing.md from docs/media/cells.toml, and that file from answers.
 
+The questions in docs/choosing.md and the list of all kinds in docs/study-files.md are written from the records and the
+catalogue at each call.
+
 After a problem, a medium or a note on validity was added or changed, ask the package for the cells concerned; a kind
 takes some seconds, a medium up to a minute::
 
@@ -7,7 +10,7 @@ takes some seconds, a medium up to a minute::
     python docs/tabulate_media.py --media coated_half_space
     python docs/tabulate_media.py --all                            # some minutes
 
-Each call writes the page as well; without an option it writes the page alone, and solves nothing.  Words, notes and
+Each call writes the pages as well; without an option it writes the pages alone, and solves nothing.  Words, notes and
 texts of notes follow the answers.  Reasons of refused cells are written by hand, and kept: each refused cell has one,
 of its note or its own, from ``[physical]`` (nothing would open it) or ``[opens]`` (what would open it).  A cell whose
 kind has no place for its medium has a note from ``[no_place]``, also written by hand.  What is still to be written is
@@ -20,6 +23,7 @@ docs/media/examples.toml changes.
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import functools
 import json
 import re
@@ -30,13 +34,18 @@ from typing import Any, NamedTuple
 
 import winkler as wk
 from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
+from winkler.study.chapters.contents import answers
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study, table_at
+from winkler.study.language.schema import required_fields
 from winkler.validity import Assumption, Note, Standing
 
 PAGE = Path(__file__).resolve().parent / "choosing.md"
 BEGIN, END = "<!-- media: begin -->", "<!-- media: end -->"
+QUESTIONS = "<!-- problems: begin -->", "<!-- problems: end -->"
+STUDIES = PAGE.with_name("study-files.md")
+KINDS_HEAD = "| group | kinds |\n|---|---|\n"
 CELLS = PAGE.parent / "media" / "cells.toml"
 OF_METHOD = {
     Assumption.RESPONSE,
@@ -341,11 +350,50 @@ def grouped(places: list[tuple[str, str]]) -> str:
 def page(table: Cells) -> str:
     """Return the text of the page with these cells."""
     text = PAGE.read_text(encoding="utf-8")
-    return text[: text.index(BEGIN)] + section(table) + text[text.index(END) + len(END) :]
+    for (begin, end), new in ((QUESTIONS, questions()), ((BEGIN, END), section(table))):
+        text = text[: text.index(begin)] + new + text[text.index(end) + len(end) :]
+    return text
+
+
+def questions() -> str:
+    """Return the table of what a user may ask, how the problem that answers is written, and where more is said."""
+    lines = [QUESTIONS[0], "", "| question | how | page |", "|---|---|---|"]
+    for record in answers().values():
+        cls = record.kind.cls
+        needed = required_fields(cls)
+        more = ["..."] if len(needed) < len(dataclasses.fields(cls)) else []
+        how = f"{cls.__name__}({', '.join([*needed, *more])})"
+        lines.append(f"| {record.question} | `{how}` | [{heading(record.page)}]({record.page}) |")
+    return "\n".join([*lines, "", QUESTIONS[1]])
+
+
+def heading(place: str) -> str:
+    """Return the title of a page, and the heading in it that an address names."""
+    path, _, anchor = place.partition("#")
+    text = re.sub(r"^```.*?^```$", "", (PAGE.parent / path).read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    titles = [
+        re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", title) for title in re.findall(r"^#{1,3} (.*)$", text, re.MULTILINE)
+    ]
+    anchors = {re.sub(r"[^\w -]", "", title).lower().replace(" ", "-"): title for title in titles}
+    if anchor and anchor not in anchors:
+        raise ValueError(f"{path} has no heading #{anchor}; it has {', '.join(anchors)}.")
+    return f"{titles[0]}: {anchors[anchor][0].lower()}{anchors[anchor][1:]}" if anchor else titles[0]
+
+
+def studies_page() -> str:
+    """Return the text of the page on study files with the kinds of each slot; rows that stand keep their order."""
+    above, head, rest = STUDIES.read_text(encoding="utf-8").partition(KINDS_HEAD)
+    rows, _, below = rest.partition("\n\n")
+    standing = [slot for slot in re.findall(r"^\| (\w+)", rows, re.MULTILINE) if slot in CATALOGUE]
+    lines = [
+        f"| {slot} | {' '.join(f'`{kind}`' for kind in CATALOGUE[slot])} |"
+        for slot in dict.fromkeys([*standing, *CATALOGUE])
+    ]
+    return above + head + "\n".join(lines) + "\n\n" + below
 
 
 def main() -> None:
-    """Ask for the cells that the command line names, and write cells.toml and the page."""
+    """Ask for the cells that the command line names, and write cells.toml and the pages."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for slot, name in (("problem", "kinds"), ("medium", "media")):
         parser.add_argument(f"--{name}", type=lambda text: text.split(","), help=f"names of the slot {slot}, by commas")
@@ -361,6 +409,7 @@ def main() -> None:
         CELLS.write_text(written(table), encoding="utf-8")
         table = read()
     PAGE.write_text(page(table), encoding="utf-8")
+    STUDIES.write_text(studies_page(), encoding="utf-8")
     print(*to_be_written(table), sep="\n")
 
 

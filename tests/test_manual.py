@@ -117,9 +117,10 @@ LAYERED = ["graded_half_space", "coated_half_space", "depth_graded_half_space"]
 OTHERS = sorted(set(CATALOGUE["medium"]) - set(LAYERED))
 
 
-def test_the_page_and_the_list_of_cells_are_as_their_script_writes_them(media, cells):
+def test_the_pages_and_the_list_of_cells_are_as_their_script_writes_them(media, cells):
     assert media.CELLS.read_text(encoding="utf-8") == media.written(cells), HINT
     assert media.PAGE.read_text(encoding="utf-8") == media.page(cells), "run python docs/tabulate_media.py"
+    assert media.STUDIES.read_text(encoding="utf-8") == media.studies_page(), "run python docs/tabulate_media.py"
 
 
 def test_each_kind_has_a_cell_on_each_medium_that_could_take_it(media, cells):

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from example_answers import LASTING, example_problem, solved
+from example_answers import COSTLY, example_problem, solved
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
@@ -173,17 +173,11 @@ def given(argument: str, problem: Any) -> Any:
     return dataclasses.replace(problem, **{argument.split(".")[1]: value_of(argument)})
 
 
-COSTLY = {
-    "joint_stiffness", "master_curve", "oscillating_rolling", "profile_pair", "profile_pair_rolling", "yield_onset",
-}  # fmt: skip
-"""Kinds of problems that take some tenths of a second."""
-
-
 @pytest.mark.few(12)
 @pytest.mark.parametrize(
     "argument",
     [
-        pytest.param(argument, marks=pytest.mark.slow if argument.split(".")[0] in COSTLY | LASTING else ())
+        pytest.param(argument, marks=pytest.mark.slow if argument.split(".")[0] in COSTLY else ())
         for argument in ARGUMENTS
         if argument not in TOGETHER
     ],

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.values import value
 
 STEEL, RUBBER = wk.Elastic(210e9, 0.3), wk.Elastic(1e6, 0.5)
 
@@ -176,3 +178,22 @@ def test_a_sphere_on_graphite_is_hertz_with_another_modulus():
     contact = wk.Indentation(wk.Foundation(wk.Paraboloid(1e-6), graphite), wk.Force(1e-6)).solve()
     assert contact.radius == pytest.approx((0.75 * 1e-6 * 1e-6 / graphite.modulus) ** (1.0 / 3.0), rel=1e-14)
     assert any("transversely isotropic" in note.statement for note in contact.validity)
+
+
+@value
+class Moduli(HomogeneousMedium):
+    """A medium of a user's own, as in docs/extending.md: two moduli, and no bodies."""
+
+    modulus: float = 1.0
+    shear_modulus: float = 2.0
+    notes = ()
+
+
+def test_a_modulus_that_a_medium_does_not_state_is_asked_for_in_one_sentence():
+    bed = wk.LineFoundation(wk.Paraboloid(1.0), Moduli())
+    path = wk.LinePath(1.0, [0.0, 0.1])
+    with pytest.raises(wk.OutsideValidity, match="Moduli states no bodies .* `along_modulus`"):
+        wk.LineTangential(bed, wk.Coulomb(0.5), path)
+    with pytest.raises(wk.OutsideValidity, match="`torsional_modulus`"):
+        _ = Moduli().torsional_modulus
+    assert wk.LineIndentation(bed, wk.LineForce(1.0)).solve().half_width > 0.0

@@ -43,9 +43,11 @@ def kinds_in(table: object) -> set[str]:
     return here.union(*map(kinds_in, table.values()))
 
 
-def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str]:
+def missing(name: str, result: Answer, docs: Path, cases: set[str]) -> list[str]:
     """Return what is missing of one record."""
     problem = result.kind.cls
+    page = docs / result.page.partition("#")[0]
+    manual = page.read_text(encoding="utf-8") if page.is_file() else ""
     solution = solution_of(problem)
     fields = {field.name for field in dataclasses.fields(solution)}
     numbers = set(number_names(solution))
@@ -64,18 +66,17 @@ def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str
         "progress (total, steps and gathered), as it marches": not marches
         or all(hasattr(problem, member) for member in MEMBERS),
         "a form in the app": form.initial_table(name)["problem"]["kind"] == name,
-        "a section of the manual": re.search(rf"\b({problem.__name__}|{name})\b", manual),
+        "a question of a user": result.question.endswith("?"),
+        "a page of the manual that names it": re.search(rf"\b({problem.__name__}|{name})\b", manual),
         "a case from the literature": name in cases,
     }
     return [f"{name} has no {what}" for what, there in checks.items() if not there]
 
 
 def test_each_answer_has_what_a_reader_is_promised(root: Path):
-    manual = "".join(path.read_text(encoding="utf-8") for path in (root / "docs").glob("[ce]*/**/*.md"))
-    manual += (root / "docs" / "method.md").read_text(encoding="utf-8")
     cases = [tomllib.loads(path.read_text()) for path in files("winkler.cases").iterdir() if path.name.endswith("toml")]
     named = set().union(*(kinds_in(case.get("problem", {})) for case in cases))
-    found = [line for name, result in answers().items() for line in missing(name, result, manual, named)]
+    found = [line for name, result in answers().items() for line in missing(name, result, root / "docs", named)]
     assert not found, "\n".join(found)
 
 

@@ -1,24 +1,25 @@
-"""The public names are pinned: a new one is a decision, a lost one breaks somebody's script."""
+"""The public names: each is a value, and stands once in the two pages of imports.
+
+What a former version offered is looked for in `tests/study/upgrading`; `tests/cli/second_reading.py` reads each kind of
+study in public names.
+"""
 
 from __future__ import annotations
 
-from pathlib import Path
+import ast
+from importlib.resources import files
 
 import winkler
 
-PINNED = Path(__file__).with_name("public_names.txt")
 
-
-def test_the_public_names_are_the_pinned_ones():
-    pinned = PINNED.read_text(encoding="utf-8").split()
-    assert sorted(winkler.__all__) == pinned, (
-        "a change of the public names goes into tests/package/public_names.txt too"
-    )
-
-
-def test_the_pinned_list_is_sorted_and_has_no_doubles():
-    pinned = PINNED.read_text(encoding="utf-8").split()
-    assert pinned == sorted(set(pinned))
+def test_no_name_is_imported_twice():
+    pages = [
+        files(winkler).joinpath(f"{page}.py").read_text(encoding="utf-8") for page in ("public", "public_problems")
+    ]
+    imports = [line for page in pages for line in ast.parse(page).body if isinstance(line, ast.ImportFrom)]
+    names = [imported.name for line in imports for imported in line.names]
+    assert sorted([*names, "__version__"]) == winkler.__all__
+    assert len(names) == len(set(names))
 
 
 def test_every_public_name_has_a_value():

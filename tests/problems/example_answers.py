@@ -18,6 +18,12 @@ LASTING = {
 """Kinds of problems whose examples take longer to solve than all others together.
 
 `tests/laws/test_assumptions.py` solves them by default; what solves them once more is a slow test."""
+COSTLY = LASTING | {
+    "elliptic_wear", "fretting_wear", "friction_heating", "map_stress", "master_curve", "oscillating_rolling",
+    "profile_pair", "profile_pair_rolling", "rolling_start", "seal", "simplified_rolling", "transient_heating",
+    "viscoelastic_impact", "viscoelastic_indentation", "yield_onset",
+}  # fmt: skip
+"""These, and those that take some tenths of a second, or more than one where their kernels are compiled first."""
 
 
 def lasting_slow(kinds: Iterable[str]) -> list[Any]:

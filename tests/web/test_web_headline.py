@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 import tomli_w
+from example_answers import COSTLY
 
 from winkler.plot.series import name_in_words
 from winkler.readable import with_unit
@@ -25,13 +26,6 @@ from winkler.web.pictures.answer import answer_text
 from winkler.web.pictures.moments import Moments
 from winkler.web.pictures.words import symbol_html
 
-LONG = {
-    "friction_heating", "viscoelastic_indentation", "viscoelastic_impact", "map_stress",
-    "simplified_rolling", "sliding_resistance", "transient_heating", "rolling_start", "reduced_friction", "seal",
-    "viscoelastic_adhesion", "surface_rolling_start", "sliding_wear", "elliptic_wear", "fretting_wear",
-    "reduction", "surface_tangential", "profile_pair_rolling", "surface_adhesion",
-}  # fmt: skip
-"""Kinds that take more than a second, most of it for compiling."""
 MARK = r'(?: <span class="standing outside">do not use</span>)?'
 CARD = re.compile(rf'<div class="card(?: sought)?"><div class="value">(.*?){MARK}</div>')
 LEAD = re.compile(rf'<p class="(?:lead )?sought-line">(.*?){MARK}</p>')
@@ -66,13 +60,13 @@ def check(kind):
 
 
 @pytest.mark.few(20, slow=10)
-@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in LONG])
+@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind not in COSTLY])
 def test_each_kind_is_headed_by_what_was_asked(kind):
     check(kind)
 
 
 @pytest.mark.few(0, slow=4)
-@pytest.mark.parametrize("kind", sorted(LONG))
+@pytest.mark.parametrize("kind", sorted(COSTLY))
 def test_the_kinds_that_take_long_are_headed_too(kind):
     check(kind)
 

@@ -212,6 +212,7 @@ def _list(only: str) -> None:
 @until_closed()
 def _kind(name: str) -> None:
     from winkler.cli import terminal
+    from winkler.study.chapters.contents import answers
     from winkler.study.language.catalogue import kinds, slot_of
     from winkler.study.language.explain import keys_of, plain_symbol, summary
     from winkler.study.language.reading import parse_study
@@ -220,6 +221,8 @@ def _kind(name: str) -> None:
 
     out = terminal.console()
     out.print(f"{name} (a {slot_of(name)}): {summary(kinds()[name].cls)}")
+    if name in answers():
+        out.print(f"It answers: {answers()[name].question}")
     rows = keys_of(name)
     if rows:
         table = terminal.table("key", "symbol", "takes", "meaning", "range", "")
@@ -255,6 +258,7 @@ def _study() -> None:
 
 
 def _json(name: str) -> None:
+    from winkler.study.chapters.contents import answers
     from winkler.study.language.catalogue import kinds, slot_of
     from winkler.study.language.explain import completed, keys_of, summary
 
@@ -263,6 +267,7 @@ def _json(name: str) -> None:
             "kind": kind,
             "group": slot_of(kind),
             "meaning": summary(line.cls),
+            "question": answers()[kind].question if kind in answers() else "",
             "keys": [
                 {
                     "key": key.name,

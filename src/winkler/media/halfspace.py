@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from winkler.checks.contract import offered
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
@@ -42,6 +42,12 @@ class HomogeneousMedium:
         """Return what both answer to waves of a name, times xi / 2 [1/Pa]."""
         from winkler.media.layered.wave_constants import Wave, half_space_compliance  # not loaded for isotropic bodies
 
+        if not hasattr(self, "first"):  # a medium of a user's own, by its moduli
+            raise OutsideValidity(
+                f"{type(self).__name__} states no bodies `first` and `second` from which this modulus would follow; "
+                "give its class `modulus`, `shear_modulus`, `torsional_modulus` and, for lines that are sheared, "
+                "`along_modulus`."
+            )
         return sum(half_space_compliance(body, Wave[part]) for body in (self.first, self.second))
 
     def _refuse_rigid(self, elastic: str) -> None:

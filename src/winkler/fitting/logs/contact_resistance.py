@@ -154,6 +154,7 @@ class MeasuredConstriction:
 
     references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.CURVE}
+    needs_round: ClassVar[str] = ""
 
     @functools.cached_property
     def _radius(self) -> Array:

@@ -121,6 +121,7 @@ class FrictionLoops:
 
     references: ClassVar[tuple[str, ...]] = ("mindlin_deresiewicz_1953", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.CURVE}
+    needs_round: ClassVar[str] = ""
 
     @property
     def curve(self) -> FirstWay:

@@ -84,6 +84,7 @@ class ConductanceBounds:
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
         (Assumption.RESPONSE, Assumption.ELASTIC, Assumption.RESOLUTION, Assumption.CONDUCTION)
     )
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):

@@ -78,6 +78,7 @@ class Constriction(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING
+    needs_round: ClassVar[str] = ""
 
     def solve(self) -> ConstrictionSolution[Q]:
         """Return the resistance and its parts.

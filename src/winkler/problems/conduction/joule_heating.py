@@ -97,6 +97,7 @@ class JouleHeating(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
+    needs_round: ClassVar[str] = ""
 
     def solve(self) -> JouleHeatingSolution[Q]:
         """Return voltage, current, heat and temperatures in the steady state.

@@ -74,6 +74,7 @@ class ThermalConstriction(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
+    needs_round: ClassVar[str] = ""
 
     def solve(self) -> ThermalConstrictionSolution[Q]:
         """Return the heat rate and its resistances.

@@ -134,6 +134,7 @@ class BimodalDamping(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         refuse_method("BimodalDamping", self.method, (Method.AUTO, Method.EXACT, Method.RINGS))

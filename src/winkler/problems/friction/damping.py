@@ -104,6 +104,7 @@ class FrictionDamping(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if self.method is Method.RINGS:

@@ -88,6 +88,7 @@ class RelaxationDamper:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+    needs_round: ClassVar[str] = ""
 
     def solve(self) -> RelaxationDamperSolution:
         """Return the damper, and the spring beside it.

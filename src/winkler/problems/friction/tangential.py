@@ -119,6 +119,7 @@ class Tangential:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "cattaneo_1938", "mindlin_1949", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | BALANCED
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce):

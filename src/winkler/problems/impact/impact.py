@@ -116,6 +116,7 @@ class Impact:
         "lyashenko_popov_2015",
     )
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if LARGEST_FRICTION < self.law.coefficient < math.inf:

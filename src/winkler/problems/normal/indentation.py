@@ -63,6 +63,7 @@ class Indentation(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "galin_1946", "sneddon_1965", "popov_2013")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+    needs_round: ClassVar[str] = ""
 
     def solve(self) -> IndentationSolution[Q]:
         """Return depth, force and contact radius.

@@ -60,6 +60,7 @@ class YieldOnset:
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.UNCOUPLED}
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, LayerStack)):

@@ -101,6 +101,7 @@ class ViscoelasticImpact:
         "ting_1966",
     )
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED | {Assumption.INERTIA}
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticImpact", self.bed)

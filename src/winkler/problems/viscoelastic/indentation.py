@@ -114,6 +114,7 @@ class ViscoelasticIndentation:
         "argatov_popov_2016",
     )
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if not is_layered("ViscoelasticIndentation", self.bed, self.count):

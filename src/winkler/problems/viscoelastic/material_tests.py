@@ -72,6 +72,7 @@ class CreepTest:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if not is_layered("CreepTest", self.bed):
@@ -138,6 +139,7 @@ class RelaxationTest:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if not is_layered("RelaxationTest", self.bed):

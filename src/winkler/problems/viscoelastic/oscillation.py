@@ -68,6 +68,7 @@ class HarmonicIndentation(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         if is_layered("HarmonicIndentation", self.bed):

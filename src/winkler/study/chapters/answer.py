@@ -85,6 +85,10 @@ class Answer(NamedTuple):
         The problem as a line of the catalogue: its class, an example, its papers.
     formulas
         Formulas of the solution.
+    question
+        What a user asks that it answers, in one sentence; none of a record that replaces another on bodies that relax.
+    page
+        The page of the manual on it, and the heading there if it has one of its own: ``chapters/wear.md#sliding``.
     headline
         Names of the answers that stand at the top in large letters, what is most often sought first; none where only
         the whole curve is an answer.  Of a path or a history they are those at its end.
@@ -108,6 +112,8 @@ class Answer(NamedTuple):
 
     kind: Kind
     formulas: Formulas
+    question: str = ""
+    page: str = ""
     headline: tuple[str, ...] = ()
     picture: Caption | None = None
     curves: tuple[tuple[str, str], ...] = ()
@@ -123,6 +129,8 @@ def answer(
     path: str,
     /,
     *cites: str,
+    question: str = "",
+    page: str = "",
     headline: tuple[str, ...] = (),
     formulas: Formulas | tuple[Equation, ...],
     picture: Caption | None = None,
@@ -141,7 +149,9 @@ def answer(
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
     line = kind(path, *cites, **example)
-    return Answer(line, made, headline, picture, curves, compared, pictured, contact_shown, verdict, event, live)
+    return Answer(
+        line, made, question, page, headline, picture, curves, compared, pictured, contact_shown, verdict, event, live
+    )
 
 
 class Chapter(NamedTuple):

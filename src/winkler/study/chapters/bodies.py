@@ -18,12 +18,28 @@ WAVY_BALL = {
 
 BODIES: Kinds = {
     "profile": {
-        "sphere": kind("winkler.profiles.sphere:Sphere", "hertz_1882", "popov_hess_2015", curvature_radius="10 mm"),
+        "sphere": kind(
+            "winkler.profiles.sphere:Sphere",
+            "hertz_1882",
+            "popov_hess_2015",
+            en="ball bead spherical glass bead colloidal probe ruby",
+            de="kugel kugelförmig",
+            fr="sphère bille",
+            curvature_radius="10 mm",
+        ),
         "paraboloid": kind("winkler.profiles.power:Paraboloid", "hertz_1882", curvature_radius="10 mm"),
         "power_law": kind(
             "winkler.profiles.power:PowerLaw", "galin_1946", "sneddon_1965", coefficient="1e6 m^-3", exponent=4.0
         ),
-        "cone": kind("winkler.profiles.conical:Cone", "love_1939", "sneddon_1965", half_angle="70.3 deg"),
+        "cone": kind(
+            "winkler.profiles.conical:Cone",
+            "love_1939",
+            "sneddon_1965",
+            en="conical tip rockwell cone indenter sharp tip afm",
+            de="kegel kegelspitze",
+            fr="cône pointe conique",
+            half_angle="70.3 deg",
+        ),
         "ellipsoid": kind(
             "winkler.profiles.sphere:Ellipsoid",
             "popov_hess_willert_2019",
@@ -33,6 +49,9 @@ BODIES: Kinds = {
         "ball_in_socket": kind(
             "winkler.profiles.socket:BallInSocket",
             "popov_hess_willert_2019",
+            en="ball in a cup abutment ball head cup hip joint conformal ball joint spherical bearing socket acetabular implant conforming hemispherical seat conforming contact spherical plain bearing shoulder dual mobility press-fit acetabular hollow sphere concave clearance ball joint",
+            de="kugelgelenk hüftgelenk pfanne gelenk anschmiegend hohlkugel kugel in kalotte gelenklager",
+            fr="rotule prothèse de hanche articulation cotyle conforme contact conforme rotule sphère creuse cotyle",
             curvature_radius="10 mm",
             socket_radius="10.1 mm",
         ),
@@ -42,15 +61,32 @@ BODIES: Kinds = {
             curvature_radius="1 mm",
             half_angle="70 deg",
         ),
-        "flat_punch": kind("winkler.profiles.flat:FlatPunch", "boussinesq_1885", "sneddon_1965", radius="1 mm"),
+        "flat_punch": kind(
+            "winkler.profiles.flat:FlatPunch",
+            "boussinesq_1885",
+            "sneddon_1965",
+            en="cylinder end flat end pin probe needle stamp foot pad flat cylinder flat-ended indenter rigid flat cylinder pressure distribution under a punch torsional loading circular region uniform displacement",
+            de="stempel flacher zylinder stift flachstempel",
+            fr="poinçon plat cylindre pion",
+            radius="1 mm",
+        ),
         "rounded_punch": kind(
             "winkler.profiles.rounded:RoundedPunch",
             "ciavarella_hills_monno_1998",
+            en="flat punch with rounded edges chamfered edge radius of the edge fillet worn flat cylinder rounded corners",
+            de="stempel mit verrundeter kante fase kantenradius",
+            fr="poinçon à bord arrondi chanfrein congé",
             flat_radius="0.5 mm",
             edge_radius="1 mm",
         ),
         "truncated_cone": kind(
-            "winkler.profiles.conical:TruncatedCone", "briscoe_1994", half_angle="80 deg", flat_radius="0.1 mm"
+            "winkler.profiles.conical:TruncatedCone",
+            "briscoe_1994",
+            en="blunted cone flat topped cone chamfered cylinder frustum worn cone",
+            de="kegelstumpf gefaste kante abgestumpfter kegel",
+            fr="tronc de cône cône tronqué chanfrein",
+            half_angle="80 deg",
+            flat_radius="0.1 mm",
         ),
         "truncated_paraboloid": kind(
             "winkler.profiles.rounded:TruncatedParaboloid",
@@ -72,11 +108,35 @@ BODIES: Kinds = {
             half_angle="70.3 deg",
         ),
         "sphero_conical": kind(
-            "winkler.profiles.conical:SpheroConical", "briscoe_1994", curvature_radius="1 mm", half_angle="60 deg"
+            "winkler.profiles.conical:SpheroConical",
+            "briscoe_1994",
+            en="real afm tip rounded cone blunt tip tip radius rockwell diamond stylus conospherical rockwell c indenter brale record stylus phonograph needle gramophone",
+            de="afm spitze verrundeter kegel stumpfe spitze tastnadel rockwell",
+            fr="pointe afm cône arrondi pointe émoussée stylet pointe rockwell",
+            curvature_radius="1 mm",
+            half_angle="60 deg",
         ),
-        "berkovich": kind("winkler.profiles.conical:Berkovich", "oliver_pharr_1992"),
-        "vickers": kind("winkler.profiles.conical:Vickers", "oliver_pharr_1992"),
-        "cube_corner": kind("winkler.profiles.conical:CubeCorner", "oliver_pharr_1992"),
+        "berkovich": kind(
+            "winkler.profiles.conical:Berkovich",
+            "oliver_pharr_1992",
+            en="nanoindenter tip three-sided pyramid berkovich indenter triangular diamond three-sided diamond equivalent cone angle",
+            de="berkovich dreiseitige pyramide nanoindenter",
+            fr="berkovich pyramide à trois faces indenteur",
+        ),
+        "vickers": kind(
+            "winkler.profiles.conical:Vickers",
+            "oliver_pharr_1992",
+            en="vickers hardness hv diamond pyramid microhardness knoop meyer microindentation",
+            de="vickers härte mikrohärte diamantpyramide",
+            fr="vickers dureté microdureté pyramide",
+        ),
+        "cube_corner": kind(
+            "winkler.profiles.conical:CubeCorner",
+            "oliver_pharr_1992",
+            en="sharp nanoindenter cube corner tip three faces",
+            de="würfelecke scharfe spitze",
+            fr="coin de cube pointe aiguë",
+        ),
         "pyramid": kind(
             "winkler.profiles.pyramids.pyramid:Pyramid", "bilodeau_1992", "love_1939", sides=4, face_angle="68 deg"
         ),
@@ -91,6 +151,9 @@ BODIES: Kinds = {
             "winkler.profiles.pyramids.rounded_pyramid:RoundedPyramid",
             "rico_2005",
             "bilodeau_1992",
+            en="blunt pyramid afm tip bilodeau silicon nitride cantilever pyramidal tip",
+            de="stumpfe pyramide afm spitze",
+            fr="pyramide émoussée pointe afm",
             sides=4,
             face_angle="70 deg",
             curvature_radius="1 mm",
@@ -98,6 +161,9 @@ BODIES: Kinds = {
         "calibrated_tip": kind(
             "winkler.profiles.calibrated_tip:CalibratedTip",
             "oliver_pharr_1992",
+            en="area function tip shape calibration oliver pharr coefficients",
+            de="flächenfunktion spitze kalibriert",
+            fr="fonction d'aire pointe étalonnée",
             coefficients=["24.5", "40 um"],
             shallowest="1 um",
             deepest="200 um",
@@ -118,18 +184,31 @@ BODIES: Kinds = {
             cap={"kind": "sphere", "curvature_radius": "10 mm"},
         ),
         "wavy": kind(
-            "winkler.profiles.wavy:Wavy", "guduru_2007", within=WAVY_BALL, amplitude="0.1 um", wavelength="1 mm"
+            "winkler.profiles.wavy:Wavy",
+            "guduru_2007",
+            en="waviness waves ripples concentric",
+            de="wellen welligkeit",
+            fr="ondulation vagues",
+            within=WAVY_BALL,
+            amplitude="0.1 um",
+            wavelength="1 mm",
         ),
         "sum": kind("winkler.profiles.profile:Sum", "guduru_2007", parts=WAVY_BALL["parts"]),
         "formula": kind(
             "winkler.profiles.formula:Formula",
             "popov_hess_2015",
+            en="own shape equation function of r custom profile user defined expression arbitrary shape",
+            de="eigene form formel gleichung beliebige form",
+            fr="forme propre équation formule forme quelconque",
             expression="r**2/(2*R) + r**4/(8*R**3)",
             constants={"R": "10 mm"},
         ),
         "measured": kind(
             "winkler.profiles.measured:Measured",
             "popov_hess_2015",
+            en="measured tip shape worn tip profile scanned tip own shape table of points fill in the shape of my stylus from a list of points table points",
+            de="gemessene form profil punkte eigene form",
+            fr="forme mesurée profil points",
             reader="winkler.io.tables.profile_table:read_profile",
             radii={"from": "0 mm", "to": "1 mm", "count": 6},
             heights=["0 um", "2 um", "8 um", "18 um", "32 um", "50 um"],
@@ -144,7 +223,12 @@ BODIES: Kinds = {
     },
     "solid": {
         "elastic": kind("winkler.materials.elastic:Elastic", young="210 GPa", poisson=0.3),
-        "rigid": kind("winkler.materials.elastic:Rigid"),
+        "rigid": kind(
+            "winkler.materials.elastic:Rigid",
+            en="rigid body stiff indenter undeformable",
+            de="starr",
+            fr="rigide",
+        ),
         "named_elastic": kind("winkler.materials.named:NamedElastic", name="fused silica"),
         "transversely_isotropic": kind(
             "winkler.materials.elastic:TransverselyIsotropic",
@@ -164,20 +248,62 @@ BODIES: Kinds = {
         ),
     },
     "medium": {
-        "half_space": kind("winkler.media.halfspace:HalfSpace", "johnson_1985"),
+        "half_space": kind(
+            "winkler.media.halfspace:HalfSpace",
+            "johnson_1985",
+            en="bulk solid thick block elastic body semi-infinite substrate",
+            de="halbraum dicker körper vollmaterial",
+            fr="demi-espace massif corps épais",
+        ),
         "transversely_isotropic_half_space": kind(
-            "winkler.media.transverse:TransverselyIsotropicHalfSpace", "elliott_1949"
+            "winkler.media.transverse:TransverselyIsotropicHalfSpace",
+            "elliott_1949",
+            en="wood grain along the grain anisotropic fibre composite wood graphite mica crystal zinc transversely isotropic lekhnitskii anisotropic materials fibre composite laminate wooden floor dent bone hexagonal crystal timber grain direction",
+            de="anisotrop transversal isotrop faserverbund holz graphit kristall anisotrope werkstoffe knochen parkett faserrichtung",
+            fr="anisotrope isotrope transverse composite fibres bois graphite cristal os parquet matériaux anisotropes",
         ),
         "graded_half_space": kind(
-            "winkler.media.graded.power_law:GradedHalfSpace", "booker_1985", "giannakopoulos_suresh_1997", "hess_2016"
+            "winkler.media.graded.power_law:GradedHalfSpace",
+            "booker_1985",
+            "giannakopoulos_suresh_1997",
+            "hess_2016",
+            en="power law graded gibson soil modulus grows with depth sand booker foundation on soil stiffness grows with depth footing sand",
+            de="potenzgesetz gradiert boden gibson gründung sand",
+            fr="gradient en loi de puissance sol gibson fondation sable",
         ),
         "coated_half_space": kind(
-            "winkler.media.layered.coated:CoatedHalfSpace", "barber_1974", "hayes_1972", "hess_2023"
+            "winkler.media.layered.coated:CoatedHalfSpace",
+            "barber_1974",
+            "hayes_1972",
+            "hess_2023",
+            key="coating layer",
+            en="tin layer crn layer plating thickness hard layer on shaft coating thin film layer dlc tin hard coating paint varnish lacquer multilayer plated substrate effect gel on glass film changes stiffness influence of the film sample thickness finite thickness bottom effect thin sample layered solids layer on a base oxide layer hard chrome plating nickel plate eggshell effect paint layer thin layer rubber bonded to steel sample on glass skin polymer film on silicon bonded layer soft layer on rigid base glass below thin sample",
+            de="beschichtung schicht dünnfilm hartstoffschicht lack dünne probe substrateinfluss schichtdicke dünnschicht hartchrom vernickelt lackschicht",
+            fr="revêtement couche mince film dépôt vernis effet de substrat épaisseur échantillon mince couche dure sur acier chrome dur couche d'oxyde solide stratifié",
         ),
-        "sliding_film": kind("winkler.media.layered.coated:SlidingFilm", "barber_1974"),
-        "stacked_half_space": kind("winkler.media.layered.coated:StackedHalfSpace", "barber_1974", "elliott_1949"),
+        "sliding_film": kind(
+            "winkler.media.layered.coated:SlidingFilm",
+            "barber_1974",
+            en="loose film unbonded layer membrane not glued sheet on base frictionless interface pad liner",
+            de="lose schicht nicht verklebt folie gleitet unterlage",
+            fr="film libre non collé feuille posée glissante",
+        ),
+        "stacked_half_space": kind(
+            "winkler.media.layered.coated:StackedHalfSpace",
+            "barber_1974",
+            "elliott_1949",
+            en="laminate composite layers multilayer anisotropic stack sandwich plies several films layered solids paint system printed circuit board",
+            de="schichtstapel verbund laminat mehrlagig sandwich",
+            fr="empilement stratifié multicouche sandwich",
+        ),
         "depth_graded_half_space": kind(
-            "winkler.media.layered.depth_graded:DepthGradedHalfSpace", "barber_1974", "hess_2023", tolerance=1e-2
+            "winkler.media.layered.depth_graded:DepthGradedHalfSpace",
+            "barber_1974",
+            "hess_2023",
+            en="functionally graded case hardened nitrided hardness gradient modulus changes with depth skin carburised ion implanted soil nitrided layer induction hardened gradient residual layer hardness profile functionally graded coating",
+            de="gradiert gradientenwerkstoff einsatzgehärtet nitriert modul ändert sich mit tiefe randschicht einhärtung nitrierschicht",
+            fr="gradient fonctionnel cémenté nitruré module variant avec la profondeur gradient de dureté couche nitrurée",
+            tolerance=1e-2,
         ),
     },
     "layer": {

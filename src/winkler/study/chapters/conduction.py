@@ -137,8 +137,20 @@ CONDUCTION = Chapter(
             "heat_conductors": kind("winkler.media.conduction.conductors:HeatConductors", **STEEL_PAIR),
         },
         "film": {
-            "surface_film": kind("winkler.laws.film:SurfaceFilm", area_resistance="1e-12 ohm m^2"),
-            "thermal_interface": kind("winkler.laws.film:ThermalInterface", interface_conductance="1e7 W/(m^2 K)"),
+            "surface_film": kind(
+                "winkler.laws.film:SurfaceFilm",
+                en="sulphide film tarnish oxide film insulating film on contacts",
+                de="fremdschicht",
+                fr="film d'oxyde",
+                area_resistance="1e-12 ohm m^2",
+            ),
+            "thermal_interface": kind(
+                "winkler.laws.film:ThermalInterface",
+                en="kapitza boundary resistance thermal film thermal paste layer",
+                de="",
+                fr="",
+                interface_conductance="1e7 W/(m^2 K)",
+            ),
         },
         "log": {
             "resistance_log": kind(
@@ -155,13 +167,23 @@ CONDUCTION = Chapter(
         },
         "law": {
             "wiedemann_franz": kind(
-                "winkler.laws.current:WiedemannFranz", "kohlrausch_1900", lorenz_number="2.44e-8 V^2/K^2"
+                "winkler.laws.current:WiedemannFranz",
+                "kohlrausch_1900",
+                en="wiedemann-franz lorenz number",
+                de="",
+                fr="",
+                lorenz_number="2.44e-8 V^2/K^2",
             ),
         },
     },
     answers={
         "constriction": answer(
             "winkler.problems.conduction.constriction:Constriction",
+            question="What is the resistance of an electric contact that is clean, tarnished, plated or made of rods?",
+            page="chapters/conduction.md",
+            en="contact resistance electrical holm relay switch connector plug a-spot plating gold ohm constriction milliohm terminal pin electrical connection spreading resistance voltage drop sharvin sharvin resistance ballistic crimp connection sulphide film on silver slip ring brush carbon brush commutator clamping force of copper bars contact force and resistance four-wire voltage drop battery tab fritting tarnish oxide film earthing clamp pogo pin tunnel film resistance electrical contact of gold spring contact milliohms of closed contacts separable interface normal force mating bulk resistance screw clamp copper bar joint losses",
+            de="kontaktwiderstand elektrisch holm relais stecker engewiderstand übergangswiderstand schalter steckverbinder vergoldung ohm fremdschichtwiderstand kohlebürste kommutator schleifring klemmkraft kupferschiene anlaufschicht durchgangswiderstand kontaktnormalkraft",
+            fr="résistance de contact électrique holm relais connecteur interrupteur constriction dorure ohm fiche balai collecteur connexion électrique pince film d'oxyde",
             headline=("resistance", "conductance", "film_resistance", "radius"),
             load={"kind": "force", "force": "1 N"},
             picture=Caption(
@@ -173,6 +195,11 @@ CONDUCTION = Chapter(
         ),
         "measured_constriction": answer(
             "winkler.fitting.logs.contact_resistance:MeasuredConstriction",
+            question="Which resistivity and which film explain a resistance measured over the force?",
+            page="experiments/logs.md",
+            en="measured contact resistance over force resistivity from measurement film resistance tarnish leads four wire log of resistance connector test",
+            de="gemessener kontaktwiderstand über der kraft fremdschicht zuleitung spezifischer widerstand aus messung",
+            fr="résistance de contact mesurée en fonction de la force film résistivité mesure",
             headline=("resistivity", "film", "series", "exponent"),
             log={"kind": "resistance_log", "force": MEASURED_FORCE, "resistance": MEASURED_RESISTANCE},
             picture=Caption(
@@ -185,6 +212,11 @@ CONDUCTION = Chapter(
         ),
         "line_constriction": answer(
             "winkler.problems.conduction.line_constriction:LineConstriction",
+            question="What is the resistance per length of a roller or an edge that carries a current?",
+            page="chapters/conduction.md#lines",
+            en="busbar edge bar contact resistance per length wire on plane rail shunt brush roller contact resistance line electrical copper bar joint losses",
+            de="sammelschiene stromschiene engewiderstand linienkontakt draht übergangswiderstand je länge",
+            fr="barre conductrice résistance linéique fil sur plan contact électrique linéaire",
             headline=("resistance_per_length", "film_resistance_per_length", "half_width"),
             bed=ROLLER,
             first_depth="5 mm",
@@ -200,6 +232,11 @@ CONDUCTION = Chapter(
         ),
         "thermal_constriction": answer(
             "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
+            question="How much heat flows between two parts that are pressed together?",
+            page="chapters/conduction.md#heat",
+            en="heat flows from a hot part to a cold one pressed against it in vacuum thermal contact resistance heat flow conductance heat transfer thermal interface heat sink cooling spot how much heat passes tcr steady heat kapitza resistance boundary resistance interface satellite structure support ball support cryogenic",
+            de="wärmeübergang zwischen kontaktflächen wärmeübergang thermischer kontaktwiderstand wärmestrom wärmeleitung kühlkörper wärmedurchgang",
+            fr="chaleur traverse résistance thermique de contact flux de chaleur transfert thermique refroidissement dissipateur conductance liaison thermique cryogénie",
             headline=("conductance", "resistance", "heat_rate"),
             conductors={"kind": "heat_conductors", **STEEL_PAIR},
             temperature_drop="10 K",
@@ -212,6 +249,12 @@ CONDUCTION = Chapter(
         ),
         "joule_heating": answer(
             "winkler.problems.conduction.joule_heating:JouleHeating",
+            question="How hot does a current make a contact, and when would it weld?",
+            page="chapters/conduction.md",
+            key="hot",
+            en="plug contact heats up current heats hot current welding softening voltage contact temperature kohlrausch fuse overheating connector melting voltage ampacity resistance welding electric heating spot weld hot spot ampere amperage spring probe overheats ampacity of a pin current carrying capacity softening voltage melting voltage inrush current welds contact glows overload battery tab heats crimp overheats how many amps can it handle runs hot interface temperature of connector power connector",
+            de="stromwärme joule schweissen kontakttemperatur erweichungsspannung überhitzung strom heiss stecker schmelzspannung punktschweissen stromtragfähigkeit kontakterwärmung überlast stecker heizt sich auf verschweisst schmelzspannung",
+            fr="effet joule température de contact soudage courant surchauffe tension de ramollissement fusion ampère chaud échauffement d'une connexion électrique surcharge soudure des contacts courant d'appel",
             headline=("max_temperature", "contact_temperature", "voltage", "current", "resistance"),
             load={"kind": "force", "force": "1 N"},
             picture=Caption(
@@ -223,6 +266,11 @@ CONDUCTION = Chapter(
         ),
         "spot_cluster": answer(
             "winkler.problems.conduction.spots:SpotCluster",
+            question="What is the resistance of many round spots side by side?",
+            page="chapters/conduction.md#many-spots",
+            en="several touching points side by side current through many points a-spots greenwood many spots interaction of spots multi-spot contact resistance holm radius cluster constriction many small spots conduct better than one large group of contacts",
+            de="viele kontaktstellen holm radius a-spots wechselwirkung greenwood",
+            fr="plusieurs points de contact interaction rayon de holm spots",
             headline=("resistance", "conductance", "holm_radius"),
             x=["0 um", "10 um", "5 um"],
             y=["0 um", "0 um", "8 um"],
@@ -238,6 +286,11 @@ CONDUCTION = Chapter(
         ),
         "conductance_bounds": answer(
             "winkler.problems.conduction.bounds:ConductanceBounds",
+            question="Between which bounds do the stiffness and the conductance of rough bodies lie?",
+            page="chapters/rough.md",
+            en="bounds of conductance barber stiffness and conductance rough limits analogy upper lower bound",
+            de="schranken leitwert steifigkeit rau barber grenzen",
+            fr="bornes conductance raideur rugueux encadrement barber",
             headline=("least_conductance", "greatest_conductance", "smooth_conductance"),
             roughness="0.1 um",
             force="10 N",

@@ -108,7 +108,14 @@ FRICTION = Chapter(
     "friction and impacts",
     kinds={
         "law": {
-            "coulomb": kind("winkler.laws.friction:Coulomb", problem="tangential", coefficient=0.3),
+            "coulomb": kind(
+                "winkler.laws.friction:Coulomb",
+                en="coulomb friction law amontons constant coefficient",
+                de="coulombsches gesetz",
+                fr="loi de coulomb",
+                problem="tangential",
+                coefficient=0.3,
+            ),
             "static_kinetic": kind(
                 "winkler.laws.friction:StaticKinetic",
                 problem="tangential",
@@ -160,6 +167,12 @@ FRICTION = Chapter(
     answers={
         "tangential": answer(
             "winkler.problems.friction.tangential:Tangential",
+            question="How does a pressed joint respond when it is pushed along the surface: partial slip, fretting loop, loss?",
+            page="chapters/friction.md",
+            key="friction slip",
+            en="mindlin cattaneo friction stick slip partial slip tangential stiffness micro-slip hysteresis loop fretting loop presliding how stiff is the joint sideways shear pre-sliding displacement microslip static friction coulomb dem contact law sliding begins hysteresis bolt damping friction on coating layered shear of a film coated fretting stick slip of layers friction of polymer rubber pad viscoelastic shear creep of joint sliding of rubber with time amontons coulomb law ring of slip annulus cattaneo-mindlin pull sideways push sideways whole area slides gross sliding friction joint prestressed stick zone slip zone piezo drive inertia actuator dahl model lugre bristle preload and lateral force static friction limit contact stiffness lateral ratio of tangential to normal stiffness tangential displacement of a circular region gross slip limit",
+            de="reibung haften gleiten mindlin tangentialsteifigkeit teilschlupf mikroschlupf haftreibung schubsteifigkeit reibhysterese losbrechkraft reibkraft beschichtung schicht tangential beschichtet gummi viskoelastisch polymer amontons coulombsche reibung haftgebiet gleitgebiet seitlich schieben wann rutscht der gepresste körper rutscht durch",
+            fr="frottement adhérence glissement mindlin raideur tangentielle glissement partiel micro-glissement cisaillement boucle d'hystérésis revêtement couche polymère caoutchouc viscoélastique loi de coulomb amontons anneau de glissement collé glissant",
             headline=("dissipation", "shear_force", "shift", "stick_radius", "loss_per_cycle"),
             path={"kind": "program", "steps": OSCILLATION},
             picture=Caption(
@@ -180,6 +193,11 @@ FRICTION = Chapter(
         ),
         "torsion": answer(
             "winkler.problems.friction.torsion:Torsion",
+            question="How does a pressed contact respond when it is twisted about its axis?",
+            page="chapters/friction.md#twisted",
+            en="twist spin torque rotate pivot bearing friction torque screw drilling twisting pivot lubkin jäger reissner sagoci swivel centre plate turning moment clutch spinning friction drilling friction pivot jewel bearing drag torque to break loose turning on the spot ball turntable torsional loading of a circular region torque until a pressed ball spins around its axis",
+            de="drehmoment verdrehen torsion drehen bohrreibung zapfen spin verdrillen kupplung reibmoment losbrechmoment bohrmoment",
+            fr="couple torsion pivot vriller rotation moment de frottement pivotement embrayage frottement de pivotement pivot couple de décollement",
             headline=("dissipation", "torque", "angle", "stick_radius", "loss_per_cycle"),
             path={"kind": "program", "steps": TWIST},
             picture=Caption(
@@ -194,6 +212,11 @@ FRICTION = Chapter(
         ),
         "friction_damping": answer(
             "winkler.problems.friction.damping:FrictionDamping",
+            question="How much energy does a joint or a damper lose in a cycle, and how stiff is it?",
+            page="chapters/friction.md",
+            en="damping vibration joint loss per cycle what does it cost per cycle energy dissipation blade damper underplatform damper loss factor dissipated energy bolted joint hysteresis structural damping friction damper iwan quality factor friction loss iwan element masing loop under-platform damper ring damper area of the hysteresis loop lap joint damping wedge damper freight bogie friction ring microslip damping wire rope self damping riveted joint dissipation built-up structure",
+            de="dämpfung schwingung energieverlust je zyklus verlustfaktor reibdämpfer fügestelle fugendämpfung schraubverbindung reibungsdämpfung verlust pro umlauf fügestellendämpfung reibkeil schleife fläche der hystereseschleife",
+            fr="amortissement vibration perte par cycle énergie dissipée amortisseur à friction liaison boulonnée facteur de perte assemblage vibrant énergie perdue par cycle amortisseur à coin",
             headline=("loss_per_cycle", "loss_factor", "secant_stiffness", "shear_force"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
@@ -203,6 +226,11 @@ FRICTION = Chapter(
         ),
         "bimodal_damping": answer(
             "winkler.problems.friction.bimodal_damping:BimodalDamping",
+            question="How much energy is lost when depth and shift oscillate together?",
+            page="chapters/friction.md#pressed-and-pushed-at-once",
+            en="shaking vertically vibration makes sliding easier vibration lowers friction shake two-directional vibration normal and tangential oscillation phase ultrasonic vibration combined damping oblique loading vibrating both ways ultrasonic vibration reduces friction shaken up and down and sideways",
+            de="schwingung in zwei richtungen normal und tangential phase ultraschall",
+            fr="vibration bidirectionnelle normale et tangentielle phase ultrasons ultrasons réduisent le frottement",
             headline=("loss_per_cycle", "loss_stiffness"),
             depth="3 um",
             depth_amplitude="1 um",
@@ -214,6 +242,11 @@ FRICTION = Chapter(
         ),
         "relaxation_damper": answer(
             "winkler.problems.friction.relaxation_damping:RelaxationDamper",
+            question="How does a shaken contact brake a slow motion without sliding?",
+            page="chapters/friction.md",
+            en="shaking vertically vibration eases sliding damper without sliding relaxation damping oscillating depth viscous like damping lossless material",
+            de="relaxationsdämpfer dämpfer ohne gleiten",
+            fr="amortisseur par relaxation sans glissement",
             headline=("damping", "shear_stiffness"),
             depth="3 um",
             depth_amplitude="1 um",
@@ -224,6 +257,11 @@ FRICTION = Chapter(
         ),
         "friction_loops": answer(
             "winkler.fitting.logs.friction_loops:FrictionLoops",
+            question="Which friction and which stiffness explain the measured loops?",
+            page="experiments/logs.md",
+            en="measured friction loops fretting test log hysteresis loops of a rig friction coefficient from loops frame compliance of the machine tangential stiffness measured gross slip tribometer reciprocating fretting loops",
+            de="gemessene reibschleifen schwingverschleiss fretting versuch hysterese reibungskoeffizient aus messung rahmennachgiebigkeit",
+            fr="boucles de frottement mesurées fretting essai coefficient de frottement mesuré souplesse du bâti",
             headline=("coefficient", "contact_stiffness", "series_compliance", "loss_per_cycle"),
             normal={"kind": "force", "force": "100 N"},
             log={"kind": "friction_log", "displacement": LOOP_WAY, "shear_force": LOOP_FORCE},

@@ -30,6 +30,12 @@ IMPACT = Chapter(
     answers={
         "impact": answer(
             "winkler.problems.impact.impact:Impact",
+            question="How does a ball bounce, also at an angle and with spin?",
+            page="chapters/friction.md#striking",
+            key="bounce",
+            en="ball bounces grains particles collide impact collision bounce rebound restitution drop test coefficient of restitution ball drop hit strike contact time oblique spin tennis golf shot peening granular dem collide how hard does it hit shock ping pong hertz theory of impact duration of contact dropped ball measured contact time inelastic collision elastic collision billiard ball side spin cushion hail marble seed bearing dropped hammer newton cradle particle wall collision rotation collision time step granular flow billiards",
+            de="stoss aufprall stosszahl kontaktzeit prallen springen rückprall kollision schlag fallversuch abprallen restitutionskoeffizient kontaktdauer springt die kugel kugel springt hagel billard",
+            fr="bille rebondit sur une plaque choc impact rebond coefficient de restitution collision temps de contact chute percussion coefficient de restitution d'une bille durée de contact percussion billard grêle",
             headline=("restitution", "duration", "dissipation"),
             mass="33 g",
             velocity="1 m/s",
@@ -43,6 +49,11 @@ IMPACT = Chapter(
         ),
         "adhesive_impact": answer(
             "winkler.problems.impact.adhesive_impact:AdhesiveImpact",
+            question="Does a sticky grain bounce or stay?",
+            page="chapters/friction.md",
+            en="grains particles collide sticky particle impact capture dust sticks aerosol critical velocity sticking powder coating cold spray adhesion bounce filter critical sticking velocity aerosol deposition bounce-off cohesive grains restitution capture efficiency of a filter fibre toner deposit cohesion of particles agglomeration pollen leaf spore grain sticking",
+            de="klebendes teilchen aufprall staub haftet grenzgeschwindigkeit aerosol pulver stoss mit adhäsion staubhaftung anhaften",
+            fr="impact collant particule poussière capture vitesse critique aérosol particules cohésives dépôt",
             headline=("restitution", "duration", "dissipation"),
             law={"kind": "short_range", "work": "50 mJ/m^2"},
             mass="33 g",

@@ -11,7 +11,24 @@ import importlib
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-__all__ = ["Kind", "is_a", "kind", "path_of"]
+__all__ = ["Kind", "Words", "is_a", "kind", "path_of"]
+
+
+class Words(NamedTuple):
+    """What people call a kind, and what they ask that it answers: words of the trade, read by the search.
+
+    Parameters
+    ----------
+    en, de, fr
+        Words and questions in English, German and French.
+    key
+        Common words that mean this kind above all others.
+    """
+
+    en: str = ""
+    de: str = ""
+    fr: str = ""
+    key: str = ""
 
 
 class Kind(NamedTuple):
@@ -28,6 +45,8 @@ class Kind(NamedTuple):
     """Value of an example study that contains the kind, where the kind alone would have no solution."""
     problem: str = ""
     """Problem of an example study, where the first one that has a place for the kind would refuse it."""
+    words: Words = Words()
+    """What people call it; a kind without words is found by its name alone."""
 
     @property
     def cls(self) -> type:
@@ -64,7 +83,11 @@ def kind(
     reader: str = "",
     within: dict[str, Any] | list[dict[str, Any]] | None = None,
     problem: str = "",
+    en: str = "",
+    de: str = "",
+    fr: str = "",
+    key: str = "",
     **example: Any,
 ) -> Kind:
-    """Return a line: the path of a class, its papers, and an example."""
-    return Kind(path, example, cites, reader, within, problem)
+    """Return a line: the path of a class, its papers, what people call it (see `Words`), and an example."""
+    return Kind(path, example, cites, reader, within, problem, Words(en, de, fr, key))

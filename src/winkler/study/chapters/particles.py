@@ -29,6 +29,11 @@ PARTICLES = Chapter(
     answers={
         "elastic_plastic_particle": answer(
             "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
+            question="What force does a grain of powder take that yields and sticks?",
+            page="chapters/friction.md",
+            en="grains particles collide thornton ning plastic particle powder dem metal particle yielding ball plastic indentation crush elastoplastic restitution plastic thornton walton braun hysteretic granule inelastic collision of metal grains eepa model luding edinburgh walton-braun compaction tablet granule yields flowability caking plastic grain contact law cohesion agglomeration",
+            de="plastisches teilchen pulver elastisch-plastisch kugel fliesst partikel granulat pressen von pulver tablettieren",
+            fr="particule plastique poudre élastoplastique bille granulaire compaction comprimé",
             headline=("residual_depth", "yield_depth", "dissipation", "loss_per_cycle"),
             curvature_radius="1 mm",
             solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},

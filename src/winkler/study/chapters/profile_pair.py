@@ -60,6 +60,12 @@ PROFILE_PAIR = Chapter(
     answers={
         "profile_pair": answer(
             "winkler.problems.profile_pair.profile_pair:ProfilePair",
+            question="Where do a wheel and a rail, a cam and its follower, or a ball and a groove of given profiles touch?",
+            page="chapters/surfaces/profiles.md",
+            key="wheel rail",
+            en="wheel rail profile contact conformal two-point contact gauge corner measured profiles cam follower groove hollow worn wheel rail head contact patch gauge corner equivalent conicity worn profile s1002 uic60 flange root tram hollow tread groove of crane rail gothic arch",
+            de="rad schiene profil zweipunktkontakt berührpunkt gemessene profile spurkranz fahrkante verschleissprofil radprofil schienenprofil",
+            fr="profil roue rail double contact profils mesurés boudin congé profil usé",
             headline=("peak_pressure", "area", "depth", "force", "lateral_force"),
             first=ARC,
             second=TREAD,
@@ -78,6 +84,11 @@ PROFILE_PAIR = Chapter(
         ),
         "profile_pair_rolling": answer(
             "winkler.problems.profile_pair.pair_rolling:ProfilePairRolling",
+            question="Which creep forces does a wheel transmit to a rail when both profiles are given?",
+            page="chapters/surfaces/profiles.md#friction-while-they-roll",
+            en="wheel rail creep forces of measured profiles rolling contact flange gauge corner curve squeal railway contact algorithm kalker loss wear number gauge corner t-gamma wear number derailment flange contact hollow worn tram saturated creep force corrugation",
+            de="rad schiene schlupfkräfte gemessene profile spurkranz bogen rollkontakt",
+            fr="roue rail efforts de pseudo-glissement profils mesurés boudin courbe",
             headline=("x_force", "y_force", "loss_per_distance", "peak_pressure"),
             pair={
                 "kind": "profile_pair",

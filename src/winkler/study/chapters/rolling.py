@@ -103,6 +103,11 @@ ROLLING = Chapter(
     answers={
         "rolling": answer(
             "winkler.problems.rolling.steady:Rolling",
+            question="Which creep forces does a ball or a wheel transmit when it pulls or brakes?",
+            page="chapters/rolling.md",
+            en="creep forces ball rolling creepage traction wheel creep force kalker vermeulen johnson ball drive slip ratio spin micro-slip ball on plate rolls how much does it slip reynolds slip heathcote slip tractive rolling ball rolling with traction writing ball pen spin creepage camber creep curve saturation spin axis",
+            de="rollen schlupf kugel traktion kalker schlupfkraft rad wälzkontakt schlupf traktionskoeffizient kugelschreiber",
+            fr="roulement pseudo-glissement bille force de traction kalker roue stylo à bille glissement relatif",
             headline=("longitudinal_force", "lateral_force", "stick_share", "loss_per_distance"),
             creepage=CURVE,
             load=PRESSED,
@@ -117,6 +122,12 @@ ROLLING = Chapter(
         ),
         "simplified_rolling": answer(
             "winkler.problems.rolling.simplified_theory:SimplifiedRolling",
+            question="Which creep forces does a wheel transmit on an elliptic contact or with spin, by the simplified theory?",
+            page="chapters/rolling.md#spin-and-contacts-that-are-not-round",
+            key="wheel rail",
+            en="creep forces fastsim wheel rail creep force kalker spin tyre train railway traction ellipse creepage locomotive adhesion coefficient vehicle dynamics hunting bearing ball spin heathcote slip microslip in ball bearings camber thrust cornering force of a tyre side slip tyre self-aligning torque creep curve saturated creep force lateral creep derailment friction limit motorcycle",
+            de="fastsim rad schiene schlupfkraft bahn eisenbahn kraftschluss lokomotive zug kalker schlupf kraftschlussbeiwert schräglauf reifen seitenkraft querschlupf",
+            fr="fastsim roue rail chemin de fer force de pseudo-glissement kalker train locomotive dérive pneu effort latéral roue rail glissement relatif",
             headline=("longitudinal_force", "lateral_force", "moment", "saturation"),
             medium={"kind": "half_space"},
             creepage={"kind": "creepages", "longitudinal": 0.0005, "spin": "5 1/m"},
@@ -137,6 +148,11 @@ ROLLING = Chapter(
         ),
         "rolling_start": answer(
             "winkler.problems.rolling.start:RollingStart",
+            question="How do the creep forces grow when a round contact begins to roll?",
+            page="chapters/rolling.md#from-rest-to-rolling",
+            en="starts rolling from rest transient creep wheel begins to roll build-up of creep force start-up distance to steady state locomotive starts",
+            de="anrollen anfahren rad aus der ruhe instationär",
+            fr="démarrage roulement départ arrêté transitoire roue",
             headline=("shear_force", "stick_share", "distance"),
             creepage=CREEPING,
             load=PRESSED,
@@ -151,6 +167,11 @@ ROLLING = Chapter(
         ),
         "oscillating_rolling": answer(
             "winkler.problems.rolling.oscillating:OscillatingRolling",
+            question="Does a contact hold under a shear force while it is rocked?",
+            page="chapters/rolling.md",
+            en="rocking shakedown false brinelling walking ball moves a little to and fro oscillating bearing rocking ball rattling ratchet by vibration rigid shift standstill marks during transport ship vibration dithering small oscillation of bearing ratchet",
+            de="hin und her rollen schaukeln stillstandsmarkierung riffelbildung oszillierendes lager pendeln falsche brinellierung riffelmarken transport stillstand",
+            fr="roulement oscillant balancement faux effet brinell va-et-vient marques à l'arrêt transport vibrations",
             headline=("shakedown_force", "shift_per_cycle", "shift"),
             amplitude="40 um",
             shear_force="15 N",

@@ -98,6 +98,9 @@ ROUGH = Chapter(
         "topography": {
             "random_topography": kind(
                 "winkler.profiles.rough.random_surface:RandomTopography",
+                en="generate random rough surface synthetic roughness artificial surface",
+                de="zufällige rauheit erzeugen",
+                fr="surface aléatoire générer",
                 problem="surface_contact",
                 lengths=["1 mm", "1 mm"],
                 spectrum=BLASTED,
@@ -105,6 +108,9 @@ ROUGH = Chapter(
             ),
             "height_map": kind(
                 "winkler.profiles.rough.topography:Topography",
+                en="measured heights afm scan interferometer image topography file",
+                de="gemessene höhen",
+                fr="hauteurs mesurées",
                 reader="winkler.study.chapters.surfaces:read_surface",
                 problem="surface_contact",
                 heights=PYRAMID,
@@ -128,6 +134,9 @@ ROUGH = Chapter(
             "lennard_jones": kind(
                 "winkler.laws.attraction:LennardJones",
                 "greenwood_1997",
+                en="lennard-jones potential surface potential attraction",
+                de="",
+                fr="potentiel",
                 problem="surface_adhesion",
                 work="50 mJ/m^2",
                 spacing="0.8 um",
@@ -136,6 +145,9 @@ ROUGH = Chapter(
         "spectrum": {
             "self_affine": kind(
                 "winkler.profiles.rough.spectrum:SelfAffine",
+                en="self-affine fractal surface hurst exponent spectrum of roughness roll-off cut-off",
+                de="selbstaffin fraktal",
+                fr="auto-affine fractale",
                 problem="rough_contact",
                 hurst=0.8,
                 rms_height="0.3 um",
@@ -144,6 +156,9 @@ ROUGH = Chapter(
             ),
             "power_spectrum": kind(
                 "winkler.profiles.rough.spectrum:PowerSpectrum",
+                en="power spectral density psd of a surface as input",
+                de="leistungsdichtespektrum",
+                fr="densité spectrale",
                 reader="winkler.io.tables.spectrum_table:read_spectrum",
                 problem="rough_contact",
                 wave_numbers=["1e4 1/m", "1e5 1/m", "1e6 1/m"],
@@ -159,6 +174,12 @@ ROUGH = Chapter(
     answers={
         "surface_contact": answer(
             "winkler.problems.rough.surface_contact:SurfaceContact",
+            question="Where does a measured or rough surface touch, how hard, and how stiff is the contact?",
+            page="chapters/rough.md",
+            key="roughness rough",
+            en="rough surface contact boundary element height map asperities real contact area topography bem polonsky keer measured surface pressed scan profilometer gap interfacial separation boundary element method real surface scan pressed nominal pressure sandblasted bead blasted gap distribution gap height close the rough gap contact area under pressure sandpaper fingertip",
+            de="raue oberfläche kontakt höhenkarte topographie randelemente rauheit reale kontaktfläche asperiten messung sandgestrahlt spaltverteilung",
+            fr="surface rugueuse contact carte de hauteurs topographie éléments de frontière rugosité aire réelle aspérités sablé distribution des jeux",
             headline=("area", "depth", "force", "mean_gap"),
             load=LOADS,
             picture=Caption(
@@ -173,6 +194,11 @@ ROUGH = Chapter(
         ),
         "surface_adhesion": answer(
             "winkler.problems.surface_adhesion.adhesion:SurfaceAdhesion",
+            question="Where does a measured or rough surface snap in, which force pulls it off, and what does a loop lose?",
+            page="chapters/surfaces/surface-adhesion.md",
+            en="rough adhesion sticky rough surface roughness kills adhesion attraction of a map lennard-jones rough wafer bonding does roughness stop sticking fuller tabor roughness reduces adhesion gauge blocks wring wringing lennard-jones",
+            de="haftung rauer oberflächen adhäsion rauheit waferbonden endmasse ansprengen",
+            fr="adhésion surface rugueuse rugosité collage de plaquettes cales étalons adhérence",
             headline=("pull_off_force", "dissipation", "force", "area", "attracted_area", "loss_per_cycle"),
             topography=SOFT_BALL,
             medium={"kind": "half_space", "first": {"kind": "elastic", "young": "1 MPa", "poisson": 0.5}},
@@ -190,6 +216,11 @@ ROUGH = Chapter(
         ),
         "surface_conduction": answer(
             "winkler.problems.rough.surface_conduction:SurfaceConduction",
+            question="How much current does a measured or rough surface conduct?",
+            page="chapters/rough.md",
+            en="electrical contact of rough surface current through asperities map current density rough contact resistance",
+            de="elektrischer kontakt raue oberfläche strom durch rauheit",
+            fr="contact électrique rugueux courant à travers les aspérités",
             headline=("resistance", "conductance", "least_resistance", "greatest_resistance"),
             contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
             picture=Caption(
@@ -205,6 +236,11 @@ ROUGH = Chapter(
         ),
         "reduction": answer(
             "winkler.problems.rough.reduce:Reduction",
+            question="Which springs replace a measured or rough surface, and how large is their error?",
+            page="chapters/rough.md#springs-in-place-of-a-surface",
+            en="equivalent springs of a rough surface reduce map to line equivalent profile of a height map fast model",
+            de="ersatzfedern reduktion höhenkarte ersatzprofil",
+            fr="ressorts équivalents réduction de carte profil équivalent",
             headline=("stiffness", "depth", "force", "misfit"),
             topography={**STAMP, "seed": 1},
             depth="1 um",
@@ -219,6 +255,11 @@ ROUGH = Chapter(
         ),
         "rough_contact": answer(
             "winkler.problems.rough.line_contact:RoughContact",
+            question="How stiff is a rough square of which only the power spectrum is known, to about a fourth?",
+            page="chapters/rough.md",
+            en="power spectral density topography rough contact stiffness lines of springs self-affine fractal roughness stiffness of a rough square hurst power law stiffness persson compliance of rough bodies",
+            de="rauer kontakt steifigkeit fraktal selbstaffin hurst rauheit",
+            fr="contact rugueux raideur fractal auto-affine hurst rugosité",
             headline=("area", "mean_gap", "stiffness"),
             side="1 mm",
             load=LOADS,
@@ -235,6 +276,11 @@ ROUGH = Chapter(
         ),
         "rough_indentation": answer(
             "winkler.problems.rough.line_indentation:RoughIndentation",
+            question="How deep does a rough ball or another rough body of revolution sink in?",
+            page="chapters/rough.md",
+            en="rough ball roughness on a sphere greenwood tripp rough indenter pressed rough tip rough bead surface roughness of spheres effective hertz radius",
+            de="raue kugel rauheit auf kugel rauer eindringkörper",
+            fr="bille rugueuse rugosité sur sphère",
             headline=("depth", "force", "area"),
             length="4 mm",
             load=LOADS,
@@ -252,6 +298,11 @@ ROUGH = Chapter(
         ),
         "elastomer_friction": answer(
             "winkler.problems.rough.elastomer_friction:ElastomerFriction",
+            question="How does the friction of rubber on a rough surface change with speed and temperature, as a trend?",
+            page="chapters/rough.md#rough-rubber-a-trend",
+            en="rubber friction tyre grip tire road asphalt sole shoe floor hysteresis friction persson rubber grip on rough road mu of rubber slip resistance wiper wet grip dry grip sole slip grosch tyre on smooth road texture macrotexture pavement skid shoe sole windscreen wiper blade squeal rubber lip on glass",
+            de="gummireibung reifen strasse griffigkeit schuhsohle asphalt reibwert elastomer haftung reifen nassgriff profil fahrbahn textur rutschhemmung finger auf glas fingerabdruck wischerblatt",
+            fr="frottement du caoutchouc pneu route adhérence semelle chaussure élastomère adhérence sur route mouillée texture",
             headline=("coefficient", "velocity"),
             velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
             picture=Caption(

@@ -53,6 +53,12 @@ SUBSURFACE = Chapter(
     answers={
         "contact_stress": answer(
             "winkler.problems.subsurface.contact_stress:ContactStress",
+            question="How high are the greatest stresses inside a contact, and how deep do they lie?",
+            page="chapters/ellipses.md#stresses-inside",
+            key="stress",
+            en="stresses under gear teeth hertzian stress case depth hardening depth needed how deep must the case be subsurface stress von mises max shear stress below contact where is the highest stress tresca maximum depth stress field principal stress orthogonal shear fatigue initiation how deep is the greatest stress maximum shear stress for sphere on flat plate and its depth case depth gear shaft induction hardened nitriding depth needed stress along the axis depth of the greatest orthogonal shear stress hertz stress field sub-surface spalling from below hertz pitting depth shear at the interface of a coating delaminates stress in a thermal spray layer",
+            de="wie hart muss die schicht sein einhärtetiefe spannung unter der oberfläche vergleichsspannung schubspannung maximum tiefe von mises grösste beanspruchung hauptspannung einsatzhärteschicht zahnrad nitrierhärtetiefe grösste schubspannung tiefe randschichthärten druckstelle im laminat",
+            fr="contrainte sous la surface cisaillement maximal von mises profondeur contrainte maximale champ de contraintes contraintes en sous-couche profondeur du cisaillement maximal profondeur de cémentation",
             headline=("max_shear", "max_shear_depth", "orthogonal_shear", "orthogonal_shear_depth", "von_mises"),
             contact={"kind": "indentation"},
             picture=Caption(
@@ -65,6 +71,11 @@ SUBSURFACE = Chapter(
         ),
         "map_stress": answer(
             "winkler.problems.subsurface.map_stress:MapStress",
+            question="How high are the stresses below a given map of pressures, such as that of another program?",
+            page="chapters/surfaces/subsurface.md#below-a-given-map",
+            en="stress below a given pressure map pressure film footprint boussinesq cerruti load patch stress from measured pressure stress under foundation fuji film pressure sensitive paper tekscan uniform pressure patch under a wheel track pad",
+            de="spannung unter gegebenem druck druckkarte boussinesq cerruti druckfolie",
+            fr="contrainte sous une carte de pression donnée boussinesq cerruti film de pression film fuji répartition de pression mesurée",
             headline=("von_mises", "z", "x", "y", "yield_factor"),
             solid={"kind": "elastic", "strength": "500 MPa"},
             picture=Caption(

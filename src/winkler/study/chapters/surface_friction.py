@@ -75,6 +75,11 @@ SURFACE_FRICTION = Chapter(
     answers={
         "surface_tangential": answer(
             "winkler.problems.surface_friction.tangential:SurfaceTangential",
+            question="Where does a contact of any outline stick and slip when it is pushed and twisted?",
+            page="chapters/surfaces/surface-friction.md",
+            en="friction of rough surface partial slip map shear of asperities fretting of a measured surface stick slip in three dimensions",
+            de="reibung rauer oberflächen teilschlupf höhenkarte scherung asperiten",
+            fr="frottement surface rugueuse glissement partiel cisaillement aspérités",
             headline=("dissipation", "shear_force_x", "stick_share", "peak_pressure", "force", "loss_per_cycle"),
             topography=BALL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
@@ -97,6 +102,11 @@ SURFACE_FRICTION = Chapter(
         ),
         "reduced_friction": answer(
             "winkler.problems.surface_friction.reduced:ReducedFriction",
+            question="Which springs replace a rough surface under long histories of shear, and how large is their error?",
+            page="chapters/surfaces/surface-friction.md#springs-instead-and-their-error",
+            en="springs for friction of a map equivalent friction model reduced order joint model",
+            de="ersatzfedern reibung höhenkarte reduziertes modell",
+            fr="ressorts équivalents frottement modèle réduit",
             headline=("shift_error", "loss_error", "force", "shift", "spring_shift"),
             topography=OBLONG,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
@@ -113,6 +123,12 @@ SURFACE_FRICTION = Chapter(
         ),
         "joint_stiffness": answer(
             "winkler.problems.surface_friction.joint:JointStiffness",
+            question="How stiff is a joint of rough surfaces, across and along, and how much energy does it lose in a cycle?",
+            page="chapters/surfaces/joints.md",
+            key="bolt joint",
+            en="bolted joint stiffness interface stiffness machine tool joint contact stiffness per area damping how stiff is the joint flange shear stiffness joint damping bolted flange clamp guideway stiffness machine tool interface per unit area ultrasonic reflection tangential stiffness of a rough interface normal stiffness of joint modal identification of joint contact layer for finite elements greenwood stiffness bolted faces compliance of rough bodies asperity compliance",
+            de="fügestelle steifigkeit schraubverbindung fugensteifigkeit kontaktsteifigkeit werkzeugmaschine dämpfung wie steif führungssteifigkeit verschraubte fuge",
+            fr="raideur de liaison boulonnée assemblage raideur de contact amortissement joint machine-outil raideur d'interface glissière serrage de vis rigidité des plaques",
             headline=("areal_stiffness", "areal_stiffness_x", "ratio_x", "loss_per_cycle", "shift_error", "loss_error"),
             topography={**STAMP, "seed": 1},
             medium={"kind": "half_space", "second": {"kind": "elastic"}},

@@ -61,6 +61,11 @@ SURFACE_HEATING = Chapter(
     answers={
         "surface_rolling_heating": answer(
             "winkler.problems.surface_heating.rolling:SurfaceRollingHeating",
+            question="How hot does a contact of any outline get that rolls with creepage?",
+            page="chapters/surfaces/surface-heating.md#a-wheel-that-slips",
+            en="temperature of rolling with creepage wheel rail heat traction martensite white etching layer wheel spin heat",
+            de="temperatur rollen schlupf rad schiene wärme martensit",
+            fr="température roulement pseudo-glissement roue rail chaleur",
             headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
             rolling=PULLS,
             conductors=STEELS,
@@ -75,6 +80,11 @@ SURFACE_HEATING = Chapter(
         ),
         "surface_friction_heating": answer(
             "winkler.problems.surface_heating.sliding:SurfaceFrictionHeating",
+            question="How hot do bodies get that slide under a map of pressures?",
+            page="chapters/surfaces/surface-heating.md#bodies-that-slide",
+            en="temperature of a rough sliding contact map flash temperature hot spots pressure map brake disc hot spot asperity temperature",
+            de="temperatur rauer gleitkontakt blitztemperatur heisse stellen druckkarte",
+            fr="température contact glissant rugueux points chauds carte de pression",
             headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
             load=RUBBED,
             conductors=STEELS,

@@ -61,12 +61,24 @@ SURFACE_ROLLING = Chapter(
             ),
         },
         "twist": {
-            "spin": kind("winkler.problems.surface_rolling.creep_force:Spin", problem="surface_rolling", spin="5 1/m"),
+            "spin": kind(
+                "winkler.problems.surface_rolling.creep_force:Spin",
+                en="spin creepage twist rate",
+                de="bohrschlupf",
+                fr="spin",
+                problem="surface_rolling",
+                spin="5 1/m",
+            ),
         },
     },
     answers={
         "surface_rolling": answer(
             "winkler.problems.surface_rolling.steady:SurfaceRolling",
+            question="Which forces does a contact of any outline transmit when it rolls, with creepages and spin, or how much does it creep under forces?",
+            page="chapters/surfaces/surface-rolling.md",
+            en="creep forces contact kalker exact rolling boundary elements creep wheel rail variational half-space rolling of a map rough rolling heathcote slip conforming groove rolling spin corrugation rail slip velocities in the contact patch",
+            de="rollen randelemente kalker contact schlupf rad schiene exakt",
+            fr="roulement éléments de frontière kalker contact pseudo-glissement exact",
             headline=("longitudinal_force", "lateral_force", "moment", "stick_share"),
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
@@ -90,6 +102,11 @@ SURFACE_ROLLING = Chapter(
         ),
         "surface_rolling_start": answer(
             "winkler.problems.surface_rolling.start:SurfaceRollingStart",
+            question="How does a contact of any outline begin to roll?",
+            page="chapters/surfaces/surface-rolling.md#from-rest",
+            en="transient rolling boundary elements start from rest kalker transient",
+            de="instationäres rollen randelemente anfahren",
+            fr="roulement transitoire éléments de frontière démarrage",
             headline=("longitudinal_force", "longitudinal_creepage", "stick_share", "distance"),
             topography=WHEEL,
             medium={"kind": "half_space", "second": {"kind": "elastic"}},

@@ -84,6 +84,11 @@ VISCOELASTIC_SURFACES = Chapter(
     answers={
         "sliding_resistance": answer(
             "winkler.problems.viscoelastic.sliding:SlidingResistance",
+            question="What resistance does a ball meet when it rolls or slides over rubber, approximately?",
+            page="chapters/viscoelastic.md#struck-rubbed-rolled-over-pulled-off",
+            en="rolling resistance rubber hysteresis friction sliding on rubber tyre tire rolling loss hysteretic loss ball on rubber ploughing viscoelastic drag ploughing of rubber coefficient of rolling friction ball rolls on soft material ball on polymer drag drags hard wheel on soft polymer without friction hard tip ploughs through a soft surface rolling torque of a bearing drag torque",
+            de="rollwiderstand gummi hysteresereibung reifen kugel auf gummi gleitwiderstand rollreibung rollreibungskoeffizient harte spitzen pflügen weiche oberfläche",
+            fr="énergie perdue par un pneu en roulant perd énergie roule résistance au roulement caoutchouc frottement d'hystérésis pneu bille sur caoutchouc puissance perdue roue sol viscoélastique résistance au roulement d'une bille",
             headline=("coefficient", "shear_force", "depth"),
             bed=BED,
             normal={"kind": "force", "force": "1 N"},
@@ -100,6 +105,11 @@ VISCOELASTIC_SURFACES = Chapter(
         ),
         "viscoelastic_adhesion": answer(
             "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
+            question="Which force pulls a body off sticky rubber, and how does it depend on speed?",
+            page="chapters/viscoelastic.md#struck-rubbed-rolled-over-pulled-off",
+            en="tack rubber sticky tape pressure sensitive adhesive psa peeling rate dependent adhesion gripper dwell time soft adhesive crack speed suction pad probe tack tack test probe tack kinetically controlled stamp transfer printing adhesive tape speed dependent pull rubber sticks more strongly when pulled quickly faster pull",
+            de="klebrigkeit tack gummi klebeband haftklebstoff abziehgeschwindigkeit greifer kontaktzeit haftklebeband abzugskraft klebetest",
+            fr="collant pégosité caoutchouc ruban adhésif pelage préhenseur vitesse temps de contact tenue d'un ruban pelage vitesse",
             headline=("lowest_force", "dissipation", "loss_per_cycle"),
             bed=BED,
             path={

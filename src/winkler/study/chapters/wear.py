@@ -54,7 +54,14 @@ WEAR = Chapter(
     "wear",
     kinds={
         "wear": {
-            "archard": kind("winkler.laws.wear:Archard", "archard_1953", rate="1e-5 mm^3/(N m)"),
+            "archard": kind(
+                "winkler.laws.wear:Archard",
+                "archard_1953",
+                en="archard wear coefficient specific wear rate holm",
+                de="archard verschleisskoeffizient",
+                fr="loi d'archard",
+                rate="1e-5 mm^3/(N m)",
+            ),
             "pair_wear": kind(
                 "winkler.laws.wear:PairWear",
                 problem="fretting_wear",
@@ -66,6 +73,12 @@ WEAR = Chapter(
     answers={
         "fretting_wear": answer(
             "winkler.problems.wear.fretting:FrettingWear",
+            question="How does a fretting joint wear?",
+            page="chapters/wear.md",
+            key="fretting",
+            en="fretting wear scar reciprocating wear archard vibration wear contact scar depth connector fretting how long does it last lifetime debris hip implant taper worn off rate dissipated energy wear coefficient fretting modular taper micromotion trunnion fretting corrosion of connectors tin fretting number of cycles electric contact vibration wear tube million cycles vibrating plug wears through its gold plating press fit of a hub on a shaft fretting spline coupling",
+            de="schwingverschleiss fretting reibkorrosion verschleissnarbe archard lebensdauer passungsrost wie lange hält es zyklen hält schwingungsreibung modularer konus reibkorrosion einer passung welle nabe",
+            fr="usure par fretting petits débattements trace d'usure archard durée de vie vibration million de cycles usure cône modulaire usure après cycles",
             headline=("worn_volume", "worn_depth", "cycles"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
@@ -83,6 +96,12 @@ WEAR = Chapter(
         ),
         "sliding_wear": answer(
             "winkler.problems.wear.sliding:SlidingWear",
+            question="How does a pin wear on a disc?",
+            page="chapters/wear.md",
+            key="wear",
+            en="knee implant wear bushing sleeve loses material material loss cup wear denture tooth wear pin on disc wear rate archard volume worn tip wear ball wears flat lifetime block running-in ball-on-disc wear track how long does it last abrasion prosthesis adhesive wear reciprocating ball-on-flat tribometer wear coefficient specific wear rate severe and mild plain bushing kilometres pin lost brush wear enamel polyethylene knee slip ring jewel valve wear brake pad wear clutch lining life",
+            de="nutzt sich ab gleitschuh abnutzen kilometer verschleiss stift scheibe verschleissrate archard abrieb einlaufen standzeit abnutzung gleitverschleiss verschleisskoeffizient gleitbuchse bremsbelagverschleiss adhäsiver verschleiss lebensdauer buchse gleitlagerverschleiss verschleiss eines gleitlagers",
+            fr="usure pion disque taux d'usure archard abrasion durée de vie rodage bille disque usure adhésive coefficient d'usure bague lisse usure des dents plaquette usure d'un palier lisse",
             headline=("worn_volume", "worn_depth", "distance"),
             normal={"kind": "force", "force": "100 N"},
             distance=["0 m", "0.1 m", "0.3 m", "1 m"],
@@ -99,6 +118,11 @@ WEAR = Chapter(
         ),
         "elliptic_wear": answer(
             "winkler.problems.wear.elliptic:EllipticWear",
+            question="How deep does a body with two curvatures wear at first, and how deep is its track?",
+            page="chapters/ellipses.md#wear",
+            en="knee implant wear condyle wheel wear bearing wear raceway wear ellipse crossed cylinder wear test wire rope wires crossed polyethylene tray enamel crossed-cylinder tester",
+            de="verschleiss ellipse laufbahn rad gekreuzte zylinder",
+            fr="usure ellipse cylindres croisés chemin de roulement",
             headline=("worn_depth", "worn_volume", "track_depth", "track_half_width"),
             wear={"kind": "pair_wear", "first": {**STEEL, "rate": "1e-8 mm^3/(N m)"}, "second": STEEL},
             load={"kind": "force", "force": "100 N"},
@@ -115,6 +139,11 @@ WEAR = Chapter(
         ),
         "limiting_profile": answer(
             "winkler.problems.wear.limiting_profile:LimitingProfile",
+            question="Which shape does a fretting joint have in the end?",
+            page="chapters/wear.md",
+            en="worn surface look after millions of small vibrations final shape after fretting worn end state steady state scar where does wear stop limiting shape",
+            de="endform grenzprofil wo hört verschleiss auf endzustand fretting riffelbildung einer schiene",
+            fr="forme limite fin de l'usure profil final fretting",
             headline=("worn_volume", "worn_depth", "stick_radius"),
             normal={"kind": "depth", "depth": "1 um"},
             amplitude={"kind": "shift", "shift": "0.2 um"},

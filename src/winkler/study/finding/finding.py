@@ -1,4 +1,7 @@
-"""Which kinds a word or a question means: a ranking over their names and the words of ``words.toml``."""
+"""Which kinds a word or a question means: a ranking over their names and the words of their records.
+
+Words that are alike, tasks that are no kinds, and what is not covered are those of ``words.toml``.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,8 @@ from importlib import resources
 from typing import Any, NamedTuple
 
 from winkler.materials.named import material_names, other_names
+from winkler.study.chapters.contents import answers
+from winkler.study.chapters.kind import Words
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
@@ -24,8 +29,7 @@ SATURATION, LENGTH = 1.2, 0.1
 """Of BM25: how soon one more occurrence counts no more, and how far long entries are held back."""
 
 NAME, KEY, SAID, MATERIAL = 3.0, 5.0, 2.0, 1.0
-"""Weight of a word in the name of a kind, under "key" of its entry of ``words.toml``, in the rest of the entry, in the
-name of a material."""
+"""Weight of a word in the name of a kind, under "key" of its words, in the rest of them, in the name of a material."""
 
 ALIKE, PREFIX, PART, TYPO = 0.7, 0.7, 0.6, 0.5
 """Weight of a word that means the same, begins another, is a part of it, or is spelled like it."""
@@ -209,20 +213,18 @@ def _parts(token: str) -> tuple[str, ...]:
     return ()
 
 
-def _entry(name: str) -> dict[str, str]:
-    table = _table()
-    return table["kind"].get(name) or table["task"].get(name) or {}
-
-
-def _key(name: str) -> str:
-    """Return the common words that mean a kind or task above all."""
-    return _entry(name).get("key", "")
+def _told(name: str) -> Words:
+    """Return the words of a kind or task."""
+    if name in kinds():
+        return kinds()[name].words
+    task = _table()["task"].get(name, {})
+    return Words(*(task.get(part, "") for part in Words._fields))
 
 
 def words(name: str) -> str:
     """Return all that people call a kind or task, in three languages; empty where nothing is known."""
-    entry = _entry(name)
-    return " ".join(entry.get(language, "") for language in LANGUAGES)
+    told = _told(name)
+    return " ".join(filter(None, (told.en, told.de, told.fr)))
 
 
 class _Index:
@@ -242,10 +244,12 @@ class _Index:
 
         for kind, line in kinds().items():  # their classes are not loaded for this: that takes seconds
             self.hits[kind] = Hit(kind, slot_of(kind), f"winkler show {kind}")
-            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (words(kind), SAID), (_key(kind), KEY))
+            asked = answers()[kind].question if kind in answers() else ""
+            said = f"{words(kind)} {asked}"
+            count(kind, (kind, NAME), (line.path.split(":")[1], NAME), (said, SAID), (_told(kind).key, KEY))
         for name, entry in table["task"].items():
             self.hits[name] = Hit(name, "task", entry["command"])
-            count(name, (name, NAME), (words(name), SAID), (_key(name), KEY))
+            count(name, (name, NAME), (words(name), SAID), (_told(name).key, KEY))
         for name in material_names():
             self.hits[name] = Hit(name, "material", f"winkler show {name}")
             count(name, (name, MATERIAL), (" ".join(other_names(name)), MATERIAL))
@@ -287,9 +291,8 @@ def _index() -> _Index:
 
 
 def known() -> tuple[Hit, ...]:
-    """Return all kinds and tasks of which words are known, in the order of the table."""
-    table = _table()
-    return tuple(_index().hits[name] for name in (*table["kind"], *table["task"]))
+    """Return all kinds and tasks of which words are known, in the order of the catalogue."""
+    return tuple(_index().hits[name] for name in (*kinds(), *_table()["task"]) if words(name))
 
 
 def neighbours() -> tuple[Beyond, ...]:

@@ -7,7 +7,7 @@ import json
 
 from nicegui import ui
 
-from winkler.study.chapters.contents import CHAPTERS
+from winkler.study.chapters.contents import CHAPTERS, answers
 from winkler.study.finding.finding import find
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import summary
@@ -90,6 +90,6 @@ class Question:
         self.task.set_value(self.entered.task)
         self.choice.set_options({name: _in_words(name) for name in (FITTED if fits else _chapters())}, value=kind)
         self.choice.props["label"] = "model of the curve" if fits else "problem"
-        self.meaning.text = summary(kinds()[kind].cls)
+        self.meaning.text = summary(kinds()[kind].cls) if fits else answers()[kind].question
         self.said.text = self.entered.carried_remark
         self.carried.set_visibility(bool(self.entered.carried_remark))

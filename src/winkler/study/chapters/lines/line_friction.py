@@ -56,6 +56,11 @@ LINE_FRICTION = Chapter(
             "jaeger_1995",
             "ciavarella_1998",
             "nowell_hills_1987",
+            question="Where does a pressed cylinder slip when it is pushed to and fro, also under a bulk stress?",
+            page="chapters/line-friction.md",
+            en="fretting cylinder dovetail blade root fretting fatigue bulk stress tension cattaneo mindlin line contact stick slip shear roller partial slip press fit spline turbine blade root attachment fir tree dovetail joint lug interference shear on cylinder rope wires",
+            de="reibkorrosion schwingreibverschleiss schwalbenschwanz schaufelfuss zylinder reibung haften gleiten teilschlupf linienkontakt presssitz turbinenschaufelfuss tannenbaum reibschluss schlupfwelle",
+            fr="fretting cylindre queue d'aronde pied d'aube fatigue glissement partiel contact linéique frottement emmanchement aube de turbine attache",
             headline=(
                 "dissipation_per_length",
                 "stick_half_width",

@@ -45,6 +45,11 @@ PRESSED_MAPS = Chapter(
     answers={
         "true_area": answer(
             "winkler.problems.pressed_maps.true_area:TrueArea",
+            question="How much of a rough surface really touches, in how many patches, and how large is the error of the grid?",
+            page="chapters/surfaces/seals.md",
+            en="real contact area true contact greenwood williamson persson bearing area how much touches contact patches percentage in contact asperity number of spots gw model plasticity index bearing area curve abbott-firestone nayak bush gibson thomas plasticity index sandblasted fraction of nominal area in touch fingertip print percentage touching bowden tabor junctions",
+            de="wahre kontaktfläche reale kontaktfläche greenwood williamson traganteil wie viel berührt persson materialtraganteil abbott-kurve bruchteil scheinbare fläche",
+            fr="aire réelle de contact greenwood williamson persson combien touche portance taux de contact taux de portance courbe d'abbott surface réelle fraction de la surface",
             headline=("area", "area_error", "peak_pressure", "patch_count"),
             contact=PRESSED,
             picture=Caption(
@@ -60,6 +65,12 @@ PRESSED_MAPS = Chapter(
         ),
         "seal": answer(
             "winkler.problems.pressed_maps.seal:Seal",
+            question="How much leaks through a pressed surface, and where is the gap narrowest?",
+            page="chapters/surfaces/seals.md",
+            key="leak gasket",
+            en="oil leaks out leaking oil seal leak leakage gasket o-ring seal percolation tightness flow through gap does my seal leak flange helium valve seat vacuum fluid leak rate washer sealing pressure water gets through bridgman seal face seal mechanical seal leak rate of a metal seal metal-to-metal sealing surface finish percolation threshold closed gap valve gas passes between ground faces seal class leak per length lapped faces compressor valve plate flat gasket",
+            de="öl läuft durch flansch verspannte flansche öl tritt aus dichtung leckage undicht leckrate flansch dicht percolation ist die dichtung dicht wasser tritt durch dichtfläche ventilsitz dichtheit gleitringdichtung gas strömt zwischen geschliffenen flächen metallische dichtung leckstrom ventilplatte",
+            fr="fuite d'huile joint fuite étanchéité débit de fuite bride percolation est-ce que mon joint fuit eau traverse siège de soupape étanchéité métal-métal garniture mécanique soupape",
             headline=("leak_rate", "leak_rate_error", "flow_factor", "critical_gap"),
             contact=PRESSED,
             viscosity="1 mPa s",
@@ -77,6 +88,11 @@ PRESSED_MAPS = Chapter(
         ),
         "thermal_joint": answer(
             "winkler.problems.pressed_maps.thermal_joint:ThermalJoint",
+            question="How much heat passes through the spots and the gap of a joint?",
+            page="chapters/surfaces/seals.md#heat-through-spots-and-gap",
+            en="thermal joint conductance gap gas heat through interface thermal paste grease cpu heat sink vacuum thermal contact conductance rough cooper mikic yovanovich bolted joint heat tim cooper-mikic-yovanovich satellite bolted plates vacuum processor radiator chip cold plate interstitial gas mounting pressure led aluminium joints heat crosses a pressed joint",
+            de="wärmeübergang zwischen kontaktflächen wärmeleitpaste fuge wärmedurchgang spalt gas kühlkörper thermischer kontakt rau wärmeübergangskoeffizient raue fugen wärmeübergangswiderstand prozessor chip kühlkörper",
+            fr="chaleur traverse plaques boulonnées joint thermique pâte thermique conductance interface gaz dissipateur résistance thermique rugueuse processeur radiateur puce plaque froide",
             headline=("conductance", "spot_conductance", "gap_conductance", "joint_conductance"),
             contact=PRESSED,
             conductors={"kind": "heat_conductors", **STEEL_PAIR},

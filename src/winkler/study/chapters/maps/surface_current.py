@@ -83,6 +83,11 @@ SURFACE_CURRENT = Chapter(
     answers={
         "surface_constriction": answer(
             "winkler.problems.surface_current.constriction:SurfaceConstriction",
+            question="What is the resistance of a rough contact that is plated, tarnished or partly plastic, and which current softens or melts it?",
+            page="chapters/surfaces/surface-current.md",
+            en="contact resistance of rough plated surfaces connector plating current through spots tin gold plate rough electrical terminal crimp",
+            de="kontaktwiderstand rau beschichtet stecker verzinnt vergoldet strom crimp",
+            fr="résistance de contact surface rugueuse plaquée connecteur étamé doré sertissage",
             headline=("resistance", "voltage", "max_temperature", "softening_current"),
             contact=PRESSED,
             conductors={"kind": "electrical_conductors", "first": PLATED, "second": PLATED},

@@ -33,6 +33,11 @@ SURFACE_WEAR = Chapter(
     answers={
         "surface_wear": answer(
             "winkler.problems.surface_wear.wear:SurfaceWear",
+            question="How does a measured or rough surface run in while it slides?",
+            page="chapters/surfaces/surface-wear.md",
+            en="running-in wear of rough surface worn map smoothing polishing topography after wear asperity wear cylinder liner mild wear roughness evolution plateau honing honed liner run-in surfaces mating asperities flatten while running in",
+            de="einlauf verschleiss raue oberfläche glätten polieren rauheit nach verschleiss honen plateauhonen einlaufen",
+            fr="rodage usure surface rugueuse polissage évolution de la rugosité rodage honage",
             headline=("worn_volume", "worn_depth", "rms_height", "area", "peak_pressure"),
             contact=SLID,
             distance=["0 m", "0.01 m", "0.05 m", "0.2 m"],

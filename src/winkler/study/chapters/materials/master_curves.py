@@ -80,6 +80,11 @@ MASTER_CURVES = Chapter(
     answers={
         "master_curve": answer(
             "winkler.problems.master_curves.master_curve:MasterCurve",
+            question="Which master curve do sweeps at several temperatures give?",
+            page="experiments/master-curves.md#sweeps-at-several-temperatures",
+            en="time temperature superposition wlf shift factor master curve frequency sweep dma temperature williams landel ferry arrhenius glass transition grosch horizontal shift reduced frequency glass transition modulus at reference temperature",
+            de="masterkurve zeit-temperatur-verschiebung wlf frequenz dma verschiebungsfaktor glasübergang",
+            fr="courbe maîtresse équivalence temps-température wlf facteur de décalage dma transition vitreuse",
             event="of Williams, Landel and Ferry",
             headline=("first_constant", "second_constant", "activation_energy"),
             sweeps=SWEEPS,

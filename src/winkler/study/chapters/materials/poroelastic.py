@@ -58,6 +58,11 @@ POROELASTIC = Chapter(
     answers={
         "poroelastic_relaxation": answer(
             "winkler.problems.poroelastic.held:PoroelasticRelaxation",
+            question="How does the force fall when a gel or cartilage is held at a depth and loses its liquid?",
+            page="experiments/master-curves.md#a-liquid-that-leaves",
+            en="articular cartilage liquid squeezed out loses its liquid tissue drains force drops after pressing hydrogel cartilage biphasic drainage pore pressure consolidation permeability swelling gel poroelasticity tissue water flows out sponge wet gel biphasic theory mow fluid pressurisation gel drainage time contact lens",
+            de="knorpel unter dauerlast poroelastisch hydrogel knorpel porendruck konsolidierung durchlässigkeit gel wasser schwamm",
+            fr="perd son liquide quand on appuie poroélastique hydrogel cartilage consolidation perméabilité drainage pression interstitielle éponge",
             headline=("relaxation_time", "first_force", "last_force"),
             profile={"kind": "paraboloid", "curvature_radius": "1 mm"},
             shear="5 kPa",
@@ -76,6 +81,11 @@ POROELASTIC = Chapter(
         ),
         "held_contacts": answer(
             "winkler.fitting.holds.held_contacts:HeldContacts",
+            question="Does a gel relax because its liquid flows or because its network does?",
+            page="experiments/master-curves.md#a-liquid-that-leaves",
+            en="is it poroelastic or viscoelastic two contact sizes ramp hold gel several radii separate relaxation diffusion diffusivity of a gel",
+            de="poroelastisch oder viskoelastisch zwei kontaktgrössen haltezeit gel diffusion",
+            fr="poroélastique ou viscoélastique deux rayons maintien gel diffusion",
             verdict="verdict",
             headline=("exponent", "shear", "poisson", "diffusivity"),
             holds=[SHALLOW, DEEP],
