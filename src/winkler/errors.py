@@ -31,12 +31,15 @@ __all__ = [
     "OutsideValidity",
     "WinklerError",
     "mistake_in",
+    "mistyped",
     "nearest",
     "suggest",
 ]
 
 LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
+MISTYPED = 0.8
+"""Least similarity, by difflib, of a misspelt word to the known one."""
 ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
 """In the ``repr`` of an object that has none of its own."""
 
@@ -141,6 +144,19 @@ def nearest(word: str, known: Iterable[str]) -> str:
         return close[0]
     parts = [name for name in names if word in name.split("_") or name in word.split("_")]
     return parts[0] if len(parts) == 1 else ""
+
+
+def mistyped(word: str, known: Iterable[str]) -> list[str]:
+    """Return those of the known words of which `word` is a misspelling: few letters differ, or two changed places.
+
+    Examples
+    --------
+    >>> mistyped("indentaton", ["indentation", "impact"]), mistyped("fti", ["fit"]), mistyped("gear", ["wear"])
+    (['indentation'], ['fit'], [])
+    """
+    names = list(known)
+    swapped = [name for name in names if sorted(name) == sorted(word)]
+    return swapped or difflib.get_close_matches(word, names, cutoff=MISTYPED)
 
 
 def suggest(word: str, known: Iterable[str]) -> str:

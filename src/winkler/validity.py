@@ -26,6 +26,7 @@ __all__ = [
     "standing_of",
     "topic_of",
     "worst",
+    "worst_note",
     "worst_of_each",
 ]
 
@@ -107,7 +108,10 @@ IN_WORDS = {
 
 
 def in_words(notes: Iterable[Note]) -> str:
-    """Return what a user may do with a result of these notes, with its error where every worst note knows one.
+    """Return what a user may do with a result of these notes, with its error where one is known.
+
+    Of an estimate, some of whose notes know no error, it is the least that it is off; nothing is "good to about" a
+    number that only some of its notes know.
 
     Examples
     --------
@@ -118,10 +122,18 @@ def in_words(notes: Iterable[Note]) -> str:
     standing = worst(told)
     errors = [note.error for note in told if note.standing is standing]
     known = [error for error in errors if error is not None]
-    if standing not in (Standing.ASYMPTOTIC, Standing.APPROXIMATE) or not known or len(known) < len(errors):
+    is_whole = len(known) == len(errors)
+    if not known or standing not in (Standing.ASYMPTOTIC, Standing.APPROXIMATE):
         return IN_WORDS[standing]
     percent = f"{float(f'{100.0 * max(known):.1g}'):g} %"
-    return f"good to about {percent}" if standing is Standing.ASYMPTOTIC else f"an estimate: ± {percent}"
+    if standing is Standing.APPROXIMATE:
+        return f"an estimate: ± {percent}" if is_whole else f"an estimate: ± {percent} or more"
+    return f"good to about {percent}" if is_whole else IN_WORDS[standing]
+
+
+def worst_note(notes: Iterable[Note]) -> Note | None:
+    """Return the note that decides: of the worst standing that with the greatest error, or the first; None of none."""
+    return max(notes, key=_badness, default=None)
 
 
 def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
@@ -135,6 +147,7 @@ def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
 
 
 def _badness(note: Note) -> tuple[int, float]:
+    """Return what sorts notes from the best to the worst; of one standing by what they know of the error."""
     return list(Standing).index(note.standing), note.error or 0.0
 
 

@@ -42,6 +42,35 @@ def test_another_question_for_the_same_bodies(fresh):
     page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
 
 
+def test_numbers_of_an_example_are_marked_until_they_are_typed_and_a_link_keeps_the_marks(fresh):
+    app_page = fresh()
+    page, strength = app_page.page, "problem.bed.medium.first.strength"
+
+    def is_marked(shown, path):
+        return shown.locator(f'.entry.assumed:has(input[data-path="{path}"])').count() == 1
+
+    assert is_marked(page, FORCE)
+    assert "Not yours, but an example's" in page.locator(".head p.assumed").inner_text()
+    app_page.type(FORCE, "40 N")
+    page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
+    page.locator(f'.entry:not(.assumed):has(input[data-path="{FORCE}"])').wait_for()
+    app_page.choose("problem", "yield_onset")
+    page.locator(".head p.assumed", has_text="strength 700 MPa").wait_for(timeout=30_000)
+    app_page.settled()
+    assert is_marked(page, strength)
+    page.wait_for_function("sessionStorage.getItem('winkler.study').includes(location.hash.slice(7))")
+    other = fresh()
+    other.page.goto("about:blank")
+    other.page.goto(page.url)
+    other.page.locator(".head p.assumed", has_text="strength 700 MPa").wait_for(timeout=30_000)
+    assert is_marked(other.page, strength)
+    other.type(strength, "900 MPa")
+    other.page.locator(f'.entry:not(.assumed):has(input[data-path="{strength}"])').wait_for()
+    other.settled()
+    assert "strength" not in other.page.locator(".head p.assumed").inner_text()
+    app_page.shot("assumed")
+
+
 def test_the_worst_doubt_says_what_to_do(fresh):
     app_page = fresh()
     head = app_page.page.locator(".head")

@@ -58,7 +58,7 @@ def test_rubbers_by_their_shore_hardness():
     """ASTM D2240's chart has 80 of scale A beside 29 or 30 of scale D; natural rubber of 50 has about 2.2 MPa."""
     soft, hard = wk.material("Shore A 80"), wk.material("rubber shore d 30")
     assert soft.number("young") == pytest.approx(hard.number("young"), rel=1e-12)
-    assert hard.figures[0].spread is None
+    assert hard.figures[0].spread[0] == hard.number("young")
     (young, poisson) = wk.material("Shore A50").figures
     assert young.spread[0] == pytest.approx(2.2e6, rel=0.2)
     assert young.spread[1] == pytest.approx(young.number) == pytest.approx(10.0**0.5347 * 1e6)
@@ -66,6 +66,15 @@ def test_rubbers_by_their_shore_hardness():
     assert wk.NamedElastic("Shore A 60").young == wk.material("Shore A 60").number("young")
     moduli = [wk.material(f"Shore A {hardness}").number("young") for hardness in range(20, 81)]
     assert all(one < other for one, other in zip(moduli, moduli[1:], strict=False))
+
+
+@pytest.mark.parametrize("hardness", [30.0, 50.0, 85.0])
+def test_the_other_end_of_scale_d_is_what_its_cone_and_spring_would_measure(hardness):
+    """ASTM D2240: a cone of 30 degrees goes 2.5 mm deep at 0, and its spring bears 44.45 N at 100."""
+    young = wk.material(f"Shore D {hardness}").figures[0].spread[1]
+    bed = wk.Foundation(wk.Cone(math.radians(15.0)), wk.HalfSpace(wk.Elastic(young, 0.5)))
+    pressed = wk.Indentation(bed, wk.Depth(2.5e-3 * (1.0 - hardness / 100.0))).solve()
+    assert pressed.force == pytest.approx(44.45 * hardness / 100.0, rel=1e-9)
 
 
 @pytest.mark.parametrize("name", ["Shore A 19", "Shore A 81", "Shore D 29.9", "shore d 90"])
@@ -85,6 +94,9 @@ def test_a_word_lists_its_materials(capsys):
     assert main(["show", "steel"]) == 0
     shown = capsys.readouterr().out
     assert all(name in shown for name in materials_called("steel"))
+    for word, name in (("Stahl", "tool steel"), ("acier", "tool steel"), ("Messing", "brass"), ("glass", "soda-lime")):
+        assert main(["show", word]) == 0
+        assert name in capsys.readouterr().out
     assert main(["show", "Shore", "A", "70"]) == 0
     assert "Gent" in capsys.readouterr().out
     assert main(["show", "Shore", "A", "95"]) == 2
@@ -162,6 +174,23 @@ def test_other_names_and_capitals():
     assert wk.material("Fused Quartz") == wk.material("fused silica")
     assert wk.material("AL").name == "aluminium"
     assert wk.material(" 100CR6 ").name == "bearing steel"
+
+
+def test_a_word_of_several_names_is_none_of_them():
+    with pytest.raises(
+        wk.InvalidInput, match=r"'glass' may be fused silica, borosilicate glass or soda-lime glass; write"
+    ):
+        wk.material("glass")
+    with pytest.raises(wk.InvalidInput, match=r"'soda' is not in the table .did you mean 'soda-lime glass'"):
+        wk.material("soda")
+
+
+def test_hardened_bearing_steel_conducts_less_than_half_of_what_annealed_steel_does():
+    """Measured at 21 W/(m K) by Reddyhoff, Schmidt and Spikes; tables state the 46 W/(m K) of annealed steel."""
+    steel = wk.material("100Cr6")
+    (conductivity,) = [figure for figure in steel.figures if figure.quantity == "conductivity"]
+    assert conductivity.number < 0.5 * conductivity.spread[1]
+    assert steel.thermal_conductor.conductivity == conductivity.number
 
 
 @pytest.mark.parametrize("given", ["stel", "", "unobtainium", 3.0, None, b"steel"])

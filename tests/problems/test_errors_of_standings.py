@@ -41,7 +41,7 @@ def test_the_error_of_a_body_bounds_what_the_opposite_force_does(poisson):
     assert np.all(share >= 0.7 * found)
 
 
-def test_words_name_an_error_where_every_worst_note_knows_one():
+def test_words_name_an_error_where_a_worst_note_knows_one():
     def note(standing, error=None):
         return Note(wk.Assumption.SHAPE, standing, "It is so.", "a check", error)
 
@@ -51,7 +51,8 @@ def test_words_name_an_error_where_every_worst_note_knows_one():
     assert in_words([note(good, 0.006), note(good, 0.021)]) == "good to about 2 %"
     assert in_words([note(good, 0.006), note(good)]) == "good here"
     assert in_words([note(good), note(estimate, 0.22)]) == "an estimate: ± 20 %"
-    assert in_words([note(estimate), note(estimate, 0.22)]) == "an estimate"
+    assert in_words([note(estimate), note(estimate, 0.22)]) == "an estimate: ± 20 % or more"
+    assert in_words([note(estimate), note(good, 0.22)]) == "an estimate"
     assert in_words([note(estimate, 0.22), note(outside, 3.0)]) == "do not use"
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated
@@ -13,9 +12,6 @@ from winkler.cli.options import Overwrite, completion, refuse_existing
 from winkler.cli.streams import write_line
 
 __all__ = ["new", "schema"]
-
-MISTYPED = 0.8
-"""Least similarity of a word to a kind of which it is a mistyped name, rather than a word of its own."""
 
 ALSO = {"profile": ("section",), "bed": ("line_bed",), "load": ("line_load",)}
 """Further groups whose kinds an option takes."""
@@ -34,13 +30,13 @@ def _kinds(slot: str) -> Callable[[str], list[str]]:
 
 def _meant(text: str, names: list[str]) -> str:
     """Return which of the names a word may mean, as the end of a clause, or an empty string."""
-    from winkler.errors import suggest
+    from winkler.errors import mistyped, suggest
     from winkler.study.finding.finding import find
 
     found = find(text)
     near = [hit.name for hit in found.hits if hit.name in names][:3]
-    if not near or difflib.get_close_matches(text, names, cutoff=MISTYPED):
-        return suggest(text, names)
+    if (meant := mistyped(text, names)) or not near:
+        return suggest(text, meant)
     if found.beyond:
         return f" (winkler does not cover {found.beyond.what}; nearest come {', '.join(near)})"
     return f" (did you mean {' or '.join(repr(name) for name in near)}?)"

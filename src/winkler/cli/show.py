@@ -152,21 +152,22 @@ def show(
 def _search(text: str, *, as_json: bool) -> None:
     """Show a material, those that share a name, or what comes nearest to words of the user's own."""
     from winkler.cli import materials
-    from winkler.errors import InvalidInput, suggest
+    from winkler.errors import InvalidInput, mistyped, suggest
     from winkler.materials.named import SHORE, material, material_names, materials_called
-    from winkler.study.finding.finding import find
+    from winkler.study.finding.finding import find, materials_meant
 
+    called = materials_called(text) or materials_meant(text)
     try:
         entry = material(text)
     except InvalidInput:
         if SHORE.fullmatch(" ".join(text.lower().split())):
             raise
-        if (called := materials_called(text)) and not as_json:
+        if called and not as_json:
             materials.several(called)
             return
         found = find(text)
         if not found.hits:
-            near = suggest(text, list(_names())) or suggest(text, material_names())
+            near = suggest(text, mistyped(text, [*_names(), *material_names()]))
             raise InvalidInput(f"'{text}' is not known{near}; `winkler show` lists every kind.") from None
         if as_json:
             write_json(found.table())

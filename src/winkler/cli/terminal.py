@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 from winkler.cli.messages import heard, one_line
 from winkler.cli.streams import safe
 from winkler.readable import scale_of, with_readable_numbers
-from winkler.validity import in_words
+from winkler.validity import Standing, in_words
 
 __all__ = ["add_rows", "answers", "console", "failures", "indices", "marching", "notes", "table", "tracked"]
 
@@ -178,12 +178,13 @@ def indices(outcome: Outcome, out: Console) -> None:
 
 
 def notes(outcome: Outcome | FitOutcome, out: Console, questions: tuple[str, ...] = ()) -> None:
-    """Show questions about unlikely numbers, and the validity notes, each statement once."""
+    """Show questions about unlikely numbers, what may be done with the answer, and the notes, the worst first."""
     for question in questions:
         out.print(question, soft_wrap=True)
     if outcome.validity:
-        out.print("How far this can be trusted:")
-    for note in outcome.validity:
+        out.print(f"How far this can be trusted: {in_words(outcome.validity)}.")
+    order = list(Standing)
+    for note in sorted(outcome.validity, key=lambda one: -order.index(one.standing)):
         out.print(f"  {in_words((note,))}: {with_readable_numbers(note.statement)}", soft_wrap=True)
 
 

@@ -37,7 +37,16 @@ QI = (
     "log10 of E in MPa = 0.0235 S - 0.6403, S of scale A or 50 more than that of scale D: H. J. Qi, K. Joyce, "
     "M. C. Boyce, Rubber Chem. Technol. 76 (2003) 419, doi:10.5254/1.3547752"
 )
-GENT = "; the other end of the range: A. N. Gent, Rubber Chem. Technol. 31 (1958) 896, doi:10.5254/1.3542351"
+OTHER_ENDS = {
+    "a": "; the other end of the range: A. N. Gent, Rubber Chem. Technol. 31 (1958) 896, doi:10.5254/1.3542351",
+    "d": (
+        "; the other end of the range: the cone of 30 degrees and the spring of 0.4445 N a point over 2.5 mm of "
+        "ASTM D2240, by I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47, doi:10.1016/0020-7225(65)90019-4"
+    ),
+}
+"""Scale -> source of the second relation between hardness and modulus."""
+CONE_ANGLE, CONE_SPRING, CONE_STROKE = math.radians(15.0), 0.4445, 2.5e-3
+"""Of the durometer of scale D: half the angle at the tip, force of one point [N], travel from 0 to 100 [m]."""
 
 
 @value
@@ -187,7 +196,7 @@ def material(name: str) -> NamedMaterial:
     ------
     InvalidInput
         If the table does not contain it, and the message names those that it contains; if the name means two
-        materials; or if a hardness is out of range.
+        materials or is a word of several names, such as ``steel``; or if a hardness is out of range.
 
     Examples
     --------
@@ -201,11 +210,12 @@ def material(name: str) -> NamedMaterial:
     known = [(word, one) for one, row in _table()["materials"].items() for word in (one, *row["also"])]
     called = {one for word, one in known if word in (told, told[:1].lower() + told[1:])}
     called = called or {one for word, one in known if word.lower() == told.lower()}
+    meant = sorted(called) or list(materials_called(told))
+    if len(meant) > 1:
+        raise InvalidInput(f"the material {name!r} may be {', '.join(meant[:-1])} or {meant[-1]}; write one of these.")
     if not called:
-        near = suggest(told.lower(), [word.lower() for word, _ in known])
+        near = f" (did you mean '{meant[0]}'?)" if meant else suggest(told.lower(), [word.lower() for word, _ in known])
         raise InvalidInput(f"the material {name!r} is not in the table{near}; it has {', '.join(material_names())}.")
-    if len(called) > 1:
-        raise InvalidInput(f"the material {name!r} may be {' or '.join(sorted(called))}; write one of these.")
     return _made(called.pop())
 
 
@@ -217,12 +227,14 @@ def _rubber(scale: str, hardness: float) -> NamedMaterial:
             f"the hardness {hardness:g} of scale {scale.upper()} is out of the range of {least:g} to {greatest:g} in "
             "which a modulus is known; give a Young's modulus."
         )
-    young, spread = 1e6 * 10.0 ** (0.0235 * (hardness + added) - 0.6403), None
+    young = 1e6 * 10.0 ** (0.0235 * (hardness + added) - 0.6403)
     if scale == "a":
-        gent = 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness))
-        spread = (min(young, gent), max(young, gent))
+        other = 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness))
+    else:
+        depth = CONE_STROKE * (1.0 - hardness / 100.0)
+        other = 0.75 * CONE_SPRING * hardness * math.pi / (2.0 * math.tan(CONE_ANGLE) * depth**2)
     figures = (
-        TabulatedProperty("young", young, QI + GENT * (scale == "a"), spread),
+        TabulatedProperty("young", young, QI + OTHER_ENDS[scale], (min(young, other), max(young, other))),
         TabulatedProperty("poisson", 0.5, _table()["sources"]["incompressible"]),
     )
     return NamedMaterial(f"Shore {scale.upper()} {hardness:g}", "rubber, by its hardness", figures)

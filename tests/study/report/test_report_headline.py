@@ -16,8 +16,8 @@ from winkler.study.language.reading import parse_study
 from winkler.study.report.figures import shown_point
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
-from winkler.study.report.headline.section import doubt_of, headline_section
-from winkler.validity import Assumption, Standing
+from winkler.study.report.headline.section import doubt_line, doubt_of, headline_section
+from winkler.validity import Assumption, Note, Standing, in_words
 
 MODULUS = 210e9 / (1.0 - 0.3**2)
 """Effective modulus of steel against a rigid body [Pa]."""
@@ -100,8 +100,8 @@ def test_each_assumption_has_an_advice():
 def test_an_error_that_is_stated_asks_for_something_else_than_a_limit_that_is_passed():
     """A pyramid, replaced by its cone, was measured as far as it was pressed."""
     profile = {"kind": "vickers"}
-    doubt = doubt_of(ball(problem__bed__profile=profile, problem__load={"kind": "depth", "depth": "10 nm"}))
-    assert "pyramid" in doubt.statement
+    outcome = ball(problem__bed__profile=profile, problem__load={"kind": "depth", "depth": "10 nm"})
+    doubt = worst_doubt(tuple(note for note in outcome.validity if "pyramid" in note.statement))
     assert doubt.advice == "What to do: compare with another description of the shape, or allow for this error."
 
 
@@ -126,6 +126,26 @@ def test_the_advice_names_the_load_that_the_size_allows():
     assert load == pytest.approx(limit, rel=0.01)
     assert load <= limit
     assert doubt_of(ball()).statement == ""
+
+
+def test_what_is_good_to_a_per_cent_or_more_says_why():
+    """A slope of 0.09 is small; the deviation that it makes stands in the head, without an advice."""
+    outcome = ball(problem__load={"kind": "depth", "depth": f"{0.0081 * RADIUS} m"})
+    doubt = doubt_of(outcome)
+    assert in_words(outcome.validity) in ("good to about 4 %", "good to about 3 %")
+    assert doubt.advice == ""
+    assert "0.09" in doubt.statement
+    assert doubt_line(doubt).startswith('<p class="since">The ')
+    assert doubt_line(doubt_of(ball())) == ""
+
+
+def test_of_two_notes_of_one_standing_that_with_the_greater_error_decides():
+    notes = [
+        Note(Assumption.SMALL_SLOPES, Standing.APPROXIMATE, f"It is off by {error}.", "a check", error)
+        for error in (None, 0.06, 0.07)
+    ]
+    assert worst_doubt(tuple(notes)).statement == "It is off by 0.07."
+    assert in_words(notes) == "an estimate: ± 7 % or more"
 
 
 def test_a_sweep_is_headed_by_a_range():

@@ -279,7 +279,7 @@ BODIES: Kinds = {
             key="coating layer",
             en="tin layer crn layer plating thickness hard layer on shaft coating thin film layer dlc tin hard coating paint varnish lacquer multilayer plated substrate effect gel on glass film changes stiffness influence of the film sample thickness finite thickness bottom effect thin sample layered solids layer on a base oxide layer hard chrome plating nickel plate eggshell effect paint layer thin layer rubber bonded to steel sample on glass skin polymer film on silicon bonded layer soft layer on rigid base glass below thin sample",
             de="beschichtung schicht dünnfilm hartstoffschicht lack dünne probe substrateinfluss schichtdicke dünnschicht hartchrom vernickelt lackschicht",
-            fr="revêtement couche mince film dépôt vernis effet de substrat épaisseur échantillon mince couche dure sur acier chrome dur couche d'oxyde solide stratifié",
+            fr="revêtement couche mince film dépôt vernis effet de substrat épaisseur échantillon mince couche dure sur un métal chrome dur couche d'oxyde solide stratifié",
         ),
         "sliding_film": kind(
             "winkler.media.layered.coated:SlidingFilm",
@@ -344,7 +344,13 @@ BODIES: Kinds = {
         ),
     },
     "bed": {
-        "foundation": kind("winkler.foundation.foundation:Foundation", "popov_hess_2015"),
+        "foundation": kind(
+            "winkler.foundation.foundation:Foundation",
+            "popov_hess_2015",
+            en="winkler foundation elastic foundation bed of independent springs",
+            de="winklerbettung federbettung bettungszahl",
+            fr="fondation de winkler lit de ressorts",
+        ),
         "plane_foundation": kind("winkler.foundation.plane:PlaneFoundation", "popov_hess_2015"),
         "elliptic_foundation": kind("winkler.foundation.elliptic:EllipticFoundation", "johnson_1985"),
         "measured_bed": kind(

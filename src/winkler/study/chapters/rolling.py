@@ -169,7 +169,7 @@ ROLLING = Chapter(
             "winkler.problems.rolling.oscillating:OscillatingRolling",
             question="Does a contact hold under a shear force while it is rocked?",
             page="chapters/rolling.md",
-            en="rocking shakedown false brinelling walking ball moves a little to and fro oscillating bearing rocking ball rattling ratchet by vibration rigid shift standstill marks during transport ship vibration dithering small oscillation of bearing ratchet",
+            en="rocking shakedown false brinelling walking ball moves a little to and fro oscillating bearing rocking ball rattling ratchet by vibration rigid shift standstill marks during transport ship vibration dithering small oscillation of bearing ratchet roll back and forth",
             de="hin und her rollen schaukeln stillstandsmarkierung riffelbildung oszillierendes lager pendeln falsche brinellierung riffelmarken transport stillstand",
             fr="roulement oscillant balancement faux effet brinell va-et-vient marques à l'arrêt transport vibrations",
             headline=("shakedown_force", "shift_per_cycle", "shift"),

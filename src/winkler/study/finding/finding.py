@@ -22,7 +22,7 @@ from winkler.study.chapters.kind import Words
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
-__all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "neighbours", "words"]
+__all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "materials_meant", "neighbours", "words"]
 
 LANGUAGES = ("en", "de", "fr")
 SATURATION, LENGTH = 1.2, 0.1
@@ -38,7 +38,7 @@ SHARE = 0.6
 """Least share of a word that its beginning has, if it is to stand for it."""
 
 SAME = 0.8
-"""Least similarity, by difflib, of a mistyped word to the known one."""
+"""Least similarity, by difflib, of a mistyped word to the known one, which begins with the same letter."""
 
 SHORTEST, SHORTEST_PART, LONGEST = 5, 3, 40
 """Letters of the shortest word that may begin another, be a part of it, or be mistyped; of the shortest and of the
@@ -165,13 +165,16 @@ def _table() -> Any:
 
 
 def _folded(text: str) -> str:
-    """Return small letters without accents; an umlaut is as good as two letters."""
+    """Return small letters without accents; an umlaut is as good as two letters, S-N as SN."""
     plain = unicodedata.normalize("NFKD", text.lower().replace("ß", "ss").replace("œ", "oe").replace("’", "'"))
     plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
+    plain = re.sub(r"\b([a-z])-(?=[a-z]\b)", r"\1", plain)
     return re.sub(r"([aou])e(?=[a-z])", r"\1", plain)
 
 
 def _stem(word: str) -> str:
+    if word in _table()["whole"].split():
+        return word
     for ending in ENDINGS:
         if word.endswith(ending) and len(word) - len(ending) >= (5 if ending == "er" else 4):
             return word.removesuffix(ending)
@@ -275,7 +278,8 @@ class _Index:
             return found
         if len(token) < SHORTEST:
             return {}
-        found = dict.fromkeys(difflib.get_close_matches(token, self.scores, n=3, cutoff=SAME), TYPO)
+        begun = [known for known in self.scores if known[0] == token[0]]
+        found = dict.fromkeys(difflib.get_close_matches(token, begun, n=3, cutoff=SAME), TYPO)
         for known in self.scores:
             short, long = sorted((token, known), key=len)
             if len(short) >= SHORTEST and len(short) >= SHARE * len(long) and long.startswith(short):
@@ -376,3 +380,18 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
     found = dict.fromkeys([*public, *(index.hits[name] for name in names)])
     return SearchResult(tuple(found)[:most], None)
+
+
+def materials_meant(word: str) -> tuple[str, ...]:
+    """Return the materials that one word of English, German or French means above all, such as ``Stahl``.
+
+    Examples
+    --------
+    >>> materials_meant("Messing"), materials_meant("leak")
+    (('brass',), ())
+    """
+    told, hits = _tokens(word), find(word, most=1).hits
+    if len(told) != 1 or not hits or "material" not in (hits[0].group, hits[0].name.rstrip("s")):
+        return ()
+    meant = {*told, *_alike().get(told[0], ())}
+    return tuple(name for name in material_names() if meant & set(_tokens(" ".join((name, *other_names(name)[:-1])))))

@@ -35,3 +35,7 @@ class FieldActions(RangeActions, Protocol):
     def content(self, path: str) -> Any:
         """Return the content of a key."""
         ...
+
+    def is_assumed(self, path: str) -> bool:
+        """Return whether a key holds what an example says, and nobody has given."""
+        ...

@@ -36,6 +36,7 @@ PLAIN = {
 }
 """End of a path -> plain words beside the name of the place."""
 NUMBERS = "numbers below"
+ASSUMED = "Of an example: nobody has given this number."
 
 
 class FormFields:
@@ -60,6 +61,7 @@ class FormFields:
         self.sample: Any = None
         self.drop_curves: Any = None
         self.messages: dict[str, ui.label] = {}
+        self.frames: dict[str, ui.element] = {}
 
     def draw(self, part: FormPart) -> None:
         """Draw a part, and those inside it."""
@@ -151,7 +153,7 @@ class FormFields:
         if is_range(typed(entry.text, entry.takes)):
             self._range(entry)
             return
-        with ui.element("div").classes("entry"):
+        with ui.element("div").classes("entry") as self.frames[entry.path]:
             field = LiveInput(value=entry.text, placeholder="" if entry.required else "left out")
             menu = UnitMenu(entry, field, self.actions)
             unit = "" if menu.button else entry.unit
@@ -166,10 +168,9 @@ class FormFields:
             if not entry.required:
                 field.props("stack-label")
             self.inputs[entry.path] = field
+            self._mark(entry.path)
             if not slides:
-                field.on_value_change(
-                    lambda event: self.actions.change(entry.path, menu.completed(str(event.value or "")), entry.takes)
-                )
+                field.on_value_change(lambda event: self._give(entry, menu.completed(str(event.value or ""))))
                 return
             slider = self._slider(entry, field)
             field.on_value_change(lambda event: self._typed(entry, menu.completed(str(event.value or "")), slider))
@@ -232,7 +233,22 @@ class FormFields:
             slider.classes(**({"remove": "unseen"} if slider.span else {"add": "unseen"}))
             if slider.span:
                 slider.set_value(slider.span[1])
+        self._give(entry, text)
+
+    def _give(self, entry: FormEntry, text: str) -> None:
+        """Set the content of a key, which is the user's from now on."""
         self.actions.change(entry.path, text, entry.takes)
+        self._mark(entry.path)
+
+    def _mark(self, path: str) -> None:
+        """Show around a field whether its number is an example's; the field itself is left alone while one types."""
+        frame, is_assumed = self.frames[path], self.actions.is_assumed(path)
+        if is_assumed != ("title" in frame.props):
+            frame.classes(**{"add" if is_assumed else "remove": "assumed"})
+            if is_assumed:
+                frame.props["title"] = ASSUMED
+            else:
+                del frame.props["title"]
 
     def _slot(self, slot: Slot) -> None:
         names = {kind: _kind_in_words(kind) for kind in slot.allowed}

@@ -21,10 +21,10 @@ from winkler.study.language.explain import keys_of
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 
-__all__ = ["CarriedStudy", "carried", "is_sound", "leaves"]
+__all__ = ["CarriedStudy", "carried", "is_sound", "leaves", "named_numbers"]
 
-MOST_NAMED = 6
-"""Numbers of an example in a sentence."""
+MOST_NAMED, MOST_SHOWN = 6, 12
+"""Numbers of an example in the sentence on a change, and in that on the whole study."""
 LOADS = ("load", "normal")
 """Names of the part that presses."""
 NAMES = {
@@ -65,8 +65,7 @@ class CarriedStudy(NamedTuple):
         kept = f"Kept: {', '.join(self.kept)}." if self.kept else "Nothing of the former study fits here."
         kind = str(self.table["problem"]["kind"]).replace("_", " ")
         dropped = f" Dropped, as {kind} has no place for it: {', '.join(self.dropped)}." if self.dropped else ""
-        more = f" and {len(self.new) - MOST_NAMED} more" if len(self.new) > MOST_NAMED else ""
-        named = f" Of the example: {', '.join(self.new[:MOST_NAMED])}{more}." if self.new else ""
+        named = f" Of the example: {_listed(self.new, MOST_NAMED)}." if self.new else ""
         return kept + dropped + named
 
 
@@ -79,6 +78,31 @@ def leaves(content: Any, path: str = "problem") -> dict[str, Any]:
     else:
         return {path: content}
     return {key: item for part in inside for key, item in part.items()}
+
+
+def named_numbers(assumed: Mapping[str, Any]) -> str:
+    """Return the numbers and words among what nobody has given, for a sentence; empty if there are none.
+
+    Examples
+    --------
+    >>> named_numbers({"problem.load.kind": "force", "problem.load.force": "2 N"})
+    'force 2 N'
+    """
+    numbers = dict.fromkeys(one for path, content in assumed.items() if (one := _number(path, content)))
+    return _listed(tuple(numbers), MOST_SHOWN)
+
+
+def _listed(numbers: tuple[str, ...], most: int) -> str:
+    more = f" and {len(numbers) - most} more" if len(numbers) > most else ""
+    return ", ".join(numbers[:most]) + more
+
+
+def _number(path: str, content: Any) -> str:
+    """Return the name of a key and what it holds; nothing of a kind or of a switch."""
+    key = path.rpartition(".")[2]
+    if key == "kind" or isinstance(content, bool):
+        return ""
+    return f"{name_in_words(key)} {content}" if isinstance(content, str | float | int) else key
 
 
 def carried(
@@ -261,9 +285,7 @@ class _Transfer:
             source = self.sources.get(place)
             if source is None:
                 found[path] = content
-                key = path.rpartition(".")[2]
-                if key != "kind" and not isinstance(content, bool):
-                    fresh.append(f"{name_in_words(key)} {content}" if isinstance(content, str | float | int) else key)
+                fresh += [one] if (one := _number(path, content)) else []
             elif source and self.is_assumed(source + path[len(place) :], content):
                 found[path] = content
         return found, tuple(dict.fromkeys(fresh))

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
-from winkler.web.form.carry import carried, is_sound, leaves
+from winkler.web.form.carry import carried, is_sound, leaves, named_numbers
 from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
 from winkler.web.form.ranges import range_content
@@ -62,17 +62,42 @@ class StudyForm:
             self.table, self.other_table, self.carried_remark = self.other_table, self.table, ""
             self.changed()
 
-    def load(self, table: dict[str, Any]) -> None:
-        """Replace the whole study."""
+    def load(self, table: dict[str, Any], assumed: Collection[str] = ()) -> None:
+        """Replace the whole study; `assumed` are the paths of what nobody has given."""
         if ("fit" in table) != ("fit" in self.table):
             self.other_table = self.table
-        self.table, self.carried_remark, self.assumed = table, "", {}
+        self.table, self.carried_remark = table, ""
+        self.assumed = {path: content for path, content in leaves(table["problem"]).items() if path in assumed}
         self.changed()
 
     def take_example(self) -> None:
         """Replace the study by the example of its problem."""
-        self.load(example := self._example(str(self.table["problem"]["kind"])))
-        self.assumed = leaves(example["problem"])
+        self.begin_with(self._example(str(self.table["problem"]["kind"])))
+
+    def begin_with(self, example: dict[str, Any]) -> None:
+        """Replace the study by an example, of which nobody has given a number."""
+        self.load(example, leaves(example["problem"]))
+
+    def is_assumed(self, path: str) -> bool:
+        """Return whether a key holds what an example says, and nobody has given."""
+        return path in self.assumed and self.assumed[path] == form.at(self.table, path)
+
+    @property
+    def still_assumed(self) -> dict[str, Any]:
+        """Path -> content of what nobody has given until now."""
+        return {path: content for path, content in self.assumed.items() if self.is_assumed(path)}
+
+    @property
+    def assumed_sentence(self) -> str:
+        """Which numbers are an example's, in a sentence; empty if none is."""
+        named = named_numbers(self.still_assumed)
+        return f"Not yours, but an example's: {named}." if named else ""
+
+    def _of_an_example(self, path: str, before: dict[str, Any]) -> None:
+        """Remember what came with a kind that was chosen: its numbers, not itself."""
+        came = leaves(form.at(self.table, path), path)
+        self.assumed |= {one: content for one, content in came.items() if before.get(one) != content}
+        self.assumed.pop(f"{path}.kind", None)
 
     def _example(self, kind: str) -> dict[str, Any]:
         if self.task == "solve":
@@ -117,7 +142,9 @@ class StudyForm:
         if path == "problem":
             self._ask(kind)
         elif kind:
+            before = leaves(self.table["problem"])
             form.choose_kind(self.table, path, kind)
+            self._of_an_example(path, before)
         else:
             form.drop(self.table, path)
         self._drop_missing_keys()
@@ -174,7 +201,10 @@ class StudyForm:
 
     def add(self, path: str, kind: str) -> None:
         """Add a kind to a list."""
-        form.put(self.table, path, [*(form.at(self.table, path) or []), completed({"kind": kind})])
+        before = leaves(self.table["problem"])
+        parts = [*(form.at(self.table, path) or []), completed({"kind": kind})]
+        form.put(self.table, path, parts)
+        self._of_an_example(f"{path}.{len(parts) - 1}", before)
         self.changed()
 
     def pick(self, path: str) -> None:
@@ -183,8 +213,10 @@ class StudyForm:
 
     def read(self, path: str, name: str) -> None:
         """Replace numbers by a file; an empty name restores numbers."""
-        kind = str(form.at(self.table, path)["kind"])
+        kind, before = str(form.at(self.table, path)["kind"]), leaves(self.table["problem"])
         form.put(self.table, path, {"kind": kind, "file": name} if name else completed({"kind": kind}))
+        if not name:
+            self._of_an_example(path, before)
         self.changed()
 
     def read_curve(self, name: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,28 @@ from winkler.study.language.fit_study import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import form
 
-__all__ = ["taken"]
+__all__ = ["assumed_in", "taken", "with_assumed"]
+
+ASSUMED = "# of an example, given by nobody: "
+"""Beginning of the last line of a study that is kept in an address."""
+
+
+def with_assumed(text: str, paths: Iterable[str]) -> str:
+    """Return the text of a study with the paths of what nobody has given, in a comment.
+
+    Examples
+    --------
+    >>> assumed_in(with_assumed("title = 'x'", ["problem.load.force", "problem.law.coefficient"]))
+    ('problem.load.force', 'problem.law.coefficient')
+    """
+    line = " ".join(paths)
+    return f"{text.rstrip()}\n{ASSUMED}{line}\n" if line else text
+
+
+def assumed_in(text: str) -> tuple[str, ...]:
+    """Return the paths that `with_assumed` has written into a text."""
+    last = text.rstrip().rpartition("\n")[2]
+    return tuple(last.removeprefix(ASSUMED).split()) if last.startswith(ASSUMED) else ()
 
 
 def taken(text: str, folder: Path) -> dict[str, Any]:

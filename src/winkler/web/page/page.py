@@ -16,7 +16,7 @@ from winkler.web.fields.sweep_fields import draw_sweep
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE
 from winkler.web.form.study_form import StudyForm
-from winkler.web.form.taken import taken
+from winkler.web.form.taken import assumed_in, taken, with_assumed
 from winkler.web.page.astext import AsText
 from winkler.web.page.front import Front
 from winkler.web.page.kept_studies import KeptStudies
@@ -111,7 +111,7 @@ class Page:
                 self.parts = ui.element("div").classes("form")
                 self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
-                self.front: Front = Front(self.entered.load)
+                self.front: Front = Front(self.entered.begin_with)
                 self.result = self.stopping.result = Result(self.show_moment, self.stopping.by_hand, right)
         self.files.take_drops(desk)
         self.rebuild()
@@ -164,7 +164,7 @@ class Page:
     def restore(self, text: str) -> str:
         """Take up an earlier study; what is missing of it is reported beside its fields."""
         try:
-            self.entered.load(taken(text, self.uploads.folder))
+            self.entered.load(taken(text, self.uploads.folder), assumed_in(text))
         except WinklerError as error:
             return str(error)
         return ""
@@ -228,7 +228,7 @@ class Page:
         text, only_value = tomli_w.dumps(table), not self.anew
         self._request(table, text)  # first, so that it is solved while the rest is kept and shown
         self.text.show()
-        self.kept.keep(table, text, value=only_value)
+        self.kept.keep(table, with_assumed(text, self.entered.still_assumed), value=only_value)
 
     def _request(self, table: dict[str, Any], text: str) -> None:
         """Send a study to the worker, or show which of its files are missing."""
@@ -283,7 +283,7 @@ class Page:
                     self.wrong(list(reply.sentences))
                 case AnswerText():
                     self.fields.clear()
-                    self.result.show_answer(reply)
+                    self.result.show_answer(reply, self.entered.assumed_sentence)
                 case DrawnSheet():
                     self.result.sheet(reply)
                 case InspectedFile():

@@ -7,7 +7,7 @@ from typing import Any
 
 from nicegui import ui
 
-from winkler.study.report.markup import safe
+from winkler.study.report.markup import safe, with_fixed_units
 from winkler.web.page.live import LiveHtml
 from winkler.web.page.picture import Card, PictureLoader, caption
 from winkler.web.page.pinned import PinnedAnswer
@@ -113,14 +113,15 @@ class Result:
         now = int(self.moment.value)
         self.moment.set_value(0 if now >= last else min(now + step, last))
 
-    def show_answer(self, answer: AnswerText) -> None:
-        """Show the results in numbers; pictures follow."""
+    def show_answer(self, answer: AnswerText, assumed: str = "") -> None:
+        """Show the results in numbers, and which numbers of the study are assumed; pictures follow."""
         self.answer = answer
         self.wrong.set_visibility(False)
         for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
         badge = f'<p class="standing-line">{answer.trust}</p>'
-        self.head.set_content(badge + answer.doubt + answer.answers)
+        given = f'<p class="since assumed">{with_fixed_units(assumed)}</p>' if assumed else ""
+        self.head.set_content(badge + answer.doubt + answer.answers + given)
         self.curves.set_content(answer.curves)
         self._clear_sheets()
         self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})

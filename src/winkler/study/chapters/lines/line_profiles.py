@@ -99,7 +99,7 @@ LINE_PROFILES = Chapter(
             "johnson_1985",
             question="Where does a measured, tilted or many-crested section touch, in how many strips, and how hard?",
             page="chapters/line-strips.md",
-            en="measured section cross-section several strips sealing lip profilometer trace gasket ridge groove seal lip multiple contacts cylinder row pin rows lip seal wiper blade pressure seal edge pressure pin in hole of measured form several contact strips",
+            en="measured section cross-section several strips sealing lip profilometer trace gasket ridge groove seal lip multiple contacts cylinder row pin rows lip seal wiper blade pressure seal edge pressure pin in hole of measured form several contact strips tilted punch",
             de="gemessener schnitt profilschnitt dichtlippe mehrere streifen querschnitt dichtkante rauheitsprofil linie dichtkante kontaktdruck dichtlippe",
             fr="section mesurée lèvre de joint plusieurs bandes profil mesuré coupe profilomètre lèvre pression de contact",
             headline=("peak_pressure", "contact_length", "strip_count", "mean_pressure", "tilt"),

@@ -60,6 +60,7 @@ POROELASTIC = Chapter(
             "winkler.problems.poroelastic.held:PoroelasticRelaxation",
             question="How does the force fall when a gel or cartilage is held at a depth and loses its liquid?",
             page="experiments/master-curves.md#a-liquid-that-leaves",
+            key="cartilage",
             en="articular cartilage liquid squeezed out loses its liquid tissue drains force drops after pressing hydrogel cartilage biphasic drainage pore pressure consolidation permeability swelling gel poroelasticity tissue water flows out sponge wet gel biphasic theory mow fluid pressurisation gel drainage time contact lens",
             de="knorpel unter dauerlast poroelastisch hydrogel knorpel porendruck konsolidierung durchlässigkeit gel wasser schwamm",
             fr="perd son liquide quand on appuie poroélastique hydrogel cartilage consolidation perméabilité drainage pression interstitielle éponge",

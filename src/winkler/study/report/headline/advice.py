@@ -14,7 +14,7 @@ import numpy as np
 from winkler.foundation.bed import PressedSprings
 from winkler.problems.normal.validity import shape_notes
 from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, worst_note
 
 __all__ = ["ADVICE", "Doubt", "load_within", "worst_doubt"]
 
@@ -50,6 +50,8 @@ WITHIN_AN_ERROR = {
     Assumption.SHAPE: "compare with another description of the shape, or allow for this error",
 }
 """The same where it holds within an error that is stated, if that is something else."""
+NOTABLE = 0.01
+"""Least error of a good result that is explained."""
 NEXT_BETTER = {Standing.OUTSIDE: Standing.APPROXIMATE, Standing.APPROXIMATE: Standing.ASYMPTOTIC}
 OF_SIZE = (Assumption.HALF_SPACE, Assumption.SMALL_SLOPES)
 """Assumptions whose check follows from the contact radius alone."""
@@ -64,7 +66,7 @@ class Doubt(NamedTuple):
     standing
         The worst standing.
     statement
-        The statement, a sentence; empty where nothing is doubtful.
+        The statement, a sentence; empty where nothing is doubtful and the error is below one per cent.
     advice
         What to do about it, a sentence; empty where nothing is to be done.
     """
@@ -84,10 +86,11 @@ def worst_doubt(notes: tuple[Note, ...], contact: Any = None) -> Doubt:
     contact
         The round elastic contact of the answer, if there is one: the advice then names the load that its size allows.
     """
-    order = list(Standing)
-    note = max(notes, key=lambda one: order.index(one.standing), default=None)
-    if note is None or note.standing in (Standing.EXACT, Standing.ASYMPTOTIC):
-        return Doubt(Standing.EXACT if note is None else note.standing, "", "")
+    note = worst_note(notes)
+    if note is None or note.standing is Standing.EXACT:
+        return Doubt(Standing.EXACT, "", "")
+    if note.standing is Standing.ASYMPTOTIC:
+        return Doubt(note.standing, note.statement if (note.error or 0.0) >= NOTABLE else "", "")
     is_close = note.standing is Standing.APPROXIMATE
     advice = (is_close and WITHIN_AN_ERROR.get(note.assumption)) or ADVICE[note.assumption]
     load = load_within(contact, NEXT_BETTER[note.standing]) if note.assumption in OF_SIZE else math.nan

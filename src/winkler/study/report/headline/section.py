@@ -108,10 +108,11 @@ def doubt_of(outcome: Outcome) -> Doubt:
 
 
 def doubt_line(doubt: Doubt) -> str:
-    """Return the worst statement and what to do about it as a line of a page; nothing where nothing is doubtful."""
-    if not doubt.statement:
-        return ""
-    return f'<p class="doubt">{with_fixed_units(capital(doubt.statement))} <strong>{safe(doubt.advice)}</strong></p>'
+    """Return the worst statement and what to do about it as a line of a page; nothing where nothing is to be said."""
+    said = with_fixed_units(capital(doubt.statement))
+    if doubt.advice:
+        return f'<p class="doubt">{said} <strong>{safe(doubt.advice)}</strong></p>'
+    return f'<p class="since">{said}</p>' if said else ""
 
 
 def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
