@@ -42,6 +42,12 @@ UNMARKED_UTF16 = re.compile(rb"(?:[\t\n\r -~]\x00){4}|(?:\x00[\t\n\r -~]){4}")
 """Four letters of a text in UTF-16 without these bytes."""
 OTHER_ENDS = re.compile(rb"[\x0b\x0c]")
 """Where a text is cut into lines, and bytes are not."""
+HIGH_RUN = re.compile(rb"[\x80-\xff]++")
+"""Letters beyond ASCII that follow each other."""
+CHINESE_PAIRS = re.compile(rb"(?:[\xb0-\xf7][\xa1-\xfe]|[\xa1-\xa9][\xa1-\xfe])++")
+"""Chinese letters and signs in GB 2312, two bytes each; in other languages such letters stand alone."""
+FEWEST_CHINESE = 4
+"""Bytes of a word by which it is told."""
 NO_TEXT = bytes([*range(9), *range(14, 32), 127])
 """Bytes that no text has."""
 UNREADABLE = "the file cannot be read", "check it"
@@ -130,7 +136,7 @@ def refuse_large(path: Path, most_bytes: int) -> None:
 
 
 def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
-    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, or Latin-1 as older instruments write it.
+    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, GB 2312 or Latin-1 as older programs write it.
 
     Parameters
     ----------
@@ -219,7 +225,7 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
     Parameters
     ----------
     content : bytes
-        In UTF-8, UTF-16 with a byte order mark, or Latin-1.
+        In UTF-8, UTF-16 with a byte order mark, GB 2312, or Latin-1.
     where : str
         Its name, for messages.
     needs : str
@@ -247,10 +253,17 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
         try:
             lines = [line.decode("utf-8") for line in raw]
         except UnicodeDecodeError:
-            lines = [line.decode("latin-1") for line in raw]
+            encoding = "gb18030" if _is_chinese(content) else "latin-1"
+            lines = [line.decode(encoding) for line in raw]
     if not any(line.strip() for line in lines):
         raise InvalidInput(f"{where}: the file is empty; it needs {needs}.")
     return lines
+
+
+def _is_chinese(content: bytes) -> bool:
+    """Return whether all letters beyond ASCII come in pairs of GB 2312, and one word has two of them."""
+    runs = list(map(re.Match.group, HIGH_RUN.finditer(content)))
+    return max(map(len, runs), default=0) >= FEWEST_CHINESE and all(map(CHINESE_PAIRS.fullmatch, runs))
 
 
 def _not_there(path: Path) -> str:

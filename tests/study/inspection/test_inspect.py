@@ -141,3 +141,49 @@ def test_many_files_are_read_by_several_processes(tmp_path):
     found = dict(inspect_files([good] * 120, 600.0))
     assert sorted(found) == list(range(120))
     assert {one.taken_for for one in found.values()} == {"force curve"}
+
+
+@pytest.mark.parametrize(
+    ("header", "doubted"),
+    [
+        ("Frequency (Hz),Storage Modulus (MPa),Loss Modulus (MPa)", True),
+        ("Frequency (Hz),Storage Modulus (MPa),Loss Modulus (MPa),Torque (uN.m)", False),
+        ("Frequency (Hz),G' (MPa),G'' (MPa)", False),
+    ],
+)
+def test_moduli_of_a_dma_are_doubted(header, doubted, tmp_path):
+    """A storage modulus is that of shear by its name alone, and a DMA measures that of tension."""
+    rows = [f"{f:g},{10 + f:g},{1 + f:g}" + ",1" * (header.count(",") - 2) for f in (0.1, 1.0, 10.0, 100.0)]
+    path = tmp_path / "dma.csv"
+    path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
+    found = inspect_file(path)
+    assert found.taken_for == "storage and loss"
+    assert any("name it tensile_storage" in one for one in found.doubts) == doubted
+
+
+def test_an_area_beside_a_curve_is_no_area_function(tmp_path):
+    """Instruments write the area of each point beside depth and load; of a list of results it is doubted."""
+    depth = np.concatenate([np.linspace(1.0, 100.0, 60), np.linspace(99.0, 60.0, 40)])
+    load = np.where(np.arange(100) < 60, 1e-3 * depth**2, 10.0 * ((depth - 50.0) / 50.0).clip(0.0) ** 1.5)
+    path = tmp_path / "test.csv"
+    rows = [f"{h:.6g},{p:.6g},{24.5 * h**2:.6g}" for h, p in zip(depth, load, strict=True)]
+    path.write_text("\n".join(["depth [nm],load [uN],area [nm^2]", *rows]) + "\n", encoding="utf-8")
+    assert inspect_file(path).taken_for in ("force curve", "nanoindentation")
+    rng = np.random.default_rng(1)
+    listed = rng.permutation(np.linspace(50.0, 900.0, 40))
+    rows = [f"{h:.6g},{rng.uniform(1.0, 9.0):.3g},{24.5 * h**2:.6g}" for h in listed]
+    path.write_text("\n".join(["hc [nm],hardness [GPa],A [nm^2]", *rows]) + "\n", encoding="utf-8")
+    found = inspect_file(path)
+    assert found.taken_for == "area function of a tip"
+    assert any("names a hardness too, as a list of results does" in one for one in found.doubts)
+
+
+def test_a_jump_of_the_position_is_doubted(tmp_path):
+    """A way back that is written from its end, without a word that says so, is a jump over the whole travel."""
+    place = np.linspace(0.0, 900.0, 100)
+    force = 1e-4 * (place - 600.0).clip(0.0) ** 1.5
+    rows = [f"{z:g},{f:.9g}" for z, f in zip([*place, *place], [*force, *force], strict=True)]
+    path = tmp_path / "curve.csv"
+    path.write_text("\n".join(["depth [nm],force [nN]", *rows]) + "\n", encoding="utf-8")
+    found = inspect_file(path)
+    assert not found.is_read or found.count == 2 or any("a jump of 900 nm behind row 100" in one for one in found.doubts)
