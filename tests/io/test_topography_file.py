@@ -129,6 +129,7 @@ MATRIX = [
         ": a matrix of 5 x 2 numbers is no map, but a scan or a list of points; give at least 4 x 4 heights.",
     ),
     (b"\x89PNG\r\n\x1a\n", ": the file is not a text; save the table as text (CSV) in UTF-8."),
+    (b"[Paramco32]\nDAC-Type=20bit\n\x00\x01", ": this is an image of Createc; save its heights from there, or from"),
     (b"PK\x03\x04 and so on", ": this is a spreadsheet or an archive; save the table as text (CSV)."),
     (rows(",").replace("1.25", "inf"), ": Topography: heights are infinite, or all missing; give finite ones, nan for"),
     (rows(",", HEIGHTS * np.nan), ": Topography: heights are infinite, or all missing; give finite ones, nan for"),

@@ -26,6 +26,7 @@ __all__ = [
     "headed",
     "lines_of",
     "lines_of_bytes",
+    "of_other_program",
     "path_of",
     "refuse_large",
 ]
@@ -40,6 +41,12 @@ UTF16_MARKS = codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE
 """First bytes of a text in UTF-16."""
 UNMARKED_UTF16 = re.compile(rb"(?:[\t\n\r -~]\x00){4}|(?:\x00[\t\n\r -~]){4}")
 """Four letters of a text in UTF-16 without these bytes."""
+OTHER_PROGRAMS = (
+    (b":NANONIS_VERSION:", "an image of Nanonis; save its heights from there, or from Gwyddion, as text or .gwy"),
+    (b"[Paramco32]", "an image of Createc; save its heights from there, or from Gwyddion, as text or .gwy"),
+    (b"MATLAB 5.0 MAT-file", "a workspace of MATLAB without a map of heights; save its columns as text (CSV)"),
+)
+"""How files of programs begin that nothing here reads, and what to do with them."""
 OTHER_ENDS = re.compile(rb"[\x0b\x0c]")
 """Where a text is cut into lines, and bytes are not."""
 HIGH_RUN = re.compile(rb"[\x80-\xff]++")
@@ -204,11 +211,18 @@ def headed(lines: list[str], where: str) -> list[str]:
     return head
 
 
+def of_other_program(content: bytes) -> str:
+    """Return which program wrote a file that nothing here reads, and what to do, by its first bytes; else nothing."""
+    return next((what for start, what in OTHER_PROGRAMS if content.startswith(start)), "")
+
+
 def _in_utf8(where: str, content: bytes, *, is_cut: bool = False) -> bytes:
     """Return a text in UTF-16 as UTF-8, and any other as it is; what is no text is refused by its first bytes."""
     for start, what in SIGNATURES:
         if content.startswith(start):
             raise InvalidInput(f"{where}: {what}.")
+    if other := of_other_program(content):
+        raise InvalidInput(f"{where}: this is {other}.")
     if not content.startswith(UTF16_MARKS):
         return content
     if not is_cut and len(content) % 2 and content[-1:] in b"\r\n":  # programs that end lines anew leave half a letter

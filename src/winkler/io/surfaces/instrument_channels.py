@@ -17,7 +17,7 @@ from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.surfaces.surface_container import contained_surface, is_container
-from winkler.io.text_file import content_of, refuse_large
+from winkler.io.text_file import content_of, of_other_program, refuse_large
 from winkler.limits import FILE_BYTES
 
 __all__ = ["channel_contents", "tip_radius_of"]
@@ -88,6 +88,8 @@ def channel_contents(
             file = open_topography(str(path))
             opened = file.channels
         except CannotDetectFileFormat:  # its message lists what each of its formats missed, in words of NumPy
+            if other := of_other_program(content_of(path, FILE_BYTES, start=HEAD_BYTES)):
+                raise InvalidInput(f"{path}: this is {other}.") from None
             raise InvalidInput(f"{path}: {wrong} (none of its formats fits); {remedy}.") from None
         along = [signal for signal in opened if signal.dim == directions]
         # other signals than heights have a pair of units, or none

@@ -24,6 +24,7 @@ from winkler.io.curves import try_curves
 from winkler.io.foreign import reason_of
 from winkler.io.indenter_file import AREA, read_indenter
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
+from winkler.io.instruments.find import states_curves
 from winkler.io.placed_curves import UnreadCurve
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.header import header_lines, names_columns
@@ -196,6 +197,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
+    if not head and states_curves(file):
+        return [("force curve", curve.reason)]
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
     of_curve = ("force curve", curve.reason)
@@ -291,6 +294,8 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
     done = () if brief else tuple(_done(first, nano=hard))
     flags = examined(first) if np.any(first.direction != 0.0) else ()
     doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
+    if not np.any(first.direction != 0.0):
+        doubts.append(f"The tip is held over all {first.position.size} points: there is no approach and no retraction.")
     doubts += _jumps(first)
     if unread:
         doubts.append(f"{unread} of {count} curves cannot be read; the first: {reason}")
