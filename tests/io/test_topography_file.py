@@ -143,6 +143,22 @@ def test_what_is_no_matrix(file, content, sentence):
     assert str(caught.value).startswith("map.csv" + sentence)
 
 
+@pytest.mark.parametrize(
+    ("names", "sentence"),
+    [
+        (("land/main.xml", "land/bindata/data.bin"), "stands in a folder of the archive; pack what is in the folder"),
+        (("main.xml", "md5checksum.hex"), "heights stand in its main.xml; save it anew with binary data"),
+    ],
+)
+def test_x3p_of_other_forms_are_named(tmp_path, names, sentence):
+    path = tmp_path / "land.x3p"
+    with zipfile.ZipFile(path, "w") as archive:
+        for name in names:
+            archive.writestr(name, "<x3p/>")
+    with pytest.raises(InvalidInput, match=sentence):
+        read_topography(path)
+
+
 def packed(**arrays):
     stream = io.BytesIO()
     np.savez(stream, **arrays)

@@ -143,7 +143,7 @@ def refuse_large(path: Path, most_bytes: int) -> None:
 
 
 def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
-    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, GB 2312 or Latin-1 as older programs write it.
+    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, GB 2312 or Latin-1.
 
     Parameters
     ----------

@@ -152,3 +152,22 @@ def test_letters_of_latin_1_stay(tmp_path, text):
     path = tmp_path / "latin.txt"
     path.write_bytes(f"{text}\n1 2".encode("latin-1"))
     assert lines_of(path, "text")[0] == text
+
+
+WAYS = ("{name} [{unit}]", "{name} ({unit})", "{name} in {unit}", "{name} en {unit}", "{name}, {unit}", "{name}_{unit}")
+"""How a name and its unit stand together."""
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize(("unit", "factor"), [("uN", 1e-6), ("mN", 1e-3), ("N", 1.0)])
+def test_the_number_stays_however_its_unit_is_written(tmp_path, way, unit, factor):
+    depth, path = np.linspace(0.0, 50.0, 26), tmp_path / "curve.csv"
+    rows = [f"{d:g};{d**1.5:.9g}" for d in depth]
+    head = ";".join((way.format(name="depth", unit="nm"), way.format(name="load", unit=unit)))
+    path.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    curve = read_curve(path)
+    assert curve.position == pytest.approx(1e-9 * depth, rel=1e-12)
+    assert curve.force == pytest.approx(factor * depth**1.5, rel=1e-8)
+    words = {"uN": "micro_N", "mN": "milli_N", "N": "N"}
+    path.write_text("\n".join([f"depth_nano_m;load_{words[unit]}", *rows]) + "\n", encoding="utf-8")
+    assert np.array_equal(read_curve(path).force, curve.force)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from made_files import DATA, made_files, table
@@ -186,4 +188,43 @@ def test_a_jump_of_the_position_is_doubted(tmp_path):
     path = tmp_path / "curve.csv"
     path.write_text("\n".join(["depth [nm],force [nN]", *rows]) + "\n", encoding="utf-8")
     found = inspect_file(path)
-    assert not found.is_read or found.count == 2 or any("a jump of 900 nm behind row 100" in one for one in found.doubts)
+    assert found.taken_for == "force curve"
+    assert any("a jump of 900 nm behind row 100" in one for one in found.doubts)
+
+
+def _bounces(restitution):
+    """Times of bounces whose coefficients follow each other."""
+    return np.concatenate([[0.0], np.cumsum(0.6 * np.cumprod(np.concatenate([[1.0], restitution])))])
+
+
+@pytest.mark.parametrize("changes", [False, True])
+def test_a_restitution_that_changes_is_doubted(changes, tmp_path):
+    """A viscous ball loses more at high speed; one number for all of its bounces is none of it."""
+    rng = np.random.default_rng(3)
+    times = _bounces(np.linspace(0.80, 0.90, 13) if changes else np.full(13, 0.85)) + rng.normal(0.0, 1e-4, 15)
+    found = inspect_file(table(tmp_path / "ball.csv", "bounce time [s]", times))
+    assert found.taken_for == "bounces by their times"
+    said = [one for one in found.doubts if "not the same in all bounces" in one]
+    assert len(said) == changes
+    if changes:
+        early, late = (float(word) for word in re.findall(r"(0\.\d+) ±", said[0]))
+        assert 0.79 < early < 0.85 < late < 0.90
+
+
+def test_a_pin_states_its_wear_by_area_and_force(tmp_path):
+    """k = V / (F s): of a pin of 2 mm^2 under 10 N that loses 5 um over 100 m it is 1e-14 /Pa."""
+    from winkler.io.logs.log_tables import read_pin
+
+    way = np.linspace(0.0, 200.0, 201)
+    path = table(tmp_path / "pin.csv", "distance [m], wear depth [um]", way, 0.05 * way)
+    assert "k = V / (F s) = 5e-08 A/F" in " ".join(inspect_file(path).done)
+    assert read_pin(path).wear_coefficient(2e-6, 10.0).value == pytest.approx(5e-6 * 2e-6 / (10.0 * 100.0), rel=1e-6)
+
+
+def test_a_sweep_of_strain_is_no_path(tmp_path):
+    """Rheometers write normal force and torque beside the moduli."""
+    rows = [np.arange(8.0), np.full(8, 3.0), np.linspace(1.0, 9.0, 8), np.linspace(9.0, 1.0, 8), np.ones(8)]
+    head = "time [s], normal force [N], torque [mN m], storage modulus [Pa], strain [%]"
+    found = inspect_file(table(tmp_path / "sweep.csv", head, *rows))
+    assert found.taken_for == "path"
+    assert any("no path of a contact" in one for one in found.doubts)

@@ -83,7 +83,10 @@ SHEAR_LOSS = Column(
     "kPa",
 )
 TENSILE_STORAGE = Column(
-    "storage modulus in tension", ("tensile_storage", "e'", "ep", "e_stor", "e storage", "tensile storage modulus"), "Pa", "MPa"
+    "storage modulus in tension",
+    ("tensile_storage", "e'", "ep", "e_stor", "e storage", "tensile storage modulus"),
+    "Pa",
+    "MPa",
 )
 TENSILE_LOSS = Column(
     "loss modulus in tension", ("tensile_loss", "e''", 'e"', "epp", "e_loss", "tensile loss modulus"), "Pa", "MPa"

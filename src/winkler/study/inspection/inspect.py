@@ -29,6 +29,7 @@ from winkler.io.placed_curves import UnreadCurve
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
+from winkler.io.tables.relaxation_table import SHEAR_STORAGE
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.tables.table import read_table
 from winkler.io.tables.table_lines import sheets_naming
@@ -246,6 +247,11 @@ def _table_doubts(file: Path, kind: TableKind, content: object) -> Iterator[str]
         labels = ", ".join(sheet.label.removeprefix("sheet ") for sheet in sheets[1:6]) + " ..." * (len(sheets) > 6)
         how = "test = 2 of a study reads the second" if kind.study in BY_TEST else "save each by itself"
         yield f"The first of {len(sheets)} sheets that name these columns was read, not {labels}; {how}."
+    if kind.study == "path" and names_columns(file, (SHEAR_STORAGE,)):
+        yield (
+            "Its header names a storage modulus too, as a rheometer's sweep of strain does: its force and torque are "
+            "those of plates, no path of a contact."
+        )
     if isinstance(content, AreaTable):
         beside = [one.word for one in (FORCE, *RESULTS) if names_columns(file, (AREA, one))]
         depth = read_table(file, (CONTACT_DEPTH, AREA)).read_as[0]
