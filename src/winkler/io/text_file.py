@@ -6,6 +6,7 @@ Devices, pipes and sockets are refused, since some of them never end; the limits
 from __future__ import annotations
 
 import codecs
+import contextlib
 import functools
 import itertools
 import os
@@ -54,7 +55,9 @@ HIGH_RUN = re.compile(rb"[\x80-\xff]++")
 CHINESE_PAIRS = re.compile(rb"(?:[\xb0-\xf7][\xa1-\xfe]|[\xa1-\xa9][\xa1-\xfe])++")
 """Chinese letters and signs in GB 2312, two bytes each; in other languages such letters stand alone."""
 FEWEST_CHINESE = 4
-"""Bytes of a word by which it is told."""
+"""Bytes of a word by which it is told,"""
+SAMPLE_BYTES = 100_000
+"""in the first bytes of a text."""
 NO_TEXT = bytes([*range(9), *range(14, 32), 127])
 """Bytes that no text has."""
 UNREADABLE = "the file cannot be read", "check it"
@@ -263,21 +266,30 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
     if content.isascii() and not OTHER_ENDS.search(content):
         lines = content.decode("ascii").splitlines()
     else:
-        raw = content.splitlines()
-        try:
-            lines = [line.decode("utf-8") for line in raw]
-        except UnicodeDecodeError:
-            encoding = "gb18030" if _is_chinese(content) else "latin-1"
-            lines = [line.decode(encoding) for line in raw]
+        lines = _decoded(content.splitlines(), content)
     if not any(line.strip() for line in lines):
         raise InvalidInput(f"{where}: the file is empty; it needs {needs}.")
     return lines
 
 
+def _decoded(raw: list[bytes], content: bytes) -> list[str]:
+    """Return lines in UTF-8, else in GB 2312 where their letters are Chinese, else in Latin-1."""
+    for encoding in ("utf-8", *(["gb18030"] if _is_chinese(content[:SAMPLE_BYTES]) else [])):
+        with contextlib.suppress(UnicodeDecodeError):
+            return [line.decode(encoding) for line in raw]
+    return [line.decode("latin-1") for line in raw]
+
+
 def _is_chinese(content: bytes) -> bool:
     """Return whether all letters beyond ASCII come in pairs of GB 2312, and one word has two of them."""
-    runs = list(map(re.Match.group, HIGH_RUN.finditer(content)))
-    return max(map(len, runs), default=0) >= FEWEST_CHINESE and all(map(CHINESE_PAIRS.fullmatch, runs))
+    longest = 0
+    for run in HIGH_RUN.finditer(content):
+        cut = run.end() == len(content) and len(run[0]) % 2  # a letter may be cut at the end
+        letters = run[0][:-1] if cut else run[0]
+        if letters and not CHINESE_PAIRS.fullmatch(letters):
+            return False
+        longest = max(longest, len(letters))
+    return longest >= FEWEST_CHINESE
 
 
 def _not_there(path: Path) -> str:

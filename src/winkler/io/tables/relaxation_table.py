@@ -238,7 +238,7 @@ def read_relaxation(
         The names and units of all columns, where the file has none: ``"time [s], shear [Pa]"``.
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
-        again, or where the numbers of the points begin again.
+        again, where the numbers of the points begin again, or in sheets of one workbook.
 
     Returns
     -------
@@ -282,7 +282,7 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
         The names and units of all columns, where the file has none: ``"time [s], compliance [1/Pa]"``.
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
-        again, or where the numbers of the points begin again.
+        again, where the numbers of the points begin again, or in sheets of one workbook.
 
     Returns
     -------
@@ -327,7 +327,7 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
         The names and units of all columns, where the file has none: ``"omega [rad/s], g' [Pa], g'' [Pa]"``.
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
-        again, or where the numbers of the points begin again.
+        again, where the numbers of the points begin again, or in sheets of one workbook.
 
     Returns
     -------

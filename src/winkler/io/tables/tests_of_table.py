@@ -2,7 +2,8 @@ r"""Several tests in one table of moduli: side by side under names that stand ag
 
 Side by side, ``Frequency, G', G'', Frequency, G', G''`` stands in one row, or one frequency beside all moduli; the
 temperature of each test is in its names, ``G' (20 °C) [Pa]``, or in a row above them.  Below each other, the header
-stands again, the numbers of the points begin again at one, or times or frequencies at the first of them.
+stands again, the numbers of the points begin again at one, or times or frequencies at the first of them.  Sheets of a
+workbook that name the same columns are tests, too, if one is asked for.
 """
 
 from __future__ import annotations
