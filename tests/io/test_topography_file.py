@@ -129,6 +129,7 @@ MATRIX = [
         ": a matrix of 5 x 2 numbers is no map, but a scan or a list of points; give at least 4 x 4 heights.",
     ),
     (b"\x89PNG\r\n\x1a\n", ": the file is not a text; save the table as text (CSV) in UTF-8."),
+    (b"[Paramco32]\nDAC-Type=20bit\n\x00\x01", ": this is an image of Createc; save its heights from there, or from"),
     (b"PK\x03\x04 and so on", ": this is a spreadsheet or an archive; save the table as text (CSV)."),
     (rows(",").replace("1.25", "inf"), ": Topography: heights are infinite, or all missing; give finite ones, nan for"),
     (rows(",", HEIGHTS * np.nan), ": Topography: heights are infinite, or all missing; give finite ones, nan for"),
@@ -140,6 +141,22 @@ def test_what_is_no_matrix(file, content, sentence):
     with pytest.raises(InvalidInput) as caught:
         read_topography(file(content), lengths=SIZES, unit="nm")
     assert str(caught.value).startswith("map.csv" + sentence)
+
+
+@pytest.mark.parametrize(
+    ("names", "sentence"),
+    [
+        (("land/main.xml", "land/bindata/data.bin"), "stands in a folder of the archive; pack what is in the folder"),
+        (("main.xml", "md5checksum.hex"), "heights stand in its main.xml; save it anew with binary data"),
+    ],
+)
+def test_x3p_of_other_forms_are_named(tmp_path, names, sentence):
+    path = tmp_path / "land.x3p"
+    with zipfile.ZipFile(path, "w") as archive:
+        for name in names:
+            archive.writestr(name, "<x3p/>")
+    with pytest.raises(InvalidInput, match=sentence):
+        read_topography(path)
 
 
 def packed(**arrays):

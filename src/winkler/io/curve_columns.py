@@ -25,6 +25,10 @@ POSITION_NAMES = (
     "weg",
     "standardweg",
     "traversenweg",
+    "course standard",
+    "recorrido estándar",
+    "corsa standard",
+    "位移",
 )
 """Travel of a machine whose cantilever bends."""
 DEPTH_NAMES = (
@@ -45,6 +49,9 @@ DEPTH_NAMES = (
     "tiefe",
     "profondeur",
     "profundidad",
+    "压入深度",
+    "压痕深度",
+    "深度",
 )
 """Travel of the tip."""
 FORCE_NAMES = (
@@ -69,8 +76,13 @@ FORCE_NAMES = (
     "charge",
     "fuerza",
     "carga",
+    "force standard",
+    "fuerza estándar",
+    "forza standard",
+    "载荷",
+    "力",
 )
-TIME_NAMES = ("time", "t", "time on sample", "time in contact", "test time", "zeit", "temps", "tiempo")
+TIME_NAMES = ("time", "t", "time on sample", "time in contact", "test time", "zeit", "temps", "tiempo", "tempo", "时间")
 STIFFNESS_NAMES = (
     "stiffness",
     "harmonic contact stiffness",

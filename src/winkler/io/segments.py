@@ -7,7 +7,7 @@ import numpy as np
 from winkler.fitting.curves.directions import HELD, IN, OUT, found_directions
 from winkler.numerics.types import Array
 
-__all__ = ["directions", "segment_fact", "turning_segments"]
+__all__ = ["directions", "is_written_backwards", "segment_fact", "turning_segments"]
 
 LEAST_POINTS = 10
 """Of a segment with fewer points only its ends are compared."""
@@ -27,6 +27,8 @@ LARGEST_EXCURSION, LARGEST_FORCE_EXCURSION = 0.1, 0.25
 """Greatest distance of a position within a segment from its ends, and of a force above them, relative to the whole."""
 EXTREMES = (0.02, 0.98)
 """Quantiles that are taken for the extremes of a segment."""
+LEAST_JUMP = 0.5
+"""Least part of the whole travel by which a segment that is written backwards begins farther off than it ends."""
 
 
 def directions(position: Array, force: Array, segment: Array) -> Array:
@@ -64,6 +66,18 @@ def directions(position: Array, force: Array, segment: Array) -> Array:
         counts = [np.count_nonzero(point_directions[inside] == sign) for sign in (IN, OUT, HELD)]
         direction[inside] = (IN, OUT, HELD)[int(np.argmax(counts))]
     return direction
+
+
+def is_written_backwards(before: Array, positions: Array) -> bool:
+    """Return whether a segment ends where the one before it does: it was written from its end, as of a way back.
+
+    Parameters
+    ----------
+    before, positions : ndarray, (n,) and (m,)
+        Of the segment before it, in the order of time, and of the segment as it is written.
+    """
+    start, end = abs(float(positions[0] - before[-1])), abs(float(positions[-1] - before[-1]))
+    return start - end > LEAST_JUMP * max(float(np.ptp(before)), float(np.ptp(positions)))
 
 
 def segment_fact(position: Array, force: Array, segment: Array, name: str) -> str:

@@ -6,6 +6,7 @@ Devices, pipes and sockets are refused, since some of them never end; the limits
 from __future__ import annotations
 
 import codecs
+import contextlib
 import functools
 import itertools
 import os
@@ -26,6 +27,7 @@ __all__ = [
     "headed",
     "lines_of",
     "lines_of_bytes",
+    "of_other_program",
     "path_of",
     "refuse_large",
 ]
@@ -40,8 +42,22 @@ UTF16_MARKS = codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE
 """First bytes of a text in UTF-16."""
 UNMARKED_UTF16 = re.compile(rb"(?:[\t\n\r -~]\x00){4}|(?:\x00[\t\n\r -~]){4}")
 """Four letters of a text in UTF-16 without these bytes."""
+OTHER_PROGRAMS = (
+    (b":NANONIS_VERSION:", "an image of Nanonis; save its heights from there, or from Gwyddion, as text or .gwy"),
+    (b"[Paramco32]", "an image of Createc; save its heights from there, or from Gwyddion, as text or .gwy"),
+    (b"MATLAB 5.0 MAT-file", "a workspace of MATLAB without a map of heights; save its columns as text (CSV)"),
+)
+"""How files of programs begin that nothing here reads, and what to do with them."""
 OTHER_ENDS = re.compile(rb"[\x0b\x0c]")
 """Where a text is cut into lines, and bytes are not."""
+HIGH_RUN = re.compile(rb"[\x80-\xff]++")
+"""Letters beyond ASCII that follow each other."""
+CHINESE_PAIRS = re.compile(rb"(?:[\xb0-\xf7][\xa1-\xfe]|[\xa1-\xa9][\xa1-\xfe])++")
+"""Chinese letters and signs in GB 2312, two bytes each; in other languages such letters stand alone."""
+FEWEST_CHINESE = 4
+"""Bytes of a word by which it is told,"""
+SAMPLE_BYTES = 100_000
+"""in the first bytes of a text."""
 NO_TEXT = bytes([*range(9), *range(14, 32), 127])
 """Bytes that no text has."""
 UNREADABLE = "the file cannot be read", "check it"
@@ -130,7 +146,7 @@ def refuse_large(path: Path, most_bytes: int) -> None:
 
 
 def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
-    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, or Latin-1 as older instruments write it.
+    """Return the lines of a text in UTF-8, UTF-16 with a byte order mark, GB 2312 or Latin-1.
 
     Parameters
     ----------
@@ -198,11 +214,18 @@ def headed(lines: list[str], where: str) -> list[str]:
     return head
 
 
+def of_other_program(content: bytes) -> str:
+    """Return which program wrote a file that nothing here reads, and what to do, by its first bytes; else nothing."""
+    return next((what for start, what in OTHER_PROGRAMS if content.startswith(start)), "")
+
+
 def _in_utf8(where: str, content: bytes, *, is_cut: bool = False) -> bytes:
     """Return a text in UTF-16 as UTF-8, and any other as it is; what is no text is refused by its first bytes."""
     for start, what in SIGNATURES:
         if content.startswith(start):
             raise InvalidInput(f"{where}: {what}.")
+    if other := of_other_program(content):
+        raise InvalidInput(f"{where}: this is {other}.")
     if not content.startswith(UTF16_MARKS):
         return content
     if not is_cut and len(content) % 2 and content[-1:] in b"\r\n":  # programs that end lines anew leave half a letter
@@ -219,7 +242,7 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
     Parameters
     ----------
     content : bytes
-        In UTF-8, UTF-16 with a byte order mark, or Latin-1.
+        In UTF-8, UTF-16 with a byte order mark, GB 2312, or Latin-1.
     where : str
         Its name, for messages.
     needs : str
@@ -243,14 +266,30 @@ def lines_of_bytes(content: bytes, where: str, needs: str, *, is_cut: bool = Fal
     if content.isascii() and not OTHER_ENDS.search(content):
         lines = content.decode("ascii").splitlines()
     else:
-        raw = content.splitlines()
-        try:
-            lines = [line.decode("utf-8") for line in raw]
-        except UnicodeDecodeError:
-            lines = [line.decode("latin-1") for line in raw]
+        lines = _decoded(content.splitlines(), content)
     if not any(line.strip() for line in lines):
         raise InvalidInput(f"{where}: the file is empty; it needs {needs}.")
     return lines
+
+
+def _decoded(raw: list[bytes], content: bytes) -> list[str]:
+    """Return lines in UTF-8, else in GB 2312 where their letters are Chinese, else in Latin-1."""
+    for encoding in ("utf-8", *(["gb18030"] if _is_chinese(content[:SAMPLE_BYTES]) else [])):
+        with contextlib.suppress(UnicodeDecodeError):
+            return [line.decode(encoding) for line in raw]
+    return [line.decode("latin-1") for line in raw]
+
+
+def _is_chinese(content: bytes) -> bool:
+    """Return whether all letters beyond ASCII come in pairs of GB 2312, and one word has two of them."""
+    longest = 0
+    for run in HIGH_RUN.finditer(content):
+        cut = run.end() == len(content) and len(run[0]) % 2  # a letter may be cut at the end
+        letters = run[0][:-1] if cut else run[0]
+        if letters and not CHINESE_PAIRS.fullmatch(letters):
+            return False
+        longest = max(longest, len(letters))
+    return longest >= FEWEST_CHINESE
 
 
 def _not_there(path: Path) -> str:

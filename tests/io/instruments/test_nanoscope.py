@@ -8,6 +8,7 @@ import pytest
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curves import read_curve, read_curves
+from winkler.study.inspection.inspect import inspect_file
 
 SPRING, PIEZO, SENSITIVITY, SENSOR, LEAST = 0.12, 13.2e-9, 27.39e-9, 906e-9, 0.000375
 RAMP, SPEED = 75.0, 150.0  # V, V/s
@@ -47,6 +48,7 @@ def _file(
     shift=0,
     more=(),
     padded=False,
+    beside=False,
 ):
     """A curve, or a volume whose curves touch later and later; with a sensor of the height."""
     count = int(np.prod(grid)) if grid else 1
@@ -68,6 +70,7 @@ def _file(
         *more,
         *_channel("Deflection Error", offset, length, LEAST, "Sens. DeflSens"),
         *(_channel("Height Sensor", offset + length, length, LEAST, "Sens. ZsensSens") if sensor else []),
+        *([r"\*Ciao image list", r"\Samps/line: 64", r"\Number of lines: 64"] if beside else []),
         *([r"\*Ciao image list", rf"\Samps/line: {grid[0]}", rf"\Number of lines: {grid[1]}"] if grid else []),
         r"\*File list end",
     ]  # fmt: skip
@@ -121,6 +124,16 @@ def test_curves_of_a_volume_have_their_places(tmp_path):
     assert tops == pytest.approx([0.5 * SPRING * TRAVEL * (0.4 - 0.01 * n) for n in range(6)], rel=1e-2)
     assert curves[4].x == pytest.approx(0.1e-6 + 1e-6)
     assert curves[4].y == pytest.approx(1.5e-6)
+
+
+def test_a_picture_beside_a_volume_has_other_pixels(tmp_path):
+    """The curves of a line stand in the head; the first picture is a scan of its own."""
+    more = (r"\force/line: 3 0",)
+    curves = list(read_curves(_file(tmp_path, grid=(3, 2), beside=True, more=more)))
+    assert len(curves) == 6
+    (tmp_path / "short").mkdir()
+    cut = _file(tmp_path / "short", grid=(3, 2), more=more, cut=10)
+    assert "read as force curve: the file ends before the numbers" in inspect_file(cut).reason
 
 
 def test_given_numbers_replace_those_of_the_head(tmp_path):

@@ -13,7 +13,7 @@ PLACE = np.linspace(-4e-6, 1e-6, 101)
 FORCE = 2e-9 * np.clip(PLACE / 1e-6, 0.0, None) ** 1.5
 
 
-def nanosurf(numbers, unit):
+def nanosurf(numbers, unit, back=slice(None, None, -1)):
     head = [
         r"#Filename=C:\curve.nid",
         f"#Spring-Constant={SPRING}N/m",
@@ -21,7 +21,7 @@ def nanosurf(numbers, unit):
         "#SpecMap-CurIndex=3",
     ]
     lines = [*head, ""]
-    for number, (name, way) in enumerate((("Spec forward", slice(None)), ("Spec backward", slice(None, None, -1)))):
+    for number, (name, way) in enumerate((("Spec forward", slice(None)), ("Spec backward", back))):
         lines += [f"#Spec-Phase={number}", f"#Spec-Name={name}", f"#Spec-Points={PLACE.size}"]
         lines.append(f"#Spec-Data=Z-Axis Sensor [m];Deflection [{unit}];Z-Axis-Out [m]")
         lines += [f"{z:.10g};{d:.10g};{2.0 * z:.10g}" for z, d in zip(PLACE[way], numbers[way], strict=True)]
@@ -29,11 +29,14 @@ def nanosurf(numbers, unit):
     return "\n".join(lines)
 
 
+@pytest.mark.parametrize("back", [slice(None, None, -1), slice(None)], ids=["in time", "from its end"])
 @pytest.mark.parametrize(("factor", "unit"), [(1.0, "N"), (1.0 / SPRING, "m"), (1.0 / (SPRING * SENSITIVITY), "V")])
-def test_nanosurf(tmp_path, factor, unit):
+def test_nanosurf(tmp_path, factor, unit, back):
+    """Programs write the way back in the order of time, or from its end: the tip goes back from where it was."""
     file = tmp_path / "curve.txt"
-    file.write_text(nanosurf(FORCE * factor, unit), encoding="utf-8")
+    file.write_text(nanosurf(FORCE * factor, unit, back), encoding="utf-8")
     curve = read_curve(file)
+    assert ("1 of 2 phases, written backwards, are turned round" in curve.reading) == (back.step is None)
     np.testing.assert_allclose(curve.position, np.append(PLACE, PLACE[::-1]), rtol=1e-9)
     np.testing.assert_allclose(curve.force, np.append(FORCE, FORCE[::-1]), rtol=1e-8, atol=1e-20)
     assert curve.machine_stiffness == SPRING

@@ -20,6 +20,10 @@ HEADERS = {
     "letter": ("w (rad/s),G' (Pa),G'' (Pa)", ",", 1.0, 1.0, SHEAR),
     "short": ("Ang. freq.\tStorage modulus\tLoss modulus\nrad/s\tMPa\tMPa", "\t", 1.0, 1e6, SHEAR),
     "empty_row": ("Frequency,Storage Modulus,Loss Modulus\n,,\n[Hz],[kPa],[kPa]", ",", TURN, 1e3, SHEAR),
+    "program": ("run_1,freq_hz,G_storage_pa,G_loss_pa", ",", TURN, 1.0, SHEAR),
+    "tension": ("run_1,omega_rad_s,E_storage_kpa,E_loss_kpa", ",", 1.0, 1e3, TENSION),
+    "words": ("w_rad_per_s;g_storage_mega_Pa;g_loss_mega_Pa", ";", 1.0, 1e6, SHEAR),
+    "rheowin": ("f en Hz;G' en Pa;G\" en Pa", ";", TURN, 1.0, SHEAR),
     "comma": ("Freq. (Hz);Storage modulus (MPa);Loss modulus (MPa)", ";", TURN, 1e6, SHEAR),
 }
 
@@ -29,6 +33,8 @@ def test_storage_and_loss(tmp_path, name):
     """Of eleven headers two were read; the row of units was shown as the header."""
     header, separator, angular, unit, divisor = HEADERS[name]
     rows = [separator.join(f"{x:g}" if name != "comma" else f"{x:.2f}".replace(".", ",") for x in row) for row in ROWS]
+    if header.startswith("run"):
+        rows = [f"7{separator}{row}" for row in rows]
     path = tmp_path / "dma.txt"
     path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
     found = wk.read_dynamic(path)
@@ -96,3 +102,72 @@ def test_a_ball_on_the_plate_of_a_rheometer(tmp_path, name, sign):
     assert curve.force == pytest.approx(force, abs=1e-5)
     assert curve.direction[50] == 1.0
     assert curve.direction[-50] == -1.0
+
+
+def test_small_letters_that_may_be_two_units_are_none(tmp_path):
+    path = tmp_path / "dma.csv"
+    rows = "\n".join(",".join(f"{x:g}" for x in row) for row in ROWS)
+    path.write_text(f"freq_hz,G_storage_mpa,G_loss_mpa\n{rows}\n", encoding="utf-8")
+    with pytest.raises(InvalidInput, match="mpa"):
+        wk.read_dynamic(path)
+
+
+def test_of_a_time_and_a_temperature_the_unit_tells(tmp_path):
+    """RheoWin in French: ``t en s``, ``t_seg en s`` and ``T en °C`` stand beside each other."""
+    path = tmp_path / "sweep.txt"
+    rows = [f"{10 * k};{k};{f};{t};{s};{v}" for k, (f, s, v) in enumerate(ROWS) for t in (20, 40)]
+    text = "\n".join(["t en s;t_seg en s;f en Hz;T en °C;G' en Pa;G\" en Pa", *sorted(rows)])
+    path.write_bytes(text.encode("latin-1"))
+    found = wk.read_dynamic_sweeps(path)
+    assert sorted(set(found.temperature)) == pytest.approx([293.15, 313.15])
+    assert found.storage_shear.size == 8
+
+
+CURVE_HEADERS = {
+    "french": ('"Temps","Course standard","Force standard"\n"s","mm","N"', "latin-1"),
+    "chinese": ('"时间","位移","力"\n"(s)","(mm)","(N)"', "gb2312"),
+    "chinese in utf-8": ("时间 (s),位移 (mm),载荷 (N)", "utf-8"),
+    "spanish": ("tiempo [s],recorrido estándar [mm],fuerza estándar [N]", "latin-1"),
+}
+
+
+@pytest.mark.parametrize("name", CURVE_HEADERS)
+def test_curves_of_testing_machines_in_other_languages(tmp_path, name):
+    header, encoding = CURVE_HEADERS[name]
+    depth = np.linspace(0.0, 2.0, 41)
+    path = tmp_path / "curve.csv"
+    rows = "\n".join(f"{k:g},{d:g},{d**1.5:.9g}" for k, d in enumerate(depth))
+    path.write_bytes(f"{header}\n{rows}\n".encode(encoding))
+    curve = read_curve(path, spring_constant=np.inf)
+    assert curve.position == pytest.approx(1e-3 * depth, rel=1e-12)
+    assert curve.force == pytest.approx(depth**1.5, rel=1e-8)
+    assert curve.time[-1] == 40.0
+
+
+@pytest.mark.parametrize("text", ["Kraft für Prüfung [µN]", "Éé è ± µ°", "Größe [µm], Fläche [mm²]", "ÄÖÜ ßäöü"])
+def test_letters_of_latin_1_stay(tmp_path, text):
+    """Two letters beyond ASCII beside each other are no Chinese one while others stand alone."""
+    from winkler.io.text_file import lines_of
+
+    path = tmp_path / "latin.txt"
+    path.write_bytes(f"{text}\n1 2".encode("latin-1"))
+    assert lines_of(path, "text")[0] == text
+
+
+WAYS = ("{name} [{unit}]", "{name} ({unit})", "{name} in {unit}", "{name} en {unit}", "{name}, {unit}", "{name}_{unit}")
+"""How a name and its unit stand together."""
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize(("unit", "factor"), [("uN", 1e-6), ("mN", 1e-3), ("N", 1.0)])
+def test_the_number_stays_however_its_unit_is_written(tmp_path, way, unit, factor):
+    depth, path = np.linspace(0.0, 50.0, 26), tmp_path / "curve.csv"
+    rows = [f"{d:g};{d**1.5:.9g}" for d in depth]
+    head = ";".join((way.format(name="depth", unit="nm"), way.format(name="load", unit=unit)))
+    path.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    curve = read_curve(path)
+    assert curve.position == pytest.approx(1e-9 * depth, rel=1e-12)
+    assert curve.force == pytest.approx(factor * depth**1.5, rel=1e-8)
+    words = {"uN": "micro_N", "mN": "milli_N", "N": "N"}
+    path.write_text("\n".join([f"depth_nano_m;load_{words[unit]}", *rows]) + "\n", encoding="utf-8")
+    assert np.array_equal(read_curve(path).force, curve.force)

@@ -232,3 +232,28 @@ def test_many_tests_and_much_text_are_refused(tmp_path, monkeypatch):
     book = _book(tmp_path / "long.xlsx", {"a": [["x" * 100] * 5] * 5})
     with pytest.raises(wk.InvalidInput, match="MB of text"):
         wk.read_dynamic(book)
+
+
+def test_sheets_with_the_same_names_are_tests_of_one_workbook(tmp_path):
+    """The first sheet is read, `show` says that others name the same, and `test` reads them."""
+    import openpyxl
+
+    from winkler.study.inspection.inspect import inspect_file
+
+    path = tmp_path / "warm.xlsx"
+    book = openpyxl.Workbook()
+    book.remove(book.active)
+    for number, factor in ((180, 1.0), (160, 3.0)):
+        sheet = book.create_sheet(str(number))
+        sheet.append(["frequency [rad/s]", "Storage [Pa]", "Loss [Pa]"])
+        for row in zip(OMEGA, factor * _moduli(293.15)[0], factor * _moduli(293.15)[1], strict=True):
+            sheet.append([float(one) for one in row])
+    book.create_sheet("notes").append(["by", "hand"])
+    book.save(path)
+    first, second = wk.read_dynamic(path), wk.read_dynamic(path, test=2)
+    np.testing.assert_allclose(second.storage_shear, 3.0 * first.storage_shear, rtol=1e-12)
+    np.testing.assert_allclose(wk.read_dynamic(path, test=1).storage_shear, first.storage_shear, rtol=0.0)
+    with pytest.raises(wk.InvalidInput, match="test is 3, and it holds 2"):
+        wk.read_dynamic(path, test=3)
+    said = " ".join(inspect_file(path).doubts)
+    assert "The first of 2 sheets that name these columns was read, not '160'; test = 2" in said

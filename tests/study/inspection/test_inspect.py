@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from made_files import DATA, made_files, table
@@ -141,3 +143,88 @@ def test_many_files_are_read_by_several_processes(tmp_path):
     found = dict(inspect_files([good] * 120, 600.0))
     assert sorted(found) == list(range(120))
     assert {one.taken_for for one in found.values()} == {"force curve"}
+
+
+@pytest.mark.parametrize(
+    ("header", "doubted"),
+    [
+        ("Frequency (Hz),Storage Modulus (MPa),Loss Modulus (MPa)", True),
+        ("Frequency (Hz),Storage Modulus (MPa),Loss Modulus (MPa),Torque (uN.m)", False),
+        ("Frequency (Hz),G' (MPa),G'' (MPa)", False),
+    ],
+)
+def test_moduli_of_a_dma_are_doubted(header, doubted, tmp_path):
+    """A storage modulus is that of shear by its name alone, and a DMA measures that of tension."""
+    rows = [f"{f:g},{10 + f:g},{1 + f:g}" + ",1" * (header.count(",") - 2) for f in (0.1, 1.0, 10.0, 100.0)]
+    path = tmp_path / "dma.csv"
+    path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
+    found = inspect_file(path)
+    assert found.taken_for == "storage and loss"
+    assert any("name it tensile_storage" in one for one in found.doubts) == doubted
+
+
+def test_an_area_beside_a_curve_is_no_area_function(tmp_path):
+    """Instruments write the area of each point beside depth and load; of a list of results it is doubted."""
+    depth = np.concatenate([np.linspace(1.0, 100.0, 60), np.linspace(99.0, 60.0, 40)])
+    load = np.where(np.arange(100) < 60, 1e-3 * depth**2, 10.0 * ((depth - 50.0) / 50.0).clip(0.0) ** 1.5)
+    path = tmp_path / "test.csv"
+    rows = [f"{h:.6g},{p:.6g},{24.5 * h**2:.6g}" for h, p in zip(depth, load, strict=True)]
+    path.write_text("\n".join(["depth [nm],load [uN],area [nm^2]", *rows]) + "\n", encoding="utf-8")
+    assert inspect_file(path).taken_for in ("force curve", "nanoindentation")
+    rng = np.random.default_rng(1)
+    listed = rng.permutation(np.linspace(50.0, 900.0, 40))
+    rows = [f"{h:.6g},{rng.uniform(1.0, 9.0):.3g},{24.5 * h**2:.6g}" for h in listed]
+    path.write_text("\n".join(["hc [nm],hardness [GPa],A [nm^2]", *rows]) + "\n", encoding="utf-8")
+    found = inspect_file(path)
+    assert found.taken_for == "area function of a tip"
+    assert any("names a hardness too, as a list of results does" in one for one in found.doubts)
+
+
+def test_a_jump_of_the_position_is_doubted(tmp_path):
+    """A way back that is written from its end, without a word that says so, is a jump over the whole travel."""
+    place = np.linspace(0.0, 900.0, 100)
+    force = 1e-4 * (place - 600.0).clip(0.0) ** 1.5
+    rows = [f"{z:g},{f:.9g}" for z, f in zip([*place, *place], [*force, *force], strict=True)]
+    path = tmp_path / "curve.csv"
+    path.write_text("\n".join(["depth [nm],force [nN]", *rows]) + "\n", encoding="utf-8")
+    found = inspect_file(path)
+    assert found.taken_for == "force curve"
+    assert any("a jump of 900 nm behind row 100" in one for one in found.doubts)
+
+
+def _bounces(restitution):
+    """Times of bounces whose coefficients follow each other."""
+    return np.concatenate([[0.0], np.cumsum(0.6 * np.cumprod(np.concatenate([[1.0], restitution])))])
+
+
+@pytest.mark.parametrize("changes", [False, True])
+def test_a_restitution_that_changes_is_doubted(changes, tmp_path):
+    """A viscous ball loses more at high speed; one number for all of its bounces is none of it."""
+    rng = np.random.default_rng(3)
+    times = _bounces(np.linspace(0.80, 0.90, 13) if changes else np.full(13, 0.85)) + rng.normal(0.0, 1e-4, 15)
+    found = inspect_file(table(tmp_path / "ball.csv", "bounce time [s]", times))
+    assert found.taken_for == "bounces by their times"
+    said = [one for one in found.doubts if "not the same in all bounces" in one]
+    assert len(said) == changes
+    if changes:
+        early, late = (float(word) for word in re.findall(r"(0\.\d+) ±", said[0]))
+        assert 0.79 < early < 0.85 < late < 0.90
+
+
+def test_a_pin_states_its_wear_by_area_and_force(tmp_path):
+    """k = V / (F s): of a pin of 2 mm^2 under 10 N that loses 5 um over 100 m it is 1e-14 /Pa."""
+    from winkler.io.logs.log_tables import read_pin
+
+    way = np.linspace(0.0, 200.0, 201)
+    path = table(tmp_path / "pin.csv", "distance [m], wear depth [um]", way, 0.05 * way)
+    assert "k = V / (F s) = 5e-08 A/F" in " ".join(inspect_file(path).done)
+    assert read_pin(path).wear_coefficient(2e-6, 10.0).value == pytest.approx(5e-6 * 2e-6 / (10.0 * 100.0), rel=1e-6)
+
+
+def test_a_sweep_of_strain_is_no_path(tmp_path):
+    """Rheometers write normal force and torque beside the moduli."""
+    rows = [np.arange(8.0), np.full(8, 3.0), np.linspace(1.0, 9.0, 8), np.linspace(9.0, 1.0, 8), np.ones(8)]
+    head = "time [s], normal force [N], torque [mN m], storage modulus [Pa], strain [%]"
+    found = inspect_file(table(tmp_path / "sweep.csv", head, *rows))
+    assert found.taken_for == "path"
+    assert any("no path of a contact" in one for one in found.doubts)

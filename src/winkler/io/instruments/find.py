@@ -23,11 +23,16 @@ from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
 from winkler.io.workbooks.workbook_cells import is_workbook
 
-__all__ = ["instrument_tests"]
+__all__ = ["instrument_tests", "states_curves"]
 
 UNREAD = (".tdm", ".tdx")
 """Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
 Tests = Iterator[InstrumentTest]
+
+
+def states_curves(path: Path) -> bool:
+    """Return whether the first bytes of a file say that an instrument wrote force curves to it."""
+    return is_nanosurf_nid(path) or is_nanoscope(path, images=False)
 
 
 def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests | None:

@@ -51,11 +51,11 @@ class _Head(NamedTuple):
     grid: tuple[int, int]
 
 
-def is_nanoscope(path: Path) -> bool:
-    """Return whether a file begins as NanoScope writes force curves, or images."""
+def is_nanoscope(path: Path, *, images: bool = True) -> bool:
+    """Return whether a file begins as NanoScope writes force curves, or images, which may hold curves too."""
     with path.open("rb") as file:
         start = file.read(len(FORCES))
-    return start == FORCES or start.startswith(IMAGES)
+    return start == FORCES or (images and start.startswith(IMAGES))
 
 
 def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest]:
@@ -152,7 +152,9 @@ def _head(content: bytes, path: Path) -> _Head:
         raise InvalidInput(
             f"{path}: captures of PeakForce, whose piezo moves as a sine, are not read; export its curves as text."
         )
-    image = next((own for name, own in sections if name == MAP), None)
+    per_line = settings.get("force/line", "").split()[:1]  # the picture beside a volume may have other pixels
+    images = [own for name, own in sections if name == MAP]
+    image = next((own for own in images if own.get("Samps/line", "").split()[:1] == per_line), next(iter(images), None))
     volume = settings.get("Operating mode", "Force") != "Force" and image is not None
     grid = tuple(_whole(image, key, path) for key in ("Samps/line", "Number of lines")) if volume and image else (1, 1)
     return _Head(settings, channels, (grid[0], grid[1]))

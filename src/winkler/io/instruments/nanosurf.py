@@ -16,7 +16,7 @@ from winkler.errors import InvalidInput
 from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
 from winkler.io.instruments.number_block import rows_of, split_unit
-from winkler.io.segments import directions, segment_fact
+from winkler.io.segments import directions, is_written_backwards, segment_fact
 from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
 from winkler.units import scale
@@ -61,7 +61,13 @@ def tests_of_nanosurf_text(
     factor, facts = force_factor(
         cells[bend][1], spring, stated, "given" if given.sensitivity else "from the file", path
     )
-    rows = np.concatenate([one for _, one in phases])
+    blocks: list[Array] = []
+    turned = 0
+    for _, block in phases:
+        backwards = bool(blocks) and is_written_backwards(blocks[-1][:, place], block[:, place])
+        blocks.append(block[::-1] if backwards else block)
+        turned += backwards
+    rows = np.concatenate(blocks)
     position, force = rows[:, place], rows[:, bend] * factor
     if np.ptp(force) > MOST_BENDING * float(spring or 0.0) * np.ptp(position) * scale(cells[place][1], "m"):
         if given.sensitivity is None:
@@ -77,6 +83,7 @@ def tests_of_nanosurf_text(
         f"position from '{cells[place][0]}', force from '{cells[bend][0]}'",
         *facts,
         f"phases {', '.join(phase for phase, _ in phases)}; {segment_fact(position, force, numbers, 'phase')}",
+        *([f"{turned} of {len(phases)} phases, written backwards, are turned round"] if turned else []),
         *([f"point {settings[POINT]} of a map"] if POINT in settings else []),
     )
     yield InstrumentTest(

@@ -16,7 +16,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
-from winkler.io.segments import directions, segment_fact
+from winkler.io.segments import directions, is_written_backwards, segment_fact
 from winkler.io.tables.given_units import GivenFacts
 from winkler.limits import FILE_BYTES
 from winkler.numerics.types import Array
@@ -100,7 +100,7 @@ def _test(
         z, f = height.numbers[number], bend.numbers[number]
         size = min(z.size, f.size)
         z, f = z[:size], f[:size]
-        if position and abs(z[0] - position[-1][-1]) > abs(z[-1] - position[-1][-1]):  # written from its end
+        if position and is_written_backwards(position[-1], z):
             z, f = z[::-1], f[::-1]
         position.append(z)
         force.append(factor * f)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -17,7 +18,7 @@ from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.surfaces.surface_container import contained_surface, is_container
-from winkler.io.text_file import content_of, refuse_large
+from winkler.io.text_file import content_of, of_other_program, refuse_large
 from winkler.limits import FILE_BYTES
 
 __all__ = ["channel_contents", "tip_radius_of"]
@@ -35,6 +36,7 @@ PLAIN_NUMBER = re.compile(rb"[-+0-9.,eE]{1,40}|nan", re.IGNORECASE)
 """A cell of a log."""
 SDF = b"aISO-"
 """How a text of ISO 25178-71 begins, which holds a map in rows of any length."""
+X3P_HEAD = "main.xml"
 UNMARKED = "HGTReader"
 """It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
@@ -88,6 +90,9 @@ def channel_contents(
             file = open_topography(str(path))
             opened = file.channels
         except CannotDetectFileFormat:  # its message lists what each of its formats missed, in words of NumPy
+            other = of_other_program(content_of(path, FILE_BYTES, start=HEAD_BYTES)) or _of_x3p(path)
+            if other:
+                raise InvalidInput(f"{path}: this is {other}.") from None
             raise InvalidInput(f"{path}: {wrong} (none of its formats fits); {remedy}.") from None
         along = [signal for signal in opened if signal.dim == directions]
         # other signals than heights have a pair of units, or none
@@ -158,6 +163,19 @@ def _is_log(path: Path) -> bool:
     if count != low - 1:
         return low <= count <= high
     return any(line and len(line.split(mark)) != len(row) for line in lines[LOG_LINES // 2 :])
+
+
+def _of_x3p(path: Path) -> str:
+    """Return why an X3P is not read, and what to do; nothing of other files."""
+    if path.suffix.lower() != ".x3p" or not is_archive(path):
+        return ""
+    with zipfile.ZipFile(path) as archive:
+        names = archive.namelist()
+    if X3P_HEAD not in names and any(name.endswith(f"/{X3P_HEAD}") for name in names):
+        return f"an X3P whose {X3P_HEAD} stands in a folder of the archive; pack what is in the folder, without it"
+    if X3P_HEAD in names and not any(name.endswith(".bin") for name in names):
+        return f"an X3P whose heights stand in its {X3P_HEAD}; save it anew with binary data, or as text"
+    return ""
 
 
 def _refuse_cut_array(path: Path) -> None:

@@ -221,7 +221,8 @@ def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[in
             bare.append(place)
             continue
         try:
-            scale(unit, column.unit)
+            if not zero_of(unit, column.unit):
+                scale(unit, column.unit)
         except InvalidInput:
             continue
         fitting.append(place)

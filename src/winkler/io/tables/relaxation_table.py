@@ -25,7 +25,7 @@ __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
-TIME = Column("time", ("time", "t", "step time", "test time", "zeit"), "s", "s", "step time")
+TIME = Column("time", ("time", "t", "step time", "test time", "zeit", "temps", "时间"), "s", "s", "step time")
 FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz", "fréquence", "frecuencia"), "Hz")
 FREQUENCY_IN_RADIANS = Column(FREQUENCY.word, FREQUENCY.names, "rad/s")
 ANGULAR = Column(
@@ -55,6 +55,7 @@ SHEAR_STORAGE = Column(
         "g'",
         "gp",
         "g_stor",
+        "g storage",
         "storage modulus",
         "speichermodul",
         "shear modulus (elastic component)",
@@ -72,6 +73,7 @@ SHEAR_LOSS = Column(
         'g"',
         "gpp",
         "g_loss",
+        "g loss",
         "loss modulus",
         "verlustmodul",
         "shear modulus (viscous component)",
@@ -81,7 +83,10 @@ SHEAR_LOSS = Column(
     "kPa",
 )
 TENSILE_STORAGE = Column(
-    "storage modulus in tension", ("tensile_storage", "e'", "ep", "e_stor", "tensile storage modulus"), "Pa", "MPa"
+    "storage modulus in tension",
+    ("tensile_storage", "e'", "ep", "e_stor", "e storage", "tensile storage modulus"),
+    "Pa",
+    "MPa",
 )
 TENSILE_LOSS = Column(
     "loss modulus in tension", ("tensile_loss", "e''", 'e"', "epp", "e_loss", "tensile loss modulus"), "Pa", "MPa"
@@ -233,7 +238,7 @@ def read_relaxation(
         The names and units of all columns, where the file has none: ``"time [s], shear [Pa]"``.
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
-        again, or where the numbers of the points begin again.
+        again, where the numbers of the points begin again, or in sheets of one workbook.
 
     Returns
     -------
@@ -277,7 +282,7 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
         The names and units of all columns, where the file has none: ``"time [s], compliance [1/Pa]"``.
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
-        again, or where the numbers of the points begin again.
+        again, where the numbers of the points begin again, or in sheets of one workbook.
 
     Returns
     -------
@@ -322,7 +327,7 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
         The names and units of all columns, where the file has none: ``"omega [rad/s], g' [Pa], g'' [Pa]"``.
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
-        again, or where the numbers of the points begin again.
+        again, where the numbers of the points begin again, or in sheets of one workbook.
 
     Returns
     -------

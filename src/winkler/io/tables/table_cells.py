@@ -26,6 +26,12 @@ DEVIATION = re.compile(
 )
 
 
+SMALL_UNITS = {"hz": "Hz", "khz": "kHz", "pa": "Pa", "kpa": "kPa", "gpa": "GPa", "rad_s": "rad/s"}
+"""Units as names of programs have them, in small letters: ``freq_hz``; mpa may be mPa and MPa, and is none."""
+PREFIXES = {"nano": "n", "micro": "u", "milli": "m", "kilo": "k", "mega": "M", "giga": "G"}
+"""Words before a unit in such names: ``load_micro_N``."""
+BEHIND_WORDS = ("in", "en")
+"""Words before a unit, as in ``f in Hz``."""
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 """A symbol in brackets behind a name, as in "Position (z), mm"."""
 
@@ -114,6 +120,24 @@ def _plain(name: str) -> str:
     return MEAN.sub("", name.lower().replace("-", " ").replace("_", " "))
 
 
+def _joined(cell: str) -> Iterator[tuple[str, str]]:
+    """Yield how a cell may be a name and a unit that are joined by low lines."""
+    *name, unit = cell.rsplit("_", 1)
+    if not name or not name[0] or not unit or " " in unit:
+        return
+    *more, before = name[0].rsplit("_", 1)
+    if more and more[0]:
+        *most, first = more[0].rsplit("_", 1)
+        if before.lower() == "per" and most and most[0]:
+            yield most[0], f"{first}/{unit}"
+        joined = f"{before}_{unit}".lower()
+        if joined in SMALL_UNITS:
+            yield more[0], SMALL_UNITS[joined]
+        if before.lower() in PREFIXES:
+            yield more[0], PREFIXES[before.lower()] + unit
+    yield name[0], SMALL_UNITS.get(unit, unit)
+
+
 def unit_in(cell: str, wanted: str) -> str:
     """Return the unit behind the name in a cell of the header that measures the same as another; empty if none does."""
     for _, unit in _readings(cell) if len(cell) <= CELL_LETTERS else ():
@@ -126,7 +150,10 @@ def unit_in(cell: str, wanted: str) -> str:
 
 
 def _readings(cell: str) -> Iterator[tuple[str, str]]:
-    """Yield how a cell may be name and unit: ``r [um]``, ``r, um``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    """Yield how a cell may be name and unit: ``r [um]``, ``r, um``, ``r/um``, ``r in um``, ``r_um``, ``r um``.
+
+    Names of programs join both by low lines: ``f_hz``, ``load_micro_N``, ``k_N_per_m``, ``omega_rad_s``.
+    """
     name, _, unit = cell.rpartition(", ")
     if name and unit:
         yield SYMBOL.sub("", name.rstrip()), unit
@@ -139,11 +166,9 @@ def _readings(cell: str) -> Iterator[tuple[str, str]]:
     if name and unit:
         yield name.rstrip(), unit.lstrip()
     words = cell.rsplit(None, 2)
-    if len(words) == 3 and words[1] == "in":
+    if len(words) == 3 and words[1] in BEHIND_WORDS:
         yield words[0], words[2]
-    name, _, unit = cell.rpartition("_")
-    if name and unit:
-        yield name, unit
+    yield from _joined(cell)
     words = cell.split(None, 2)
     if len(words) == 2:
         yield words[0], words[1]

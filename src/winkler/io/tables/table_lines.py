@@ -16,7 +16,7 @@ from winkler.io.text_file import existing, head_of, headed, lines_of
 from winkler.io.workbooks.workbook_cells import Cell, is_workbook, sheets_of
 from winkler.limits import HEADER_LINES, TEXT_BYTES
 
-__all__ = ["TablePart", "table_head", "table_lines", "table_sheets"]
+__all__ = ["TablePart", "sheets_naming", "table_head", "table_lines", "table_sheets"]
 
 LEAST_ROWS, LEAST_NUMBERS = 3, 2
 """Of a sheet that is taken for a table."""
@@ -98,6 +98,19 @@ def table_sheets(path: str | os.PathLike[str]) -> list[TablePart]:
         If it cannot be read.
     """
     return list(_sheets(existing(path, "a workbook")))
+
+
+def sheets_naming(path: str | os.PathLike[str], columns: Sequence[Column]) -> list[TablePart]:
+    """Return the sheets of a workbook whose headers name all columns; none of a text.
+
+    Raises
+    ------
+    InvalidInput
+        If it cannot be read.
+    """
+    if isinstance(path, TablePart) or not is_workbook(file := existing(path, "a workbook")):
+        return []
+    return [sheet for sheet in _sheets(file) if _names(sheet.lines, columns)]
 
 
 def _sheets(path: Path) -> tuple[TablePart, ...]:

@@ -2,7 +2,8 @@ r"""Several tests in one table of moduli: side by side under names that stand ag
 
 Side by side, ``Frequency, G', G'', Frequency, G', G''`` stands in one row, or one frequency beside all moduli; the
 temperature of each test is in its names, ``G' (20 °C) [Pa]``, or in a row above them.  Below each other, the header
-stands again, the numbers of the points begin again at one, or times or frequencies at the first of them.
+stands again, the numbers of the points begin again at one, or times or frequencies at the first of them.  Sheets of a
+workbook that name the same columns are tests, too, if one is asked for.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from winkler.io.tables.column import Column
 from winkler.io.tables.header import COMMENT_MARKS, SEPARATORS_TRIED, needs_of, zero_of
 from winkler.io.tables.table import read_table
 from winkler.io.tables.table_cells import cells_of, is_number, like_number, named
-from winkler.io.tables.table_lines import TablePart, table_head, table_lines
+from winkler.io.tables.table_lines import TablePart, sheets_naming, table_head, table_lines
 
 __all__ = ["of_one_test", "parts_of_table"]
 
@@ -30,6 +31,8 @@ TEMPERATURE = re.compile(r"[\[(]? ?(-?\d{1,4}(?:[.,]\d{1,4})?) ?(°C|degC|deg C|
 SUFFIX = re.compile(r"\.\d{1,3}\Z")
 """What pandas puts behind a name that stands again."""
 COUNTERS = ("meas. pts.", "meas. pts", "point no.", "point", "pt.", "no.", "messpkt.")
+SHEET = "sheet "
+"""How the label of a sheet begins."""
 ROWS_ABOVE = 4
 """Rows above the names in which temperatures are looked for."""
 SAME_START, FEWEST_AGAIN = 1e-6, 4
@@ -86,11 +89,11 @@ def of_one_test(
         listed = "; ".join(f"{number}: {part.label}" for number, part in enumerate(parts[:8], start=1))
         more = f"; and {len(parts) - 8} more" * (len(parts) > 8)
         raise InvalidInput(f"{path}: it holds {len(parts)} tests ({listed}{more}); give one, as in test = 1.")
-    parts = parts_of_table(path, headers)
+    parts = _tests_of_sheets(path, headers)
     if not 0 < test <= len(parts):
         raise InvalidInput(f"{path}: test is {test}, and it holds {len(parts)}; give a number from 1 on.")
     part = parts[test - 1]
-    if since is not None and test > 1:
+    if since is not None and test > 1 and not part.label.startswith(SHEET):
         end, begin = (read_table(one, (since,)).values[place, 0] for one, place in ((parts[test - 2], -1), (part, 0)))
         if begin >= end:
             raise InvalidInput(
@@ -98,6 +101,18 @@ def of_one_test(
                 "step; save it by itself, with time and response from that step on."
             )
     return read(part)
+
+
+def _tests_of_sheets(path: str | os.PathLike[str], headers: Sequence[Sequence[Column]]) -> list[TablePart]:
+    """Return the tests of all sheets of a workbook that name the same columns, or those of a text."""
+    for columns in headers:
+        sheets = sheets_naming(path, columns)
+        if len(sheets) > 1:
+            parts = [(sheet, parts_of_table(sheet, headers)) for sheet in sheets]
+            return [one if len(of_sheet) > 1 else sheet for sheet, of_sheet in parts for one in of_sheet]
+        if sheets:
+            break
+    return parts_of_table(path, headers)
 
 
 def parts_of_table(

@@ -160,10 +160,10 @@ SPECIFIC = (
     TableKind(
         "log of a pin on a disc", ((logs.DISTANCE, logs.FRICTION), (logs.DISTANCE, logs.LOSS)), logs.read_pin, ""
     ),
-    TableKind("area function of a tip", ((CONTACT_DEPTH, AREA),), _area, "area"),
 )
 """Tables whose names are those of no force curve."""
 GENERAL = (
+    TableKind("area function of a tip", ((CONTACT_DEPTH, AREA),), _area, "area"),
     TableKind("grading", ((grading_table.DEPTH, grading_table.YOUNG),), _grading, "grading"),
     TableKind(
         "profile of a body of revolution",

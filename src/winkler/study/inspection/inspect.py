@@ -7,6 +7,7 @@ import dataclasses
 import itertools
 import math
 import os
+import re
 import time
 from collections.abc import Generator, Iterator, Sequence
 from pathlib import Path
@@ -21,12 +22,17 @@ from winkler.fitting.nanoindentation.thermal_drift import found_drift
 from winkler.fitting.nanoindentation.zero_point import found_zero_point
 from winkler.io.curves import try_curves
 from winkler.io.foreign import reason_of
-from winkler.io.indenter_file import read_indenter
+from winkler.io.indenter_file import AREA, read_indenter
+from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
+from winkler.io.instruments.find import states_curves
 from winkler.io.placed_curves import UnreadCurve
-from winkler.io.tables.curve_table import DEPTH, FORCE, is_curve_table
+from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
+from winkler.io.tables.relaxation_table import SHEAR_STORAGE
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
+from winkler.io.tables.table import read_table
+from winkler.io.tables.table_lines import sheets_naming
 from winkler.io.text_file import existing
 from winkler.loading import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
@@ -34,7 +40,7 @@ from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
-from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, HeldTable, TableKind
+from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, AreaTable, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
@@ -53,9 +59,16 @@ LEAST_HARDNESS = 10e6
 """Greatest force over 24.5 squares of the travel [Pa], from which on a test with an unloading is taken for a
 nanoindentation: the hardness by a Berkovich tip."""
 BERKOVICH = 24.5
+BARE_MODULUS = re.compile(r"storage[ _-]modulus|speichermodul|module de conservation", re.IGNORECASE)
+OF_SHEAR = re.compile(r"shear|torque|viscosity|scher|schub|moment|cisaillement|\bg'|rheo", re.IGNORECASE)
+"""Words of rheometers, which measure in shear; a DMA, in tension and bending, has none of them."""
+BY_TEST = ("dynamic", "relaxation", "creep")
+"""Studies whose files are read by the key `test`."""
 TWO_HOLDS = 'two holds, of other width or depth, make a study with kind = "held_contacts" (winkler show held_contacts)'
 MOST_CURVES_COUNTED, LONGEST_COUNT = 10_000, 2.0
 """Curves of a file that are counted, and time for it [s]."""
+FEWEST_FOR_JUMPS, LEAST_JUMP = 20, 0.5
+"""Fewest steps of a position among which a jump is sought, and its least part of the whole travel."""
 FEWEST_SHARED = 100
 """Files of a list from which on several processes read them; starting them takes a second or two."""
 LISTED_BYTES = 50_000_000
@@ -185,6 +198,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
+    if not head and states_curves(file):
+        return [("force curve", curve.reason)]
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
     of_curve = ("force curve", curve.reason)
@@ -217,11 +232,41 @@ def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
         done = (*done, content.reading)
     columns = columns_of(content)
     found = Inspection(str(file), kind.name, why, 1, columns, (), done, log_doubts(content), content=content)
+    found = dataclasses.replace(found, doubts=(*found.doubts, *_table_doubts(file, kind, content)))
     twisted = {column.word for angle in (Angle, Torque) for column in LATERAL_COLUMNS[angle]}
     study = kind.study
     if study == "path" and any(word in why for word in twisted):
         study = "twisted_path"
     return _finished(found, study)
+
+
+def _table_doubts(file: Path, kind: TableKind, content: object) -> Iterator[str]:
+    """Yield what is doubtful about a table by its names: other sheets that name the same, moduli of which kind."""
+    sheets = next(filter(None, (sheets_naming(file, columns) for columns in kind.headers)), [])
+    if len(sheets) > 1:
+        labels = ", ".join(sheet.label.removeprefix("sheet ") for sheet in sheets[1:6]) + " ..." * (len(sheets) > 6)
+        how = "test = 2 of a study reads the second" if kind.study in BY_TEST else "save each by itself"
+        yield f"The first of {len(sheets)} sheets that name these columns was read, not {labels}; {how}."
+    if kind.study == "path" and names_columns(file, (SHEAR_STORAGE,)):
+        yield (
+            "Its header names a storage modulus too, as a rheometer's sweep of strain does: its force and torque are "
+            "those of plates, no path of a contact."
+        )
+    if isinstance(content, AreaTable):
+        beside = [one.word for one in (FORCE, *RESULTS) if names_columns(file, (AREA, one))]
+        depth = read_table(file, (CONTACT_DEPTH, AREA)).read_as[0]
+        if beside:
+            yield (
+                f"Its header names a {' and a '.join(beside)} too, as a list of results does: the areas are those of "
+                f"the tip only if '{depth}' is the contact depth, not that of the whole travel."
+            )
+    if isinstance(content, DynamicData | DynamicSweeps):
+        head = header_lines(file, ANY_COLUMNS)
+        if any(BARE_MODULUS.search(line) for line in head) and not any(OF_SHEAR.search(line) for line in head):
+            yield (
+                "Nothing in the file says that its storage modulus is that of shear, G'; if it is E', of tension or "
+                "bending as in a DMA, name it tensile_storage, and the loss tensile_loss."
+            )
 
 
 def _tip(file: Path) -> Inspection:
@@ -255,12 +300,25 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
     done = () if brief else tuple(_done(first, nano=hard))
     flags = examined(first) if np.any(first.direction != 0.0) else ()
     doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
+    if not np.any(first.direction != 0.0):
+        doubts.append(f"The tip is held over all {first.position.size} points: there is no approach and no retraction.")
+    doubts += _jumps(first)
     if unread:
         doubts.append(f"{unread} of {count} curves cannot be read; the first: {reason}")
     found = Inspection(
         str(file), kind, first.reading, count, _curve_columns(first), (), done, tuple(doubts), content=first
     )
     return _finished(found, "nanoindentation" if hard else "force_curve")
+
+
+def _jumps(curve: ForceCurve) -> Iterator[str]:
+    """Yield that the position jumps, as where a way back is written from its end, or two tests are one."""
+    steps = np.abs(np.diff(curve.position))
+    if steps.size >= FEWEST_FOR_JUMPS and float(steps.max()) > LEAST_JUMP * float(np.ptp(curve.position)):
+        yield (
+            f"position: a jump of {with_unit(float(steps.max()), 'm', 3)} behind row {int(np.argmax(steps)) + 1}, more "
+            "than half of the travel; a way back may be written from its end, or two tests stand below each other."
+        )
 
 
 def _curve_columns(curve: ForceCurve) -> tuple[InspectedColumn, ...]:

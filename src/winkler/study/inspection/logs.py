@@ -9,13 +9,15 @@ import numpy as np
 from winkler.fitting.logs.contact_resistance import ResistanceLog
 from winkler.fitting.logs.estimated import Estimate
 from winkler.fitting.logs.friction_log import FrictionLog
-from winkler.fitting.logs.runs import BounceTimes, PinOnDisc
+from winkler.fitting.logs.runs import FEWEST_BOUNCES, BounceTimes, PinOnDisc
 from winkler.readable import with_unit
 
 __all__ = ["log_doubts", "log_lines"]
 
 UNEVEN = 0.1
 """Relative standard deviation of strokes from which on they are named."""
+LEAST_ERRORS, SAME_RESTITUTION = 4.0, 1e-4
+"""Least difference of two coefficients of restitution that is named, in standard errors and beyond that number."""
 TREND = 0.1
 """Change of the amplitude of the force within the second half, over its mean, that is named."""
 
@@ -40,6 +42,7 @@ def log_lines(content: object) -> tuple[str, ...]:
     if content.height_loss.size:
         rate = content.wear_per_distance
         lines.append(f"height loss {_with_error(rate, 'm', 1e3)} per kilometre over the second half")
+        lines.append(f"k = V / (F s) = {rate.value:.4g} A/F, of the area A of the pin and its force F")
     return tuple(lines)
 
 
@@ -71,6 +74,8 @@ def _of_loops(log: FrictionLog) -> tuple[str, ...]:
 
 def log_doubts(content: object) -> tuple[str, ...]:
     """Return what is doubtful about a log, one sentence each."""
+    if isinstance(content, BounceTimes):
+        return _of_bounces(content)
     if not isinstance(content, FrictionLog):
         return ()
     doubts = []
@@ -91,6 +96,20 @@ def log_doubts(content: object) -> tuple[str, ...]:
     if negative:
         doubts.append(f"{negative} of {len(content.cycles)} loops lose no energy: their opening is below the noise.")
     return tuple(doubts)
+
+
+def _of_bounces(log: BounceTimes) -> tuple[str, ...]:
+    """Return that the restitution of early and late bounces differs, as it does over the speed."""
+    middle = log.bounce.size // 2
+    if middle < FEWEST_BOUNCES:
+        return ()
+    early, late = (BounceTimes(part).restitution for part in (log.bounce[:middle], log.bounce[middle:]))
+    if abs(early.value - late.value) <= LEAST_ERRORS * math.hypot(early.error, late.error) + SAME_RESTITUTION:
+        return ()
+    return (
+        f"The restitution is not the same in all bounces: {_text(early)} in the first half, {_text(late)} in the "
+        "second.",
+    )
 
 
 def _with_error(number: Estimate, unit: str, factor: float = 1.0) -> str:
