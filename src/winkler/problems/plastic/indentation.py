@@ -1,0 +1,273 @@
+r"""A round body pressed into metal, or metal into it: loaded, let go, and loaded again.
+
+Beyond the greatest load so far the bodies yield along their curve of first loading
+(`winkler.problems.plastic.first_loading`).  Below it they are elastic, on the dent that this load has left
+(`winkler.problems.plastic.dent`): the old load brings back the old depth, and from there the curve goes on.  So a state
+depends on the greatest load so far and the load now alone, and no step is too long.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.foundation import Foundation
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array, PerLoad, Q
+from winkler.path import numbers_of
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import BALANCED, PRESSED
+from winkler.problems.last_cycle import Looped, PathLoop
+from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radius
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.validity import shape_notes
+from winkler.problems.plastic.first_loading import FirstLoading, first_loading, stored_energy
+from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["PlasticIndentation", "PlasticPress", "PlasticSolution", "PlasticState"]
+
+LEAST_STIFFNESS = 50.0
+"""Modulus over strength below which strains at yield are not small."""
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1017/CBO9781139171731"
+LAW = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "Yielding by tables fitted to finite elements of small strains without hardening or friction: force and radius err "
+    "by about 2 %, the residual depth by 0.01 of the depth. Reverse yielding at release is left out, and a tenth of "
+    "the dissipation may stay in the bodies as residual stress.",
+    "finite elements of this package; " + JOHNSON,
+    0.02,
+)
+
+
+@value
+class PlasticIndentation:
+    """A round body pressed against another one, of which at least one yields.
+
+    Parameters
+    ----------
+    bed : Foundation
+        A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both.
+    path : Depth or Force
+        Depths [m], or loads [N], one after the other, ``(steps,)``.
+
+    Raises
+    ------
+    InvalidInput
+        If no body has a strength, a strength is above a fiftieth of Young's modulus, the medium is another one, the
+        profile has a flat end, or the path is no row.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, chapter 6, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(young=210e9, poisson=0.3, strength=1e9)
+    >>> bed = Foundation(Paraboloid(5e-3), HalfSpace(steel))
+    >>> pressed = PlasticIndentation(bed, Force([2000.0, 0.0])).solve()
+    >>> bool(pressed.residual_depth[0] > 0.0), bool(pressed.depth[1] == pressed.residual_depth[1])
+    (True, True)
+    """
+
+    bed: Foundation
+    path: Depth | Force
+
+    references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED
+
+    def __post_init__(self) -> None:
+        owner = type(self).__name__
+        levels = numbers_of(self.path)
+        if levels.ndim != 1:
+            raise InvalidInput(
+                f"{owner}: the path has the shape {levels.shape}; give its points one after the other in one row."
+            )
+        if not isinstance(self.bed.medium, HalfSpace):
+            raise InvalidInput(
+                f"{owner}: the medium is a {type(self.bed.medium).__name__}; how layered, graded or anisotropic bodies "
+                "yield is not known here: give a HalfSpace of isotropic bodies."
+            )
+        parts = strong_parts(self.bed.medium)
+        if not parts:
+            raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
+        for part in parts:
+            solid = part.solid
+            if solid.strength * LEAST_STIFFNESS > solid.young:
+                raise InvalidInput(
+                    f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
+                    f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
+                )
+            if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
+                raise InvalidInput(
+                    f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
+                    "known here: give one from 0 to 0.5."
+                )
+        if not self.bed.profile.rising or self.bed.rim < np.inf or flat_radius(self.bed) > 0.0:
+            raise InvalidInput(
+                f"{owner}: the profile has a flat end, a rim or a valley, under which bodies yield in another way; "
+                "give a profile that rises from its apex on, such as Sphere, Paraboloid or Cone."
+            )
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return int(numbers_of(self.path).size)
+
+    @property
+    def loading(self) -> FirstLoading:
+        """The curve of first loading."""
+        return first_loading(self.bed)
+
+    def steps(self) -> Iterator[PlasticState]:
+        """Yield the state at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If a load is tensile, or leads beyond the reach of the profile.
+        """
+        table = _states(self)
+        for row in zip(*table, strict=True):
+            yield PlasticState(*(float(number) for number in row))
+
+    def gathered(self, states: Iterable[PlasticState]) -> PlasticSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        return gather(PlasticSolution, self, states)
+
+    def solve(self) -> PlasticSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        PlasticSolution
+
+        Raises
+        ------
+        OutsideValidity
+            As `steps`.
+        """
+        return PlasticSolution(*_states(self), self)
+
+
+def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
+    """Return the numbers of `PlasticPress` along a path, each ``(steps,)``."""
+    levels, by_force = numbers_of(problem.path), isinstance(problem.path, Force)
+    if by_force and np.any(levels < 0.0):
+        where = int(np.flatnonzero(levels < 0.0)[0])
+        raise OutsideValidity(
+            f"At index {where} of the path the force of {levels[where]:.6g} N is tensile; without adhesion bodies can "
+            "only be pressed together: give a force of zero or more."
+        )
+    curve = problem.loading
+    greatest, group = np.unique(np.maximum.accumulate(np.maximum(levels, 0.0)), return_inverse=True)
+    state, spent = curve.at_level(greatest, by_force=by_force)
+    left, stored = state.depth - state.recovery, curve.stored(state)
+    depth, force, radius, energy = (part[group] for part in (state.depth, state.force, state.radius, stored))
+    again = levels < greatest[group]
+    for index in np.unique(group[again]).tolist():
+        here = np.flatnonzero(again & (group == index))
+        springs, residual = curve.springs(state, index), left[index]
+        now = levels[here] if by_force else levels[here] - residual
+        d, a = (at_force if by_force else at_depth)(springs, now)
+        touching = a > 0.0
+        borne = levels[here] if by_force else np.where(touching, springs.stiffness(a) * d - springs.gap_load(a), 0.0)
+        depth[here], force[here], radius[here] = d + residual if by_force else levels[here], borne, a
+        energy[here] = np.where(touching, stored_energy(springs, d, a), 0.0)
+    lost = np.where(state.radius > curve.onset, np.maximum(spent - stored, 0.0), 0.0)
+    return depth, force, radius, left[group], state.radius[group], energy, lost[group]
+
+
+@value
+class PlasticPress(PerLoad[Q]):
+    """A contact that has yielded, at a moment, or at the points of its path.
+
+    Parameters
+    ----------
+    depth, force, radius : float or ndarray, (steps,)
+        d [m] since first touch, F_N [N], compression positive, and a [m], zero without contact.
+    residual_depth : float or ndarray, (steps,)
+        d0 [m], at which the unloaded bodies would just touch.
+    largest_radius : float or ndarray, (steps,)
+        Of the contact under the greatest load so far [m]: the radius of the dent.
+    energy, dissipation : float or ndarray, (steps,)
+        What unloading would give back, and what it would not [J]; a part of the latter stays as residual stress.
+    """
+
+    __words__ = words(
+        energy=("U", "J", "energy that unloading would give back"),
+        largest_radius=("a_m", "m", "contact radius under the greatest load so far"),
+    )
+
+    depth: Q
+    force: Q
+    radius: Q
+    residual_depth: Q
+    largest_radius: Q
+    energy: Q
+    dissipation: Q
+
+    @property
+    def mean_pressure(self) -> Q:
+        """F / (pi a^2) [Pa]; zero without contact."""
+        area = np.pi * np.asarray(self.radius) ** 2
+        mean = np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0)
+        return mean if mean.ndim else float(mean)  # type: ignore[return-value]
+
+    @property
+    def work(self) -> Q:
+        """What was spent since the beginning, the integral of the force over the depth [J]."""
+        return self.energy + self.dissipation
+
+
+@value
+class PlasticState(PlasticPress[float]):
+    """A contact that yields at one point of its path; its numbers are those of `PlasticPress`."""
+
+
+@value
+class PlasticSolution(PlasticPress[Array], Looped):
+    """The solution of a `PlasticIndentation`, point by point; its numbers are those of `PlasticPress`.
+
+    Parameters
+    ----------
+    problem : PlasticIndentation
+        The problem that was solved.
+    """
+
+    problem: PlasticIndentation
+
+    @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((numbers_of(self.problem.path),), self.depth, self.force, self.dissipation)
+
+    @property
+    def dented(self) -> Foundation:
+        """The bed that the path leaves: the contact is elastic on it up to the greatest load so far.
+
+        Depths on it are counted from `residual_depth`.
+        """
+        curve = self.problem.loading
+        by_force = isinstance(self.problem.path, Force)
+        greatest = np.array([max(float(np.max(numbers_of(self.problem.path), initial=0.0)), 0.0)])
+        state, _ = curve.at_level(greatest, by_force=by_force)
+        return curve.springs(state, 0)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        widest = float(np.max(self.largest_radius, initial=0.0))
+        notes = list(self.problem.bed.notes)
+        if widest > 0.0:
+            notes += shape_notes(self.problem.bed, widest)
+        if widest > self.problem.loading.onset:
+            notes.append(LAW)
+        return (*notes, *self._cycle_notes)
