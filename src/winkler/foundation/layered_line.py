@@ -45,7 +45,7 @@ from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded, has_tail
 from winkler.numerics.transforms.strips import strip_punches
 from winkler.numerics.transforms.strips.layered_strips import LayeredStrips
 from winkler.numerics.transforms.strips.strip_equation import (
@@ -57,7 +57,6 @@ from winkler.numerics.transforms.strips.strip_equation import (
     StripResponse,
     Strips,
     Waves,
-    has_tail,
     octaves,
     punch_edges,
     settled_strips,

@@ -7,6 +7,7 @@ import pytest
 from layered_rings_by_hankel import Discs, ball, bonded_on_rigid, flat_pin, sliding_on_elastic
 
 import winkler as wk
+from winkler.foundation.bed import PressedSprings
 
 STEEL = wk.Elastic(210e9, 0.3)
 POLYMER = wk.Elastic(3e9, 0.4)
@@ -167,3 +168,28 @@ def test_what_has_no_layer_is_refused():
     for medium in (wk.HalfSpace(STEEL, STEEL), GRADED):
         with pytest.raises(wk.InvalidInput, match="layer_wears is True, and a .* has no layers"):
             worn(wk.Paraboloid(1e-3), medium, 1.0, 1.0, layer_wears=True)
+
+
+def bodies_below():
+    """Contrast and thickness of layers, and gradings that soften and stiffen."""
+    for contrast, thickness in ((0.1, 0.1), (0.1, 0.03), (100.0, 0.03)):
+        layers = [wk.Layer(wk.Elastic(1.0, 0.3), thickness)]
+        yield pytest.param(wk.CoatedHalfSpace(layers, on=wk.Elastic(contrast, 0.3)), id=f"{contrast}-{thickness}")
+    for contrast in (0.1, 10.0):
+        grading = wk.ExponentialGrading(1.0, contrast, depth_scale=1.0, poisson=0.3)
+        yield pytest.param(wk.DepthGradedHalfSpace(grading), id=f"grading-{contrast}", marks=pytest.mark.long)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("medium", list(bodies_below()))
+@pytest.mark.parametrize("count", [50, 200])
+def test_before_wear_rings_press_in_the_middle_as_beside_it(medium, count):
+    """Too few points in the innermost cells had left a peak of the pressure there, which grew with finer rings."""
+    bed = wk.Foundation(wk.Paraboloid(1.0), medium)
+    pressed = wk.Indentation(bed, wk.Radius(3.0)).solve()
+    rig = {"wear": wk.Archard(1.0), "count": count, "law": wk.Coulomb(0.4), "cycles": [0.0, 1e-9]}
+    force = float(pressed.force)
+    fresh = wk.FrettingWear(bed, normal=wk.Force(force), amplitude=wk.ShearForce(0.1 * force), **rig).solve().states[-1]
+    inside = fresh.radii < 0.8 * pressed.radius
+    expected = medium.pressure(PressedSprings(bed, float(pressed.depth), float(pressed.radius)), fresh.radii[inside])
+    np.testing.assert_allclose(fresh.pressure[inside], expected, atol=1e-2 * expected[0])

@@ -222,7 +222,8 @@ def test_figures_of_a_march():
 def test_figures_of_a_sweep(unprinted):
     swept = run(Study("", PRESSED, sweep=(Axis("problem.bed.medium.first.relaxation_time", (0.01, 0.1)),)))
     names = [shown.name for shown in figures_of(swept)]
-    assert names == ["answer_relaxing", "answer_force", "answer_force_over_time", "answer_dissipation"]
+    of_cycles = ["loss_per_cycle", "secant_stiffness", "loss_factor", "damping_ratio"]
+    assert names == [f"answer_{name}" for name in ("relaxing", "force", "force_over_time", "dissipation", *of_cycles)]
 
 
 def test_restitution_is_drawn_over_what_was_varied(unprinted):

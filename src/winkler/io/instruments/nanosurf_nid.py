@@ -26,8 +26,8 @@ __all__ = ["is_nanosurf_nid", "tests_of_nanosurf_nid"]
 BEGIN, END = b"[DataSet]", b"#!"
 HEAD_BYTES = 1_000_000
 """Most bytes of the head."""
-WAYS = ("Spec forward", "Spec backward")
-"""Frames of the two ways of a curve, against the sample and back."""
+FRAMES = ("Spec forward", "Spec backward")
+"""The two frames of a curve, against the sample and back."""
 HEIGHTS, DEFLECTION = ("Z-Axis Sensor", "Z-Axis"), "Deflection"
 """Channels of heights, that which was measured before that which was demanded."""
 LEVER = "DataSet\\Calibration\\Cantilever"
@@ -36,10 +36,10 @@ BITS = {8: "<i1", 16: "<i2", 32: "<i4"}
 Sections = dict[str, dict[str, str]]
 
 
-class _WayColumn(NamedTuple):
-    """Name, unit and numbers ``(lines, points)`` of a channel of one way."""
+class _FrameChannel(NamedTuple):
+    """Name, unit and numbers ``(lines, points)`` of a channel of one frame."""
 
-    way: str
+    frame: str
     name: str
     unit: str
     numbers: Array
@@ -51,11 +51,11 @@ def is_nanosurf_nid(path: Path) -> bool:
         if file.read(len(BEGIN)) != BEGIN:
             return False
         head = file.read(HEAD_BYTES).partition(END)[0]
-    return any(f"Frame={way}".encode() in head for way in WAYS)
+    return any(f"Frame={frame}".encode() in head for frame in FRAMES)
 
 
 def tests_of_nanosurf_nid(path: Path, given: GivenFacts) -> Iterator[InstrumentTest]:
-    """Yield the curves of a file, both ways of each.
+    """Yield the curves of a file, against the sample and back.
 
     Raises
     ------
@@ -64,25 +64,25 @@ def tests_of_nanosurf_nid(path: Path, given: GivenFacts) -> Iterator[InstrumentT
     """
     channels, sections = _channels(path)
     spring = given.spring_constant or _spring(sections)
-    ways = []
-    for way in WAYS:
-        own = {one.name: one for one in channels if one.way == way}
+    pairs = []
+    for frame in FRAMES:
+        own = {one.name: one for one in channels if one.frame == frame}
         height = next((own[name] for name in HEIGHTS if name in own), None)
         if own and (height is None or DEFLECTION not in own):
             raise InvalidInput(
-                f"{path}: '{way}' holds {', '.join(sorted(own))}; a curve needs {DEFLECTION} and one of "
+                f"{path}: '{frame}' holds {', '.join(sorted(own))}; a curve needs {DEFLECTION} and one of "
                 f"{', '.join(HEIGHTS)}: record them, or export the curve as text."
             )
         if height is not None:
-            ways.append((height, own[DEFLECTION]))
-    count = min(height.numbers.shape[0] for height, _ in ways)
+            pairs.append((height, own[DEFLECTION]))
+    count = min(height.numbers.shape[0] for height, _ in pairs)
     for number in range(count):
         name = path.name if count == 1 else f"{path.name}, curve {number}"
-        yield _test(ways, number, name, spring, given, path)
+        yield _test(pairs, number, name, spring, given, path)
 
 
 def _test(
-    ways: list[tuple[_WayColumn, _WayColumn]],
+    pairs: list[tuple[_FrameChannel, _FrameChannel]],
     number: int,
     name: str,
     spring: float | None,
@@ -91,9 +91,9 @@ def _test(
 ) -> InstrumentTest:
     position: list[Array] = []
     force: list[Array] = []
-    way: list[Array] = []
+    frame: list[Array] = []
     facts: tuple[str, ...] = ()
-    for place, (height, bend) in enumerate(ways):
+    for place, (height, bend) in enumerate(pairs):
         factor, facts = force_factor(bend.unit, spring, given.sensitivity, "given", path)
         if not measures(height.unit, "m"):
             raise InvalidInput(f"{path}: its height '{height.name}' is in {height.unit!r}; export the curve as text.")
@@ -104,21 +104,21 @@ def _test(
             z, f = z[::-1], f[::-1]
         position.append(z)
         force.append(factor * f)
-        way.append(np.full(size, place))
-    height, bend = ways[0]
-    at, load, numbers = np.concatenate(position), np.concatenate(force), np.concatenate(way)
+        frame.append(np.full(size, place))
+    height, bend = pairs[0]
+    at, load, numbers = np.concatenate(position), np.concatenate(force), np.concatenate(frame)
     notes = (
         f"position from '{height.name}', force from '{bend.name}'",
         *facts,
-        segment_fact(at, load, numbers, "way"),
+        segment_fact(at, load, numbers, "frame"),
     )
     columns = (InstrumentColumn("position", height.unit, at), InstrumentColumn("force", "N", load))
     turned = directions(at, load, numbers)
     return InstrumentTest("Nanosurf", name, columns, notes, direction=turned, spring_constant=spring)
 
 
-def _channels(path: Path) -> tuple[list[_WayColumn], Sections]:
-    """Return the channels of both ways, and the sections of the head."""
+def _channels(path: Path) -> tuple[list[_FrameChannel], Sections]:
+    """Return the channels of both frames, and the sections of the head."""
     with path.open("rb") as file:
         content = file.read(FILE_BYTES)
     head, mark, numbers = content.partition(END)
@@ -126,7 +126,7 @@ def _channels(path: Path) -> tuple[list[_WayColumn], Sections]:
         raise InvalidInput(f"{path}: the file ends within its head; copy it anew from the microscope.")
     sections = _sections(head[:HEAD_BYTES].decode("latin-1"))
     groups = sections.get("DataSet", {})
-    channels: list[_WayColumn] = []
+    channels: list[_FrameChannel] = []
     begin = 0
     for group in range(_whole(groups, "GroupCount", path, 1000)):
         for place in range(_whole(groups, f"Gr{group}-Count", path, 1000)):
@@ -142,12 +142,12 @@ def _channels(path: Path) -> tuple[list[_WayColumn], Sections]:
             end = begin + points * lines * bits // 8
             if end > len(numbers):
                 raise InvalidInput(f"{path}: the file ends within its numbers; copy it anew from the microscope.")
-            if section.get("Frame") in WAYS:
+            if section.get("Frame") in FRAMES:
                 raw = np.frombuffer(numbers[begin:end], dtype=BITS[bits]).reshape(lines, points)
                 low, span = (_real(section, key, path) for key in ("Dim2Min", "Dim2Range"))
                 scaled = low + span * (raw + 2.0 ** (bits - 1)) / 2.0**bits
                 name, unit = section.get("Dim2Name", ""), section.get("Dim2Unit", "")
-                channels.append(_WayColumn(section["Frame"], name, unit, scaled))
+                channels.append(_FrameChannel(section["Frame"], name, unit, scaled))
             begin = end
     if not any(one.numbers.size for one in channels):
         raise InvalidInput(f"{path}: its curves hold no numbers; record them anew.")

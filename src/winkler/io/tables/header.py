@@ -134,9 +134,9 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
                     counted = ", ".join(
                         f"{one.word} = {all_of[0] + 1}" for one, all_of in zip(columns, candidates, strict=True)
                     )
-                    way = "" if given is None else f", or give columns, such as columns = {{ {counted} }}"
+                    remedy = "" if given is None else f", or give columns, such as columns = {{ {counted} }}"
                     raise InvalidInput(
-                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one{way}."
+                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one{remedy}."
                     )
             units = tuple(
                 named(cells[places[0]], column.names)[1] for column, places in zip(columns, candidates, strict=True)

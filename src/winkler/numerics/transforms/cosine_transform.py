@@ -26,6 +26,7 @@ __all__ = [
     "SurfaceResponse",
     "WaveResponse",
     "faded",
+    "has_tail",
     "in_own_lengths",
     "on_axis",
     "scaled_response",
@@ -250,6 +251,11 @@ def _ray(response: WaveResponse, angle: float) -> Panels:
         return response.excess((s * turn).ravel()).reshape(s.shape)
 
     return fit_panels(along, np.array(edges), response.precision * (size + LEAST_RESPONSE))
+
+
+def has_tail(response: WaveResponse) -> bool:
+    """Return whether M falls like 1 / xi, and its kernel has a logarithm."""
+    return response.smooth > response.length
 
 
 def on_axis(response: WaveResponse, xi: Array) -> Array:

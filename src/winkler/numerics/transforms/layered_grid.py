@@ -14,21 +14,28 @@ kernel; everything else is what the transforms of a homogeneous half-space do wi
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import WaveResponse
+from winkler.numerics.transforms.cosine_transform import WaveResponse, has_tail
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredGrid"]
 
-FEWEST_POINTS, MOST_POINTS = 3, 48
-"""Gauss points of a cell."""
+FEWEST_POINTS, MORE_POINTS, MOST_POINTS = 3, 12, 96
+"""Gauss points of a cell; more of them in the middle, and where the kernel has a logarithm at the ends of a cell."""
+MIDDLE, POINTS_IN_THE_MIDDLE = 2.0, 48.0
+"""Cells that begin within so many lengths over which the kernel changes have so many points a length: the node in the
+middle feels all of the fall of phi(x; x), and an error there is a peak of the pressure."""
 POINTS_PER_LENGTH = 3.0
 """How many of them for each length over which the kernel changes."""
+
+
+def _cell_rule(count: int, tail: bool) -> tuple[Array, Array]:
+    """Return places of a cell from 0 to 1, and weights; dense at both ends where the kernel has a logarithm."""
+    s, weights = gauss_legendre(count)
+    return (s**3 * (10.0 - 15.0 * s + 6.0 * s * s), 30.0 * weights * (s * (1.0 - s)) ** 2) if tail else (s, weights)
 
 
 class LayeredGrid(GridTransforms):
@@ -42,27 +49,22 @@ class LayeredGrid(GridTransforms):
         Of the medium, to a pressure or to shear.
     """
 
-    fewest: int = FEWEST_POINTS
-    """Gauss points of a narrow cell."""
-
     def __init__(self, plain: GridTransforms, response: WaveResponse) -> None:
         nodes = plain.nodes
         super().__init__(nodes)
         self.plain, self.in_the_middle = plain, plain.in_the_middle
         self.borders, self.areas = plain.borders, plain.areas
         self.edge = self.edges(response, nodes)
-        points, weights = self._points(response)
+        points, weights, starts = self._points(response)
         inner = self.held(response, points, nodes) * weights
-        held = self._by_hats(inner, points)
+        held = self._by_hats(inner, points, starts)
         self.held_away: Array = np.eye(nodes.size) - held
         """What takes a transform h to phi(x; x) g(x), lower triangular ``(n, n)``."""
         self.gap = (plain.gap - held @ plain.gap) / self.edge[:, None]
         outer = self.spread(response, nodes, points) * (self.edges(response, points) * weights)
-        self._spread = self._by_hats(outer, points)
+        self._spread = self._by_hats(outer, points, starts)
         widths = np.diff(nodes)
-        self._near, self._held_near = (
-            each.reshape(nodes.size, widths.size, -1).sum(axis=2) / widths for each in (outer, inner)
-        )
+        self._near, self._held_near = (np.add.reduceat(each, starts, axis=1) / widths for each in (outer, inner))
         self.own: Array = np.diag(self.edge) - self._spread
         """What takes springs to those that press alike without layers, upper triangular ``(n, n)``."""
         self.outside, self.force = plain.outside @ self.own, plain.force @ self.own
@@ -80,25 +82,25 @@ class LayeredGrid(GridTransforms):
         """Return rho(x; t) [1/m] of places x ``(n,)`` and outer ones t ``(m,)``, ``(n, m)``."""
         raise NotImplementedError
 
-    def rule(self, response: WaveResponse, count: int) -> tuple[Array, Array]:
-        """Return so many places of a cell from 0 to 1, and their weights."""
-        return gauss_legendre(count)
+    def _points(self, response: WaveResponse) -> tuple[Array, Array, Array]:
+        """Return places in all cells, ascending, their weights [m], and where each cell begins among them."""
+        widths, tail = np.diff(self.nodes), has_tail(response)
+        middle = self.nodes[:-1] < MIDDLE * response.smooth
+        wanted = np.ceil(np.where(middle, POINTS_IN_THE_MIDDLE, POINTS_PER_LENGTH) * widths / response.smooth)
+        least = np.where(middle | tail, MORE_POINTS, FEWEST_POINTS)
+        counts = np.clip(wanted, least, MOST_POINTS).astype(int)
+        rules = [_cell_rule(count, tail) for count in counts.tolist()]
+        places = [start + width * s for start, width, (s, _) in zip(self.nodes, widths, rules, strict=False)]
+        weights = [width * share for width, (_, share) in zip(widths, rules, strict=True)]
+        return np.concatenate(places), np.concatenate(weights), np.append(0, np.cumsum(counts)[:-1])
 
-    def _points(self, response: WaveResponse) -> tuple[Array, Array]:
-        """Return Gauss points of all cells, ascending, and their weights [m]."""
-        widths = np.diff(self.nodes)
-        wanted = math.ceil(POINTS_PER_LENGTH * float(np.max(widths)) / response.smooth)
-        places, weights = self.rule(response, min(max(wanted, self.fewest), MOST_POINTS))
-        return (self.nodes[:-1, None] + widths[:, None] * places).ravel(), (widths[:, None] * weights).ravel()
-
-    def _by_hats(self, samples: Array, points: Array) -> Array:
+    def _by_hats(self, samples: Array, points: Array, starts: Array) -> Array:
         """Return sums of samples ``(n, points)`` times functions that are one at one node and zero at all others."""
-        cells = self.nodes.size - 1
-        later = (points.reshape(cells, -1) ** 2 - self.squares[:-1, None]) / self.widths[:, None]
-        by_cell = samples.reshape(self.nodes.size, cells, -1)
+        cell = np.searchsorted(starts, np.arange(points.size), side="right") - 1
+        later = (points**2 - self.squares[cell]) / self.widths[cell]
         matrix = np.zeros((self.nodes.size, self.nodes.size))
-        matrix[:, :-1] += np.sum(by_cell * (1.0 - later), axis=2)
-        matrix[:, 1:] += np.sum(by_cell * later, axis=2)
+        matrix[:, :-1] += np.add.reduceat(samples * (1.0 - later), starts, axis=1)
+        matrix[:, 1:] += np.add.reduceat(samples * later, starts, axis=1)
         return matrix
 
     def _alike(self, values: Array, cut: Cuts) -> tuple[Array, Cuts, Array]:

@@ -31,7 +31,8 @@ class MapSlip(PerLoad[Q]):
     stored_energy, dissipation : float or ndarray, (points,)
         Of the tractions along the surface, and lost by friction since the beginning [J].
     misfit : float or ndarray, (points,)
-        Sum of mu p |s| - tau s with the slip s of the last step, over that of mu p |s| and of twice the stored energy.
+        Sum of mu p abs(s) - tau s with the slip s of the last step, over that of mu p abs(s) and of twice the stored
+        energy.
     penetration : float or ndarray, (points,)
         Greatest overlap that the solver left, over the depth.
     """

@@ -28,8 +28,8 @@ class SurfaceRollingState:
     stick_share : float
         Part of the contact that does not slip [-].
     misfit : float
-        What the solver left of the law of friction: the sum of mu p |s| - tau s over that of mu p |w|; or, if they are
-        more, the distance from a given force over what friction bears, and of friction that falls the sum of
+        What the solver left of the law of friction: the sum of mu p abs(s) - tau s over that of mu p abs(w); or, if
+        they are more, the distance from a given force over what friction bears, and of friction that falls the sum of
         |g - mu p| over that of mu p, with the bound g that was used.
     pressure : ndarray, (nx, ny)
         p [Pa] in every pixel.
@@ -82,7 +82,7 @@ class SurfaceRollingStartState:
     stick_share : float
         Part of the contact that does not slip on the last pixel [-].
     misfit : float
-        Sum of mu p |s| - tau s of the last pixel, over that of mu p |s| and of twice the stored energy.
+        Sum of mu p abs(s) - tau s of the last pixel, over that of mu p abs(s) and of twice the stored energy.
     pressure, traction, slipping : ndarray
         As of `SurfaceRollingState`.
     """

@@ -7,14 +7,10 @@ import numpy as np
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.layered_grid import LayeredGrid
 from winkler.numerics.transforms.strips import strip_punches
-from winkler.numerics.transforms.strips.strip_equation import has_tail
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 
 __all__ = ["LayeredStrips"]
-
-BESIDE_LOGARITHM = 12
-"""Points of a cell at whose ends the kernel may have a logarithm."""
 
 
 class LayeredStrips(LayeredGrid):
@@ -29,16 +25,7 @@ class LayeredStrips(LayeredGrid):
     """
 
     def __init__(self, nodes: Array, response: WaveResponse) -> None:
-        if has_tail(response):
-            self.fewest = BESIDE_LOGARITHM
         super().__init__(StripTransforms(nodes), response)
-
-    def rule(self, response: WaveResponse, count: int) -> tuple[Array, Array]:
-        """As `LayeredGrid.rule`; dense at a logarithm, whose error no sum has at the middle."""
-        s, weights = LayeredGrid.rule(self, response, count)
-        if not has_tail(response):
-            return s, weights
-        return s**3 * (10.0 - 15.0 * s + 6.0 * s * s), 30.0 * weights * (s * (1.0 - s)) ** 2
 
     def edges(self, response: WaveResponse, x: Array) -> Array:
         """As `LayeredGrid.edges`."""

@@ -28,6 +28,7 @@ from winkler.numerics.transforms.cosine_transform import (
     DECAY_SPAN,
     NODES,
     WaveResponse,
+    has_tail,
     in_own_lengths,
     on_axis,
     wave_numbers,
@@ -47,7 +48,6 @@ __all__ = [
     "Waves",
     "excess_at",
     "first_modes",
-    "has_tail",
     "kept_share",
     "octaves",
     "punch_edges",
@@ -191,11 +191,6 @@ def _own_waves(own: WaveResponse, octave: int) -> Waves:
 def excess_at(response: WaveResponse, k: Array) -> Array:
     """Return M [-] at many real wave numbers ``(k,)`` [1/m]."""
     return on_axis(response, k) if has_tail(response) else response.excess(k)
-
-
-def has_tail(response: WaveResponse) -> bool:
-    """Return whether M falls like 1 / xi, and its kernel has a logarithm."""
-    return response.smooth > response.length
 
 
 def kept_share(ratio: Array) -> Array:
