@@ -31,7 +31,7 @@ from winkler.problems.normal.onset.search import onset_in
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.plastic.dent import Dent
-from winkler.problems.plastic.yielded_response import Yielded, yielded
+from winkler.problems.plastic.yielded_response import Yielded, beyond_tables, yielded
 
 __all__ = ["FirstLoading", "GreatestLoad", "first_loading", "stored_energy"]
 
@@ -128,6 +128,33 @@ class FirstLoading(NamedTuple):
     second: _Body
     onset: float
 
+    def at_onset(self, *, by_force: bool) -> float:
+        """Return force [N] or depth [m] where one of the bodies begins to yield."""
+        if not 0.0 < self.onset < math.inf:
+            return self.onset
+        return float(self.at(np.array([self.onset])).level(by_force)[0])
+
+    def exponent(self, radius: Array) -> Array:
+        """Return d ln g / d ln a [-] at contact radii `(n,)` [m]."""
+        return np.asarray(radius * self.bed.gap_slope(radius) / self.bed.gap(radius))
+
+    def beyond_tables(self, radius: float) -> bool:
+        """Whether the law of a body is continued beyond its finite elements at a contact radius [m]."""
+        at = np.array([radius])
+        strain, exponent = self._strain(at), self.exponent(at)
+        share = self._share(strain, exponent)
+        return any(
+            bool(beyond_tables(body.modulus * part * strain / body.strength, body.poisson, exponent)[0])
+            for body, part in ((self.first, share), (self.second, 1.0 - share))
+            if math.isfinite(body.strength)
+        )
+
+    def _strain(self, radius: Array) -> Array:
+        """Return P [-], the mean pressure of the elastic contact over its modulus."""
+        bed = self.bed
+        force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
+        return np.asarray(force / (np.pi * radius**2 * bed.medium.modulus))  # type: ignore[attr-defined]
+
     def at(self, radius: Array) -> GreatestLoad:
         """Return the states of first loading at contact radii `(n,)` [m], positive."""
         bed = self.bed
@@ -135,8 +162,8 @@ class FirstLoading(NamedTuple):
         stiffness = bed.stiffness(radius)
         elastic_force = stiffness * gap - bed.gap_load(radius)
         area = np.pi * radius**2
-        exponent = radius * bed.gap_slope(radius) / gap
-        strain = elastic_force / (area * bed.medium.modulus)  # P
+        exponent = self.exponent(radius)
+        strain = self._strain(radius)
         share = self._share(strain, exponent)
         pressure, taken, kept, weights = (np.zeros_like(gap) for _ in range(4))
         for body, part in ((self.first, share), (self.second, 1.0 - share)):
@@ -183,10 +210,7 @@ class FirstLoading(NamedTuple):
         solve = at_force if by_force else at_depth
         yielding = level > 0.0
         if self.onset > 0.0:
-            reached = math.inf
-            if math.isfinite(self.onset):
-                reached = float(self.at(np.array([self.onset])).level(by_force)[0])
-            yielding &= level > reached
+            yielding &= level > self.at_onset(by_force=by_force)
         elastic = ~yielding
         depth, radius = solve(self.bed, np.where(elastic, level, 0.0))
         force = np.where(radius > 0.0, self.bed.stiffness(radius) * depth - self.bed.gap_load(radius), 0.0)
@@ -206,16 +230,18 @@ class FirstLoading(NamedTuple):
     def stored(self, state: GreatestLoad) -> Array:
         """Return the energies that unloading from states would give back [J]."""
         touching = state.radius > 0.0
-        radius = np.where(touching, state.radius, 1.0)
+        radius, recovery, share = (part[touching] for part in (state.radius, state.recovery, state.elastic_share))
         whole = self.bed.gap(radius)
 
         def pressed(x: Array, index: Array) -> Array:
             even = np.sqrt(np.maximum(1.0 - (x / radius[index]) ** 2, 0.0))
-            kept = state.elastic_share[index]
-            return state.recovery[index] * (kept * (1.0 - self.bed.gap(x) / whole[index]) + (1.0 - kept) * even)
+            kept = share[index]
+            return recovery[index] * (kept * (1.0 - self.bed.gap(x) / whole[index]) + (1.0 - kept) * even)
 
-        squares = _integral_of_square(pressed, self.bed, radius, radius)
-        return np.where(touching, self.bed.medium.modulus * squares, 0.0)  # type: ignore[attr-defined]
+        energy = np.zeros(touching.shape)
+        modulus = self.bed.medium.modulus  # type: ignore[attr-defined]
+        energy[touching] = modulus * _integral_of_square(pressed, self.bed, radius, radius)
+        return energy
 
     def springs(self, state: GreatestLoad, index: int) -> Foundation:
         """Return the bed on which the contact is elastic after one of the states."""

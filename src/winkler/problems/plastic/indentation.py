@@ -14,6 +14,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HalfSpace
@@ -26,7 +27,7 @@ from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radiu
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import shape_notes
 from winkler.problems.plastic.first_loading import FirstLoading, first_loading, stored_energy
-from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON
+from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON, round_part
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -44,6 +45,27 @@ LAW = Note(
     "finite elements of this package; " + JOHNSON,
     0.02,
 )
+BETWEEN = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "The contact ends where the profile is neither a paraboloid nor a cone: the tables of both are mixed by its local "
+    "exponent, which no finite elements have tested.",
+    "finite elements of this package, of paraboloids and cones only",
+)
+FULLY_PLASTIC = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "The load is beyond the finite elements, which end at 45 times the ratio of strength to modulus for the contact "
+    "radius over that of a ball, and at 20 times for the slope of a cone; from there the mean pressure goes on to three "
+    "times the strength, and force and radius may err by 7 %.",
+    "B. Storakers, S. Biwa, P.-L. Larsson, Int. J. Solids Struct. 34 (1997) 3061-3083, "
+    "doi:10.1016/S0020-7683(96)00176-X",
+    0.07,
+)
+BLUNT_SHARES = 0.02, 0.98
+"""Parts of a paraboloid between which a profile counts as neither one nor a cone."""
+LEAST_EXPONENT, GREATEST_EXPONENT = 0.9, 2.3
+"""Local exponents of a profile for which the tables of a cone and of a paraboloid are taken."""
 
 
 @value
@@ -53,7 +75,8 @@ class PlasticIndentation:
     Parameters
     ----------
     bed : Foundation
-        A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both.
+        A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both; nowhere in the
+        contact much blunter than a paraboloid or sharper than a cone.
     path : Depth or Force
         Depths [m], or loads [N], one after the other, ``(steps,)``.
 
@@ -78,9 +101,10 @@ class PlasticIndentation:
     (True, True)
     """
 
-    bed: Foundation
+    bed: Bed
     path: Depth | Force
 
+    needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED
 
@@ -90,6 +114,11 @@ class PlasticIndentation:
         if levels.ndim != 1:
             raise InvalidInput(
                 f"{owner}: the path has the shape {levels.shape}; give its points one after the other in one row."
+            )
+        if not isinstance(self.bed, Foundation):
+            raise InvalidInput(
+                f"{owner}: the bed is a {type(self.bed).__name__}; how bodies yield is known by their shape: give a "
+                "Foundation of a profile on a HalfSpace."
             )
         if not isinstance(self.bed.medium, HalfSpace):
             raise InvalidInput(
@@ -109,7 +138,7 @@ class PlasticIndentation:
             if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
                 raise InvalidInput(
                     f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
-                    "known here: give one from 0 to 0.5."
+                    f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
                 )
         if not self.bed.profile.rising or self.bed.rim < np.inf or flat_radius(self.bed) > 0.0:
             raise InvalidInput(
@@ -125,7 +154,18 @@ class PlasticIndentation:
     @property
     def loading(self) -> FirstLoading:
         """The curve of first loading."""
+        assert isinstance(self.bed, Foundation)
         return first_loading(self.bed)
+
+    @property
+    def yield_depth(self) -> float:
+        """Where one of the bodies begins to yield [m]; zero of a sharp tip, infinite if none does."""
+        return self.loading.at_onset(by_force=False)
+
+    @property
+    def yield_force(self) -> float:
+        """Under which one of the bodies begins to yield [N]; zero of a sharp tip, infinite if none does."""
+        return self.loading.at_onset(by_force=True)
 
     def steps(self) -> Iterator[PlasticState]:
         """Yield the state at every point of the path.
@@ -133,7 +173,8 @@ class PlasticIndentation:
         Raises
         ------
         OutsideValidity
-            If a load is tensile, or leads beyond the reach of the profile.
+            If a load is tensile, leads beyond the reach of the profile, or to where the profile is much blunter than
+            a paraboloid or sharper than a cone.
         """
         table = _states(self)
         for row in zip(*table, strict=True):
@@ -170,7 +211,9 @@ def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
     curve = problem.loading
     greatest, group = np.unique(np.maximum.accumulate(np.maximum(levels, 0.0)), return_inverse=True)
     state, spent = curve.at_level(greatest, by_force=by_force)
+    _refuse_other_shapes(problem.bed, state.radius)
     left, stored = state.depth - state.recovery, curve.stored(state)
+    edge = problem.bed.profile.height(state.radius) - state.depth
     depth, force, radius, energy = (part[group] for part in (state.depth, state.force, state.radius, stored))
     again = levels < greatest[group]
     for index in np.unique(group[again]).tolist():
@@ -183,7 +226,22 @@ def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
         depth[here], force[here], radius[here] = d + residual if by_force else levels[here], borne, a
         energy[here] = np.where(touching, stored_energy(springs, d, a), 0.0)
     lost = np.where(state.radius > curve.onset, np.maximum(spent - stored, 0.0), 0.0)
-    return depth, force, radius, left[group], state.radius[group], energy, lost[group]
+    edge = np.where(state.radius > 0.0, edge, 0.0)
+    return depth, force, radius, left[group], state.radius[group], edge[group], energy, lost[group]
+
+
+def _refuse_other_shapes(bed: Bed, radius: Array) -> None:
+    """Refuse contacts that end where the profile is much blunter than a paraboloid or sharper than a cone."""
+    touching = radius[radius > 0.0]
+    exponent = touching * bed.gap_slope(touching) / bed.gap(touching)
+    bad = (exponent < LEAST_EXPONENT) | (exponent > GREATEST_EXPONENT)
+    if np.any(bad):
+        where = int(np.flatnonzero(bad)[0])
+        raise OutsideValidity(
+            f"PlasticIndentation: at a contact radius of {touching[where]:.4g} m the equivalent profile grows like the "
+            f"power {exponent[where]:.3g} of the radius; yielding is known from a cone, power 1, to a paraboloid, power "
+            "2: give such a profile, or a load at which the contact does not end there."
+        )
 
 
 @value
@@ -198,6 +256,9 @@ class PlasticPress(PerLoad[Q]):
         d0 [m], at which the unloaded bodies would just touch.
     largest_radius : float or ndarray, (steps,)
         Of the contact under the greatest load so far [m]: the radius of the dent.
+    edge_height : float or ndarray, (steps,)
+        Of the edge of the contact above the original surfaces under the greatest load so far [m], of both bodies
+        together: positive where they pile up, negative where they sink in.
     energy, dissipation : float or ndarray, (steps,)
         What unloading would give back, and what it would not [J]; a part of the latter stays as residual stress.
     """
@@ -205,6 +266,15 @@ class PlasticPress(PerLoad[Q]):
     __words__ = words(
         energy=("U", "J", "energy that unloading would give back"),
         largest_radius=("a_m", "m", "contact radius under the greatest load so far"),
+        residual_depth=("d_0", "m", "depth at which the unloaded bodies would just touch"),
+        edge_height=(
+            "h_e",
+            "m",
+            "height of the edge of the contact over the original surfaces, under the greatest load",
+        ),
+        work=("W", "J", "what was spent since the beginning"),
+        yield_depth=("d_Y", "m", "depth at which one of the bodies begins to yield"),
+        yield_force=("F_Y", "N", "force under which one of the bodies begins to yield"),
     )
 
     depth: Q
@@ -212,6 +282,7 @@ class PlasticPress(PerLoad[Q]):
     radius: Q
     residual_depth: Q
     largest_radius: Q
+    edge_height: Q
     energy: Q
     dissipation: Q
 
@@ -246,6 +317,16 @@ class PlasticSolution(PlasticPress[Array], Looped):
     problem: PlasticIndentation
 
     @property
+    def yield_depth(self) -> float:
+        """As of the problem [m]."""
+        return self.problem.yield_depth
+
+    @property
+    def yield_force(self) -> float:
+        """As of the problem [N]."""
+        return self.problem.yield_force
+
+    @property
     def _loop(self) -> PathLoop:
         return PathLoop((numbers_of(self.problem.path),), self.depth, self.force, self.dissipation)
 
@@ -268,6 +349,12 @@ class PlasticSolution(PlasticPress[Array], Looped):
         notes = list(self.problem.bed.notes)
         if widest > 0.0:
             notes += shape_notes(self.problem.bed, widest)
-        if widest > self.problem.loading.onset:
+        loading = self.problem.loading
+        if widest > loading.onset:
             notes.append(LAW)
+            least, most = BLUNT_SHARES
+            if least < float(round_part(loading.exponent(np.array([widest])))[0]) < most:
+                notes.append(BETWEEN)
+            if loading.beyond_tables(widest):
+                notes.append(FULLY_PLASTIC)
         return (*notes, *self._cycle_notes)
