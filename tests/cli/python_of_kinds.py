@@ -463,6 +463,9 @@ ROUGHNESS = {
     "rough_indentation": wk.RoughIndentation(BLASTED, BED, 4e-3, LOADS, realisations=20, count=2048),
     "elliptic_indentation": wk.EllipticIndentation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY, wk.Force(100.0)),
     "curved_pair": wk.EllipticIndentation(wk.CurvedPair(5e-3, 5e-3, 26e-3, -5.2e-3), STEEL_BODY, wk.Force(100.0)),
+    "plastic_indentation": wk.PlasticIndentation(
+        wk.Foundation(BALL, wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6))), wk.Force([100.0, 500.0, 0.0])
+    ),
     "elliptic_yield_onset": wk.EllipticYieldOnset(
         wk.CurvedBodies(20e-3, 10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)), wk.Coulomb(0.1)
     ),

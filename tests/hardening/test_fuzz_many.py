@@ -71,6 +71,7 @@ SOLVED = {
     "pressed": (
         *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
         *("elliptic_yield_onset", "elliptic_wear", "contact_stress"),
+        *("plastic_indentation",),
         *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
         *(
             "line_indentation",

@@ -20,7 +20,7 @@ from winkler.plot.line import contact, periodic, profile_strips, relaxing, rolle
 from winkler.plot.line import friction as line_friction  # noqa: F401
 from winkler.plot.line import rolling as line_rolling  # noqa: F401
 from winkler.plot.normal import below_contact  # noqa: F401
-from winkler.plot.particles import elastic_plastic  # noqa: F401
+from winkler.plot.particles import yielding  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import (  # noqa: F401
     below_map,

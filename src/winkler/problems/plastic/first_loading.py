@@ -78,7 +78,7 @@ class GreatestLoad(NamedTuple):
         return self.force if by_force else self.depth
 
 
-class _Body(NamedTuple):
+class YieldingHalf(NamedTuple):
     """A half-space that may yield.
 
     Parameters
@@ -117,15 +117,15 @@ class FirstLoading(NamedTuple):
     ----------
     bed : Foundation
         Of a rising profile on half-spaces.
-    first, second : _Body
+    first, second : YieldingHalf
         The bodies.
     onset : float
         Contact radius where one of them begins to yield [m]; zero of a sharp tip, infinite if none does.
     """
 
     bed: Foundation
-    first: _Body
-    second: _Body
+    first: YieldingHalf
+    second: YieldingHalf
     onset: float
 
     def at_onset(self, *, by_force: bool) -> float:
@@ -220,7 +220,7 @@ class FirstLoading(NamedTuple):
         state = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
         if not yielding.any():
             return state, work
-        table = _Table(self, level[yielding], by_force)
+        table = LoadingTable(self, level[yielding], by_force)
         found = self.at(table.radii(level[yielding]))
         found = found._replace(**{"force" if by_force else "depth": level[yielding]})
         for whole, part in zip((*state, work), (*found, table.work(found.radius)), strict=True):
@@ -251,7 +251,7 @@ class FirstLoading(NamedTuple):
         return Foundation(Dent(self.bed.profile, radius, recovery, share), self.bed.medium)
 
 
-class _Table:
+class LoadingTable:
     """The curve from where yielding begins to beyond the greatest of some loads."""
 
     def __init__(self, curve: FirstLoading, level: Array, by_force: bool) -> None:
@@ -384,9 +384,9 @@ def _onset(bed: Foundation, part: StrongPart) -> float:
     return math.inf if isinstance(found, str) else found[0]
 
 
-def _body(bed: Foundation, solid: Solid, onset: float) -> _Body:
+def _body(bed: Foundation, solid: Solid, onset: float) -> YieldingHalf:
     if not isinstance(solid, Elastic):
-        return _Body(math.inf, 0.0, math.inf, math.inf)
+        return YieldingHalf(math.inf, 0.0, math.inf, math.inf)
     modulus = solid.young / (1.0 - solid.poisson**2)
     start = math.inf
     if onset == 0.0:
@@ -395,4 +395,4 @@ def _body(bed: Foundation, solid: Solid, onset: float) -> _Body:
         at = np.array([onset])
         pressure = (bed.stiffness(at) * bed.gap(at) - bed.gap_load(at)) / (np.pi * at**2)
         start = float(pressure[0]) / solid.strength
-    return _Body(modulus, solid.poisson, solid.strength, start)
+    return YieldingHalf(modulus, solid.poisson, solid.strength, start)

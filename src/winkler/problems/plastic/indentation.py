@@ -55,11 +55,10 @@ BETWEEN = Note(
 FULLY_PLASTIC = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The load is beyond the finite elements, which end at 45 times the ratio of strength to modulus for the contact "
-    "radius over that of a ball, and at 20 times for the slope of a cone; from there the mean pressure goes on to three "
-    "times the strength, and force and radius may err by 7 %.",
-    "B. Storakers, S. Biwa, P.-L. Larsson, Int. J. Solids Struct. 34 (1997) 3061-3083, "
-    "doi:10.1016/S0020-7683(96)00176-X",
+    "The load is beyond the finite elements, which end where the contact radius over that of a ball is 45 times the "
+    "strength over E*, and the slope of a cone 20 times; from there the mean pressure goes on to three times the "
+    "strength, and force and radius may err by 7 %.",
+    "S. Dj. Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423",
     0.07,
 )
 BLUNT_SHARES = 0.02, 0.98
@@ -152,7 +151,7 @@ class PlasticIndentation:
         return int(numbers_of(self.path).size)
 
     @property
-    def loading(self) -> FirstLoading:
+    def _loading(self) -> FirstLoading:
         """The curve of first loading."""
         assert isinstance(self.bed, Foundation)
         return first_loading(self.bed)
@@ -160,12 +159,12 @@ class PlasticIndentation:
     @property
     def yield_depth(self) -> float:
         """Where one of the bodies begins to yield [m]; zero of a sharp tip, infinite if none does."""
-        return self.loading.at_onset(by_force=False)
+        return self._loading.at_onset(by_force=False)
 
     @property
     def yield_force(self) -> float:
         """Under which one of the bodies begins to yield [N]; zero of a sharp tip, infinite if none does."""
-        return self.loading.at_onset(by_force=True)
+        return self._loading.at_onset(by_force=True)
 
     def steps(self) -> Iterator[PlasticState]:
         """Yield the state at every point of the path.
@@ -208,7 +207,7 @@ def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
             f"At index {where} of the path the force of {levels[where]:.6g} N is tensile; without adhesion bodies can "
             "only be pressed together: give a force of zero or more."
         )
-    curve = problem.loading
+    curve = problem._loading
     greatest, group = np.unique(np.maximum.accumulate(np.maximum(levels, 0.0)), return_inverse=True)
     state, spent = curve.at_level(greatest, by_force=by_force)
     _refuse_other_shapes(problem.bed, state.radius)
@@ -239,8 +238,8 @@ def _refuse_other_shapes(bed: Bed, radius: Array) -> None:
         where = int(np.flatnonzero(bad)[0])
         raise OutsideValidity(
             f"PlasticIndentation: at a contact radius of {touching[where]:.4g} m the equivalent profile grows like the "
-            f"power {exponent[where]:.3g} of the radius; yielding is known from a cone, power 1, to a paraboloid, power "
-            "2: give such a profile, or a load at which the contact does not end there."
+            f"power {exponent[where]:.3g} of the radius; yielding is known of cones, power 1, to paraboloids, power 2: "
+            "give such a profile, or a load at which the contact does not end there."
         )
 
 
@@ -265,16 +264,12 @@ class PlasticPress(PerLoad[Q]):
 
     __words__ = words(
         energy=("U", "J", "energy that unloading would give back"),
-        largest_radius=("a_m", "m", "contact radius under the greatest load so far"),
-        residual_depth=("d_0", "m", "depth at which the unloaded bodies would just touch"),
         edge_height=(
             "h_e",
             "m",
-            "height of the edge of the contact over the original surfaces, under the greatest load",
+            "height of the edge over the original surfaces, under the greatest load so far",
         ),
         work=("W", "J", "what was spent since the beginning"),
-        yield_depth=("d_Y", "m", "depth at which one of the bodies begins to yield"),
-        yield_force=("F_Y", "N", "force under which one of the bodies begins to yield"),
     )
 
     depth: Q
@@ -314,6 +309,8 @@ class PlasticSolution(PlasticPress[Array], Looped):
         The problem that was solved.
     """
 
+    __words__ = words(dented=("", None, "bed on which the contact is elastic after the path"))
+
     problem: PlasticIndentation
 
     @property
@@ -336,7 +333,7 @@ class PlasticSolution(PlasticPress[Array], Looped):
 
         Depths on it are counted from `residual_depth`.
         """
-        curve = self.problem.loading
+        curve = self.problem._loading
         by_force = isinstance(self.problem.path, Force)
         greatest = np.array([max(float(np.max(numbers_of(self.problem.path), initial=0.0)), 0.0)])
         state, _ = curve.at_level(greatest, by_force=by_force)
@@ -346,11 +343,12 @@ class PlasticSolution(PlasticPress[Array], Looped):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         widest = float(np.max(self.largest_radius, initial=0.0))
-        notes = list(self.problem.bed.notes)
+        loading = self.problem._loading
+        yields = widest > loading.onset
+        notes = [note for note in self.problem.bed.notes if not (yields and note.assumption is Assumption.RESPONSE)]
         if widest > 0.0:
             notes += shape_notes(self.problem.bed, widest)
-        loading = self.problem.loading
-        if widest > loading.onset:
+        if yields:
             notes.append(LAW)
             least, most = BLUNT_SHARES
             if least < float(round_part(loading.exponent(np.array([widest])))[0]) < most:

@@ -7,8 +7,8 @@ With :math:`x = p_{el}/Y`, the mean pressure of the elastic contact over the str
 the pressure, the depth, and the part of the elastic recovery whose shape is still that of the elastic contact
 (`winkler.problems.plastic.dent`).  Below the onset of yield L = 0, Gamma = 1 and theta = 1.  For a paraboloid they
 depend on x over its value at the onset and, weakly, on Poisson's ratio; for a cone, which yields at the first touch, on
-x and, by 11 per cent of the pressure at most, on Poisson's ratio.  Between the two they are mixed by the local exponent k of g(a), d ln g / d ln a: one for a cone and two for a
-paraboloid.
+x and, by 11 per cent of the pressure at most, on Poisson's ratio.  Between the two they are mixed by the local exponent
+k of g(a), d ln g / d ln a: one for a cone and two for a paraboloid.
 
 The tables are fitted to finite elements that were made for this package: small strains and displacements, von Mises'
 condition with the associated flow rule, no hardening, no friction, 30 to 60 elements per contact radius.  The fits err
@@ -60,8 +60,8 @@ GAINED_OVER = 0.15
 
 LEAST_POISSON, GREATEST_POISSON = BALL_POISSON[0], BALL_POISSON[-1]
 FULL_PRESSURE = 3.0
-"""Mean pressure over strength of a rigid, perfectly plastic body, towards which the pressure goes beyond the tables (S. Dj.
-Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423)."""
+"""Mean pressure over strength of a rigid, perfectly plastic body, towards which the pressure goes beyond the tables
+(S. Dj. Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423)."""
 FULL_BALL_SINKING, FULL_CONE_SINKING = 1.86, 0.8
 """Gamma - 1 there, estimates: of a ball near the similarity solutions of the same source."""
 
@@ -135,7 +135,7 @@ def ball_onset(poisson: float) -> float:
 
 
 class _Departure:
-    """Cubic splines of the three numbers, zero and flat at their beginning, going over into full plasticity at their end.
+    """Cubic splines of the three numbers, zero and flat at their beginning, full plasticity beyond their end.
 
     Parameters
     ----------

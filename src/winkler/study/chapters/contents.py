@@ -25,6 +25,7 @@ from winkler.study.chapters.materials.master_curves import MASTER_CURVES
 from winkler.study.chapters.materials.poroelastic import POROELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
+from winkler.study.chapters.plastic import PLASTIC
 from winkler.study.chapters.profile_pair import PROFILE_PAIR
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
@@ -47,6 +48,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     FRICTION,
     IMPACT,
     PARTICLES,
+    PLASTIC,
     VISCOELASTIC,
     MASTER_CURVES,
     POROELASTIC,
