@@ -31,9 +31,3 @@ def jackson_green(w, stiffness, poisson, strength):
         np.exp(-0.25 * w ** (5.0 / 12.0)) * w**1.5 + 4.0 * hardness / c * (1.0 - np.exp(-(w ** (5.0 / 9.0)) / 25.0)) * w
     )
     return load, area
-
-
-def etsion_residual(w):
-    """Residual over greatest depth, I. Etsion, Y. Kligerman, Y. Kadin, Int. J. Solids Struct. 42 (2005) 3716-3729,
-    doi:10.1016/j.ijsolstr.2004.12.006; hardening by 0.02 E."""
-    return (1.0 - w**-0.28) * (1.0 - w**-0.69)
