@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -66,10 +67,11 @@ def plastic_sheet(item: PlasticSolution) -> Sheet:
 
 def _dent_panel(item: PlasticSolution) -> Panel:
     """Return the surface under the greatest load, and after it, as far as it is known: up to the edge."""
-    edge = float(item.largest_radius[-1])
-    greatest = dataclasses.replace(item.problem, path=Depth([np.max(item.depth)])).solve()
+    bed, edge = item.problem.bed, float(item.largest_radius[-1])
+    assert isinstance(bed, Foundation)
+    greatest = dataclasses.replace(item.problem, path=Depth(np.array([np.max(item.depth)]))).solve()
     half = np.linspace(0.0, edge, DENT_POINTS)
-    shape = item.problem.bed.profile.height(half)
+    shape = bed.profile.height(half)
     pressed = shape - float(greatest.depth[0])
     left = shape - item.dented.profile.height(half) - float(item.residual_depth[-1])
     r = np.concatenate([-half[:0:-1], half])
