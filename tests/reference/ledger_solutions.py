@@ -730,3 +730,20 @@ def two_hills_stiffness() -> Numbers:
     assert np.all(soft[:, held] @ pressure >= sunk - 1e-14)
     stamp = np.linalg.solve(soft[np.ix_(held, held)], np.ones(held.sum()))
     return [float(pressure.sum()) * side**2, float(stamp.sum()) * side**2]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# yield
+
+
+@of_case
+def plastic_elastic_limit() -> Numbers:
+    """The axis below Hertz's pressure: p0 [3/(2 + 2 z^2) - (1 + nu)(1 - z atan(1/z))] is greatest, and is Y."""
+    young, nu, strength, radius = frac("210e9"), frac("0.3"), frac("700e6"), frac("1e-2")
+
+    def stress(z: Any) -> Any:
+        return frac("1.5") / (1 + z * z) - (1 + nu) * (1 - z * mp.atan(1 / z))
+
+    peak = strength / stress(mp.findroot(lambda z: mp.diff(stress, z), 0.48))
+    contact = mp.pi * radius * peak * (1 - nu * nu) / (2 * young)
+    return [2 * mp.pi * peak * contact**2 / 3, contact**2 / radius]

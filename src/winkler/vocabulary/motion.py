@@ -111,8 +111,10 @@ MOTION: dict[str, Word] = {
     "shear_stiffness": Word("k_x", "N/m", "tangential stiffness of the contact"),
     "moments": Word(r"\theta_i", "rad", "moments of a closed cycle"),
     # particles
-    "residual_depth": Word("d_0", "m", "depth at which the unloaded particle would just touch the plane"),
-    "yield_depth": Word("d_Y", "m", "depth at which a particle begins to yield"),
+    "residual_depth": Word("d_0", "m", "depth at which the unloaded bodies would just touch"),
+    "yield_depth": Word("d_Y", "m", "depth at which yielding begins"),
+    "yield_force": Word("F_Y", "N", "force under which yielding begins"),
+    "largest_radius": Word("a_m", "m", "contact radius under the greatest load so far"),
     "rolling_arm": Word("e", "m", "moment of rolling friction over the normal force"),
     "rolling_moment": Word("M_r", "N m", "moment that holds up rolling"),
     "rolling_moment_x": Word("M_{r,x}", "N m", "moment that holds up rolling, first component"),

@@ -22,6 +22,7 @@ from winkler.study.chapters.maps.pressed_maps import PRESSED_MAPS
 from winkler.study.chapters.maps.surface_current import SURFACE_CURRENT
 from winkler.study.chapters.maps.surface_wear import SURFACE_WEAR
 from winkler.study.chapters.materials.master_curves import MASTER_CURVES
+from winkler.study.chapters.materials.plastic import PLASTIC
 from winkler.study.chapters.materials.poroelastic import POROELASTIC
 from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
@@ -47,6 +48,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     FRICTION,
     IMPACT,
     PARTICLES,
+    PLASTIC,
     VISCOELASTIC,
     MASTER_CURVES,
     POROELASTIC,

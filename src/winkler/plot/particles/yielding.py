@@ -1,4 +1,4 @@
-"""An elastic-plastic particle along its path: force and contact radius over the depth, loading and unloading."""
+"""What yields along its path: force and contact radius over the depth, loading and unloading, and the dent."""
 
 from __future__ import annotations
 
@@ -9,21 +9,27 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import loss_text
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, note, titled, zero
-from winkler.plot.series import series, with_unit
+from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.particles.elastic_plastic import ParticleSolution
+from winkler.problems.plastic.indentation import PlasticSolution
 
-__all__ = ["particle_sheet"]
+__all__ = ["particle_sheet", "plastic_sheet"]
+
+Yielding = ParticleSolution | PlasticSolution
 
 STATES_PER_LEG = 120
 """Number of states on each leg of the path."""
 JUMP_OFFSET = 1e-9
 """Relative distance in depth of the states before and after a jump."""
+LOOP_TITLES = "force over depth", "contact radius over depth"
+DENT_POINTS = 121
 MOST_MARKED_POINTS = 40
 """Points of a path are marked individually up to this number."""
 
@@ -40,18 +46,55 @@ class _Leg(NamedTuple):
 @without_extent(ParticleSolution)
 def particle_sheet(item: ParticleSolution) -> Sheet:
     """Return force and contact radius over the depth: going in, coming out, and where yield begins."""
-    legs = _legs(item)
-    force, radius = _panel(item, legs, "force"), _panel(item, legs, "radius")
-    lost = loss_text(float(item.dissipation[-1]), item.depth, item.force)
-    panels = titled(
-        (
-            force.plus(zero(), legend="upper left"),
-            radius.plus(note(lost, "lower right"), upright=dataclasses.replace(radius.upright, low=0.0)),
-        ),
-        "force over depth",
-        "contact radius over depth",
-    )
+    panels = titled(_loop_panels(item, "depth (overlap)"), *LOOP_TITLES)
     return Sheet(panels, height=3.5, title=_headline(item))
+
+
+@without_extent(PlasticSolution)
+def plastic_sheet(item: PlasticSolution) -> Sheet:
+    """Return force and contact radius over the depth, and the dent under the greatest load and after it."""
+    loop = _loop_panels(item, "depth")
+    if float(np.max(item.dissipation, initial=0.0)) == 0.0:
+        return Sheet(titled(loop, *LOOP_TITLES), height=3.5, title="elastic: no body yields along this path")
+    begun = (
+        "under a sharp tip the bodies yield at once"
+        if item.yield_depth == 0.0
+        else (f"yielding begins at $F_Y$ = {with_unit(item.yield_force, 'N')}")
+    )
+    left = f"the dent is {with_unit(float(item.residual_depth[-1]), 'm')} deep"
+    return Sheet(titled((*loop, _dent_panel(item)), *LOOP_TITLES, "the dent"), height=3.5, title=f"{begun}; {left}")
+
+
+def _dent_panel(item: PlasticSolution) -> Panel:
+    """Return the surface under the greatest load, and after it, as far as it is known: up to the edge."""
+    bed, edge = item.problem.bed, float(item.largest_radius[-1])
+    assert isinstance(bed, Foundation)
+    greatest = dataclasses.replace(item.problem, path=Depth(np.array([np.max(item.depth)]))).solve()
+    half = np.linspace(0.0, edge, DENT_POINTS)
+    shape = bed.profile.height(half)
+    pressed = shape - float(greatest.depth[0])
+    left = shape - item.dented.profile.height(half) - float(item.residual_depth[-1])
+    r = np.concatenate([-half[:0:-1], half])
+    rows = [np.concatenate([row[:0:-1], row]) for row in (pressed, left)]
+    marks = (
+        Line(r, rows[0], style.INK, dash=style.DASHES[1], name="under the greatest load"),
+        Line(r, rows[1], style.RED, name="after it"),
+        zero(),
+    )
+    low, high = min(map(np.min, rows)), max(0.0, *(float(np.max(row)) for row in rows))
+    upright = PanelAxis("height", scale_of("m", [low]), low=1.05 * low, high=high - 0.35 * low)
+    return Panel(marks, PanelAxis("$r$", scale_of("m", [edge])), upright, legend="upper center")
+
+
+def _loop_panels(item: Yielding, across: str) -> tuple[Panel, Panel]:
+    """Return force and contact radius over the depth, which is called so."""
+    legs = _legs(item)
+    force, radius = _panel(item, legs, "force", across), _panel(item, legs, "radius", across)
+    lost = loss_text(float(item.dissipation[-1]), item.depth, item.force)
+    return (
+        force.plus(zero(), legend="upper left"),
+        radius.plus(note(lost, "lower right"), upright=dataclasses.replace(radius.upright, low=0.0)),
+    )
 
 
 def _headline(item: ParticleSolution) -> str:
@@ -63,10 +106,10 @@ def _headline(item: ParticleSolution) -> str:
     return f"yields from $d_Y$ = {with_unit(onset, 'm')} on; {touching}"
 
 
-def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
+def _panel(item: Yielding, legs: list[_Leg], name: str, across_name: str) -> Panel:
     """Return one quantity over the depth."""
     along = series("depth", np.concatenate([leg.depth for leg in legs]))
-    of = series(name, np.concatenate([getattr(leg, name) for leg in legs]), ParticleSolution)
+    of = series(name, np.concatenate([getattr(leg, name) for leg in legs]), type(item))
     labelled: set[bool] = set()
     marks: list[Line | Rule] = []
     for leg in legs:
@@ -80,13 +123,11 @@ def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
     if item.depth.size <= MOST_MARKED_POINTS:
         look = {"colour": style.INK, "width": 0.0, "marker": "o", "size": 4.0, "order": 5.0}
         marks.append(Line(item.depth, getattr(item, name), name="points of the path", **look))
-    across = PanelAxis(
-        along.label().partition(" [")[0].replace("depth", "depth (overlap)", 1), along.scale, margin=0.04
-    )
+    across = PanelAxis(along.label().partition(" [")[0].replace("depth", across_name, 1), along.scale, margin=0.04)
     return Panel(tuple(marks), across, PanelAxis.of(of, margin=0.08, headroom=0.0 if name == "radius" else 0.45))
 
 
-def _legs(item: ParticleSolution) -> list[_Leg]:
+def _legs(item: Yielding) -> list[_Leg]:
     """Return the whole path through many states, up to the last solved state."""
     problem, by_depth = item.problem, isinstance(item.problem.path, Depth)
     levels = item.depth if by_depth else item.force

@@ -1,0 +1,398 @@
+r"""The curve along which two bodies of revolution are pressed together for the first time, yielding or not.
+
+A pair of half-spaces yields together: the surface that they share stands against the first body as a share s of the gap
+between them, against the second as the rest, and both bear the same mean pressure,
+
+.. math:: p = p_1(E_1 s P) = p_2(E_2 (1-s) P), \qquad P = \frac{2}{\pi a^2}\int_0^a (g(a)-g(x))\,\mathrm dx,
+          \qquad d = g(a)\left(\frac{s}{\Gamma_1} + \frac{1-s}{\Gamma_2}\right),
+
+where E P is the mean pressure that an elastic body would bear under a rigid one.  While both are elastic, and where
+both are alike, this is no approximation.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.foundation import Foundation
+from winkler.materials.elastic import Elastic, Solid
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.equations.roots import bracketed, invert
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array
+from winkler.problems.normal.onset.search import onset_in
+from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.plastic.dent import Dent
+from winkler.problems.plastic.yielded_response import Yielded, beyond_tables, yielded
+
+__all__ = ["FirstLoading", "GreatestLoad", "first_loading", "stored_energy"]
+
+POINTS_PER_EFOLD = 48
+"""Points of the curve per factor e of the contact radius; the cubics between them give first guesses, and the work to
+1e-7."""
+START_SHARE = 1e-3
+"""Part of the radius of the least load from which the work below a pointed tip is summed: before, it is a power."""
+SHARE_POWER = 1.5
+"""Power of its share of the gap with which a body counts for the shape of the pressure, from finite elements of two
+bodies: the one that yields more decides."""
+WIDENING = 1.5
+LAST_SHARE = 0.999
+"""Part of the reach of a profile up to which the curve is followed: a ball is vertical there."""
+NODES = 4
+ENERGY_NODES = 24
+LEAST_LOAD = 1e-12
+"""A load over the strength of which no table knows anything: the bodies are elastic."""
+
+
+class GreatestLoad(NamedTuple):
+    """States of first loading.
+
+    Parameters
+    ----------
+    radius, depth : ndarray, (n,)
+        a and d [m].
+    force : ndarray, (n,)
+        F [N].
+    recovery : ndarray, (n,)
+        d_e [m], by which the bodies spring back; d while they are elastic.
+    elastic_share : ndarray, (n,)
+        theta [-].
+    """
+
+    radius: Array
+    depth: Array
+    force: Array
+    recovery: Array
+    elastic_share: Array
+
+    def level(self, by_force: bool) -> Array:
+        """Return the forces [N], or the depths [m]."""
+        return self.force if by_force else self.depth
+
+
+class YieldingHalf(NamedTuple):
+    """A half-space that may yield.
+
+    Parameters
+    ----------
+    modulus : float
+        E / (1 - nu^2) [Pa], infinite of a rigid one.
+    poisson, strength : float
+        nu, and Y [Pa], infinite of one that does not yield.
+    start : float
+        p_el / Y [-] where it begins to yield.
+    """
+
+    modulus: float
+    poisson: float
+    strength: float
+    start: float
+
+    def answer(self, elastic: Array, exponent: Array) -> Yielded:
+        """Return the departure from an elastic body that would bear a pressure [Pa]."""
+        if math.isinf(self.strength):
+            return Yielded(*(np.zeros(elastic.shape),) * 3)
+        load = np.maximum(elastic / self.strength, LEAST_LOAD)
+        start = np.full(load.shape, max(self.start, LEAST_LOAD))
+        departure = yielded(load, self.poisson, exponent).less(yielded(start, self.poisson, exponent))
+        return Yielded(*(np.where(load > self.start, part, 0.0) for part in departure))
+
+    def pressure(self, elastic: Array, exponent: Array) -> Array:
+        """Return the mean pressure that it bears in place of an elastic one [Pa]."""
+        return np.asarray(elastic * np.exp(-self.answer(elastic, exponent).fall))
+
+
+class FirstLoading(NamedTuple):
+    """First loading of a bed.
+
+    Parameters
+    ----------
+    bed : Foundation
+        Of a rising profile on half-spaces.
+    first, second : YieldingHalf
+        The bodies.
+    onset : float
+        Contact radius where one of them begins to yield [m]; zero of a sharp tip, infinite if none does.
+    """
+
+    bed: Foundation
+    first: YieldingHalf
+    second: YieldingHalf
+    onset: float
+
+    def at_onset(self, *, by_force: bool) -> float:
+        """Return force [N] or depth [m] where one of the bodies begins to yield."""
+        if not 0.0 < self.onset < math.inf:
+            return self.onset
+        return float(self.at(np.array([self.onset])).level(by_force)[0])
+
+    def exponent(self, radius: Array) -> Array:
+        """Return d ln g / d ln a [-] at contact radii `(n,)` [m]."""
+        return np.asarray(radius * self.bed.gap_slope(radius) / self.bed.gap(radius))
+
+    def beyond_tables(self, radius: float) -> bool:
+        """Whether the law of a body is continued beyond its finite elements at a contact radius [m]."""
+        at = np.array([radius])
+        strain, exponent = self._strain(at), self.exponent(at)
+        share = self._share(strain, exponent)
+        return any(
+            bool(beyond_tables(body.modulus * part * strain / body.strength, body.poisson, exponent)[0])
+            for body, part in ((self.first, share), (self.second, 1.0 - share))
+            if math.isfinite(body.strength)
+        )
+
+    def _strain(self, radius: Array) -> Array:
+        """Return P [-], the mean pressure of the elastic contact over its modulus."""
+        bed = self.bed
+        force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
+        return np.asarray(force / (np.pi * radius**2 * bed.medium.modulus))  # type: ignore[attr-defined]
+
+    def at(self, radius: Array) -> GreatestLoad:
+        """Return the states of first loading at contact radii `(n,)` [m], positive."""
+        bed = self.bed
+        gap = bed.gap(radius)
+        stiffness = bed.stiffness(radius)
+        elastic_force = stiffness * gap - bed.gap_load(radius)
+        area = np.pi * radius**2
+        exponent = self.exponent(radius)
+        strain = self._strain(radius)
+        share = self._share(strain, exponent)
+        pressure, taken, kept, weights = (np.zeros_like(gap) for _ in range(4))
+        for body, part in ((self.first, share), (self.second, 1.0 - share)):
+            if math.isinf(body.modulus):
+                continue
+            elastic = body.modulus * part * strain
+            answer = body.answer(elastic, exponent)
+            pressure = elastic * np.exp(-answer.fall)
+            taken += part / (1.0 + answer.sinking)
+            weight = part**SHARE_POWER
+            kept += weight * (1.0 - answer.evening)
+            weights += weight
+        kept /= weights
+        force = area * pressure
+        # q(x) = E* d_e (theta (1 - g/g(a)) + (1 - theta) sqrt(1 - x^2/a^2)) has the integral F
+        fullness = kept * elastic_force / (stiffness * gap) + (1.0 - kept) * 0.25 * np.pi
+        return GreatestLoad(radius, gap * taken, force, force / (stiffness * fullness), kept)
+
+    def _share(self, strain: Array, exponent: Array) -> Array:
+        """Return the part of the gap that stands against the first body."""
+        first, second = self.first, self.second
+        if math.isinf(second.modulus):
+            return np.ones_like(strain)
+        if math.isinf(first.modulus):
+            return np.zeros_like(strain)
+        if first == second:
+            return np.full_like(strain, 0.5)
+
+        def excess(share: Array, index: Array) -> Array:
+            at, power = strain[index], exponent[index]
+            pressed = first.pressure(first.modulus * share * at, power)
+            return pressed - second.pressure(second.modulus * (1.0 - share) * at, power)
+
+        return bracketed(excess, np.zeros_like(strain), np.ones_like(strain))
+
+    def at_level(self, level: Array, *, by_force: bool) -> tuple[GreatestLoad, Array]:
+        """Return the states of first loading at forces [N] or depths [m] `(n,)`, and the work spent on each [J].
+
+        Raises
+        ------
+        OutsideValidity
+            If one is beyond the reach of the profile.
+        """
+        solve = at_force if by_force else at_depth
+        yielding = level > 0.0
+        if self.onset > 0.0:
+            yielding &= level > self.at_onset(by_force=by_force)
+        elastic = ~yielding
+        depth, radius = solve(self.bed, np.where(elastic, level, 0.0))
+        force = np.where(radius > 0.0, self.bed.stiffness(radius) * depth - self.bed.gap_load(radius), 0.0)
+        if by_force:
+            force = np.where(elastic, level, 0.0)
+        work = stored_energy(self.bed, depth, radius)
+        state = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
+        if not yielding.any():
+            return state, work
+        table = LoadingTable(self, level[yielding], by_force)
+        found = self.at(table.radii(level[yielding]))
+        found = found._replace(**{"force" if by_force else "depth": level[yielding]})
+        for whole, part in zip((*state, work), (*found, table.work(found.radius)), strict=True):
+            whole[yielding] = part
+        return state, work
+
+    def stored(self, state: GreatestLoad) -> Array:
+        """Return the energies that unloading from states would give back [J]."""
+        touching = state.radius > 0.0
+        radius, recovery, share = (part[touching] for part in (state.radius, state.recovery, state.elastic_share))
+        whole = self.bed.gap(radius)
+
+        def pressed(x: Array, index: Array) -> Array:
+            even = np.sqrt(np.maximum(1.0 - (x / radius[index]) ** 2, 0.0))
+            kept = share[index]
+            return recovery[index] * (kept * (1.0 - self.bed.gap(x) / whole[index]) + (1.0 - kept) * even)
+
+        energy = np.zeros(touching.shape)
+        modulus = self.bed.medium.modulus  # type: ignore[attr-defined]
+        energy[touching] = modulus * _integral_of_square(pressed, self.bed, radius, radius)
+        return energy
+
+    def springs(self, state: GreatestLoad, index: int) -> Foundation:
+        """Return the bed on which the contact is elastic after one of the states."""
+        radius, recovery, share = (float(part[index]) for part in (state.radius, state.recovery, state.elastic_share))
+        if radius <= self.onset:
+            return self.bed
+        return Foundation(Dent(self.bed.profile, radius, recovery, share), self.bed.medium)
+
+
+class LoadingTable:
+    """The curve from where yielding begins to beyond the greatest of some loads."""
+
+    def __init__(self, curve: FirstLoading, level: Array, by_force: bool) -> None:
+        from scipy.interpolate import CubicSpline
+
+        self.curve, self.by_force = curve, by_force
+        least, most = float(np.min(level)), float(np.max(level))
+        first = curve.onset
+        if first == 0.0:
+            first = START_SHARE * self._elastic_radius(least)
+        last = self._beyond(max(first, self._elastic_radius(most)), most)
+        count = 2 + math.ceil(POINTS_PER_EFOLD * math.log(last / first))
+        self.places = np.linspace(math.log(first), math.log(last), count)
+        radii = np.exp(self.places)
+        radii[0], radii[-1] = first, last
+        state = curve.at(radii)
+        self.levels = state.level(by_force)
+        if np.any(np.diff(self.levels) <= 0.0) or np.any(np.diff(state.depth) <= 0.0):
+            raise OutsideValidity(
+                "PlasticIndentation: within this load the curve of first loading turns back, which the law for bodies "
+                "of revolution does not cover; give a smaller load or a smoother profile."
+            )
+        self.log_force = CubicSpline(self.places, np.log(state.force))
+        self.log_depth = CubicSpline(self.places, np.log(state.depth))
+        self.nodes, self.weights = gauss_legendre(NODES)
+        if curve.onset > 0.0:
+            start = float(stored_energy(curve.bed, state.depth[:1], state.radius[:1])[0])
+        else:  # force and depth are powers of the radius
+            power = float(self.log_force(self.places[0], 1) / self.log_depth(self.places[0], 1))
+            start = float(state.force[0] * state.depth[0]) / (1.0 + power)
+        steps = self._spent(self.places[:-1], self.places[1:])
+        self.works = start + np.concatenate([[0.0], np.cumsum(steps)])
+
+    def _elastic_radius(self, level: float) -> float:
+        solve = at_force if self.by_force else at_depth
+        return float(solve(self.curve.bed, np.array([level]))[1][0])
+
+    def _beyond(self, radius: float, level: float) -> float:
+        """Return a radius at which the curve is beyond a load; it is beyond the elastic radius."""
+        end = self.curve.bed.reach
+        while True:
+            state = self.curve.at(np.array([radius]))
+            if float(state.level(self.by_force)[0]) > level:
+                return radius
+            if radius >= LAST_SHARE * end:
+                word, unit = ("force", "N") if self.by_force else ("depth", "m")
+                raise OutsideValidity(
+                    f"PlasticIndentation: the {word} of {level:.6g} {unit} leads beyond the reach of the profile "
+                    f"({end:.6g} m), where nothing is known of it; give a smaller one."
+                )
+            radius = min(WIDENING * radius, LAST_SHARE * end)
+
+    def radii(self, level: Array) -> Array:
+        """Return the radii at which the curve meets loads."""
+        spline = self.log_force if self.by_force else self.log_depth
+
+        def with_slope(radius: Array) -> tuple[Array, Array]:
+            value = self.curve.at(radius).level(self.by_force)
+            return value, value * spline(np.log(radius), 1) / radius
+
+        guess = np.exp(np.interp(np.log(level), np.log(self.levels), self.places))
+        first, last = math.exp(self.places[0]), math.exp(self.places[-1])
+        guess = np.clip(guess, first * (1.0 + 1e-15), last * (1.0 - 1e-15))
+        return invert(with_slope, level, lower=0.0, upper=last, guess=guess)
+
+    def work(self, radius: Array) -> Array:
+        """Return what was spent up to radii [J]."""
+        place = np.clip(np.log(radius), self.places[0], self.places[-1])
+        index = np.clip(np.searchsorted(self.places, place, side="right") - 1, 0, self.places.size - 2)
+        return np.asarray(self.works[index] + self._spent(self.places[index], place))
+
+    def _spent(self, low: Array, high: Array) -> Array:
+        """Integrate the force over the depth between logarithms of radii."""
+        place = low[:, None] + (high - low)[:, None] * self.nodes
+        rate = np.exp(self.log_force(place) + self.log_depth(place)) * self.log_depth(place, 1)
+        return np.asarray((rate @ self.weights) * (high - low))
+
+
+def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
+    """Return the elastic energy [J] of contacts on half-spaces at depths [m] and radii [m] `(n,)`."""
+    wall = bed.reach if isinstance(bed.profile, Dent) else math.inf
+    squares = _integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
+    modulus = bed.medium.modulus  # type: ignore[attr-defined]
+    return np.asarray(modulus * (depth * depth * radius + squares) - depth * bed.gap_load(radius))
+
+
+def _integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
+    """Integrate curve(x, index)^2 from 0 to each radius; it may end like a root at the wall of that index."""
+    nodes, weights = gauss_legendre(ENERGY_NODES)
+    total, walled = np.zeros(radius.shape), np.isfinite(wall)[:, None]
+    scale = np.where(np.isfinite(wall), wall, 1.0)
+    index = np.broadcast_to(np.arange(radius.size)[:, None], (radius.size, nodes.size))
+    for low, high in itertools.pairwise([0.0, *(b for b, _ in bed.kinks if b > 0.0), math.inf]):
+        top = np.clip(radius, low, high)
+        if not np.any(top > low):
+            break
+        # the root of a dent ends at its wall, that of a kink begins there: neither is left in these variables
+        start, end = (np.where(walled[:, 0], np.arcsin(np.minimum(place / scale, 1.0)), place) for place in (low, top))
+        width = (end - start)[:, None]
+        place = start[:, None] + width * nodes**2
+        step = 2.0 * width * nodes * np.where(walled, scale[:, None] * np.cos(place), 1.0)
+        x = np.where(walled, np.minimum(scale[:, None] * np.sin(place), scale[:, None]), place)
+        total += (curve(x.ravel(), index.ravel()).reshape(x.shape) ** 2 * step) @ weights
+    return total
+
+
+@functools.lru_cache(maxsize=64)
+def first_loading(bed: Foundation) -> FirstLoading:
+    """Return the loading curve of a bed on half-spaces.
+
+    Raises
+    ------
+    OutsideValidity, NotConverged
+        If the onset of yield of a body is not found.
+    """
+    medium = bed.medium
+    assert isinstance(medium, HalfSpace)
+    onsets = {part.first: _onset(bed, part) for part in strong_parts(medium)}
+    first = _body(bed, medium.first, onsets.get(True, math.inf))
+    second = _body(bed, medium.second, onsets.get(False, math.inf))
+    return FirstLoading(bed, first, second, min(onsets.values(), default=math.inf))
+
+
+def _onset(bed: Foundation, part: StrongPart) -> float:
+    """Return the contact radius at which a part begins to yield [m]; zero of a sharp tip, infinite if it never does."""
+    try:
+        found = onset_in(bed, part, 0.0)
+    except OutsideValidity:  # of a body without a flat end and on half-spaces: its apex is pointed
+        return 0.0
+    return math.inf if isinstance(found, str) else found[0]
+
+
+def _body(bed: Foundation, solid: Solid, onset: float) -> YieldingHalf:
+    if not isinstance(solid, Elastic):
+        return YieldingHalf(math.inf, 0.0, math.inf, math.inf)
+    modulus = solid.young / (1.0 - solid.poisson**2)
+    start = math.inf
+    if onset == 0.0:
+        start = 0.0
+    elif math.isfinite(onset):
+        at = np.array([onset])
+        pressure = (bed.stiffness(at) * bed.gap(at) - bed.gap_load(at)) / (np.pi * at**2)
+        start = float(pressure[0]) / solid.strength
+    return YieldingHalf(modulus, solid.poisson, solid.strength, start)

@@ -1,0 +1,360 @@
+r"""A round body pressed into metal, or metal into it: loaded, let go, and loaded again.
+
+Beyond the greatest load so far the bodies yield along their curve of first loading
+(`winkler.problems.plastic.first_loading`).  Below it they are elastic, on the dent that this load has left
+(`winkler.problems.plastic.dent`): the old load brings back the old depth, and from there the curve goes on.  So a state
+depends on the greatest load so far and the load now alone, and no step is too long.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array, PerLoad, Q
+from winkler.path import numbers_of
+from winkler.problems.answer import gather
+from winkler.problems.assumptions.declared import BALANCED, PRESSED
+from winkler.problems.last_cycle import Looped, PathLoop
+from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radius
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.validity import shape_notes
+from winkler.problems.plastic.first_loading import FirstLoading, first_loading, stored_energy
+from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON, round_part
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["PlasticIndentation", "PlasticPress", "PlasticSolution", "PlasticState"]
+
+LEAST_STIFFNESS = 50.0
+"""Modulus over strength below which strains at yield are not small."""
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1017/CBO9781139171731"
+LAW = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "Yielding by tables fitted to finite elements of small strains without hardening or friction: force and radius err "
+    "by about 2 %, the residual depth by 0.01 of the depth. Reverse yielding at release is left out, and a tenth of "
+    "the dissipation may stay in the bodies as residual stress.",
+    "finite elements of this package; " + JOHNSON,
+    0.02,
+)
+BETWEEN = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "The contact ends where the profile is neither a paraboloid nor a cone: the tables of both are mixed by its local "
+    "exponent, which no finite elements have tested.",
+    "finite elements of this package, of paraboloids and cones only",
+)
+FULLY_PLASTIC = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "The load is beyond the finite elements, which end where the contact radius over that of a ball is 45 times the "
+    "strength over E*, and the slope of a cone 20 times; from there the mean pressure goes on to three times the "
+    "strength, and force and radius may err by 7 %.",
+    "S. Dj. Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423",
+    0.07,
+)
+BLUNT_SHARES = 0.02, 0.98
+"""Parts of a paraboloid between which a profile counts as neither one nor a cone."""
+LEAST_EXPONENT, GREATEST_EXPONENT = 0.9, 2.3
+"""Local exponents of a profile for which the tables of a cone and of a paraboloid are taken."""
+
+
+@value
+class PlasticIndentation:
+    """A round body pressed against another one, of which at least one yields.
+
+    Parameters
+    ----------
+    bed : Foundation
+        A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both; nowhere in the
+        contact much blunter than a paraboloid or sharper than a cone.
+    path : Depth or Force
+        Depths [m], or loads [N], one after the other, ``(steps,)``.
+
+    Raises
+    ------
+    InvalidInput
+        If no body has a strength, a strength is above a fiftieth of Young's modulus, the medium is another one, the
+        profile has a flat end, or the path is no row.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, chapter 6, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(young=210e9, poisson=0.3, strength=1e9)
+    >>> bed = Foundation(Paraboloid(5e-3), HalfSpace(steel))
+    >>> pressed = PlasticIndentation(bed, Force([2000.0, 0.0])).solve()
+    >>> bool(pressed.residual_depth[0] > 0.0), bool(pressed.depth[1] == pressed.residual_depth[1])
+    (True, True)
+    """
+
+    bed: Bed
+    path: Depth | Force
+
+    needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
+    references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED
+
+    def __post_init__(self) -> None:
+        owner = type(self).__name__
+        levels = numbers_of(self.path)
+        if levels.ndim != 1:
+            raise InvalidInput(
+                f"{owner}: the path has the shape {levels.shape}; give its points one after the other in one row."
+            )
+        if not isinstance(self.bed, Foundation):
+            raise InvalidInput(
+                f"{owner}: the bed is a {type(self.bed).__name__}; how bodies yield is known by their shape: give a "
+                "Foundation of a profile on a HalfSpace."
+            )
+        if not isinstance(self.bed.medium, HalfSpace):
+            raise InvalidInput(
+                f"{owner}: the medium is a {type(self.bed.medium).__name__}; how layered, graded or anisotropic bodies "
+                "yield is not known here: give a HalfSpace of isotropic bodies."
+            )
+        parts = strong_parts(self.bed.medium)
+        if not parts:
+            raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
+        for part in parts:
+            solid = part.solid
+            if solid.strength * LEAST_STIFFNESS > solid.young:
+                raise InvalidInput(
+                    f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
+                    f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
+                )
+            if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
+                raise InvalidInput(
+                    f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
+                    f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
+                )
+        if not self.bed.profile.rising or self.bed.rim < np.inf or flat_radius(self.bed) > 0.0:
+            raise InvalidInput(
+                f"{owner}: the profile has a flat end, a rim or a valley, under which bodies yield in another way; "
+                "give a profile that rises from its apex on, such as Sphere, Paraboloid or Cone."
+            )
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return int(numbers_of(self.path).size)
+
+    @property
+    def _loading(self) -> FirstLoading:
+        """The curve of first loading."""
+        assert isinstance(self.bed, Foundation)
+        return first_loading(self.bed)
+
+    @property
+    def yield_depth(self) -> float:
+        """Where one of the bodies begins to yield [m]; zero of a sharp tip, infinite if none does."""
+        return self._loading.at_onset(by_force=False)
+
+    @property
+    def yield_force(self) -> float:
+        """Under which one of the bodies begins to yield [N]; zero of a sharp tip, infinite if none does."""
+        return self._loading.at_onset(by_force=True)
+
+    def steps(self) -> Iterator[PlasticState]:
+        """Yield the state at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If a load is tensile, leads beyond the reach of the profile, or to where the profile is much blunter than
+            a paraboloid or sharper than a cone.
+        """
+        table = _states(self)
+        for row in zip(*table, strict=True):
+            yield PlasticState(*(float(number) for number in row))
+
+    def gathered(self, states: Iterable[PlasticState]) -> PlasticSolution:
+        """Return the solution made of these states, of the whole path or of its beginning."""
+        return gather(PlasticSolution, self, states)
+
+    def solve(self) -> PlasticSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        PlasticSolution
+
+        Raises
+        ------
+        OutsideValidity
+            As `steps`.
+        """
+        made: Any = PlasticSolution
+        solution: PlasticSolution = made(*_states(self), self)
+        return solution
+
+
+def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
+    """Return the numbers of `PlasticPress` along a path, each ``(steps,)``."""
+    levels, by_force = numbers_of(problem.path), isinstance(problem.path, Force)
+    if by_force and np.any(levels < 0.0):
+        where = int(np.flatnonzero(levels < 0.0)[0])
+        raise OutsideValidity(
+            f"At index {where} of the path the force of {levels[where]:.6g} N is tensile; without adhesion bodies can "
+            "only be pressed together: give a force of zero or more."
+        )
+    curve = problem._loading
+    greatest, group = np.unique(np.maximum.accumulate(np.maximum(levels, 0.0)), return_inverse=True)
+    state, spent = curve.at_level(greatest, by_force=by_force)
+    _refuse_other_shapes(problem.bed, state.radius)
+    left, stored = state.depth - state.recovery, curve.stored(state)
+    edge = curve.bed.profile.height(state.radius) - state.depth
+    depth, force, radius, energy = (part[group] for part in (state.depth, state.force, state.radius, stored))
+    again = levels < greatest[group]
+    for index in np.unique(group[again]).tolist():
+        here = np.flatnonzero(again & (group == index))
+        springs, residual = curve.springs(state, index), left[index]
+        now = levels[here] if by_force else levels[here] - residual
+        d, a = (at_force if by_force else at_depth)(springs, now)
+        touching = a > 0.0
+        borne = levels[here] if by_force else np.where(touching, springs.stiffness(a) * d - springs.gap_load(a), 0.0)
+        depth[here], force[here], radius[here] = d + residual if by_force else levels[here], borne, a
+        energy[here] = np.where(touching, stored_energy(springs, d, a), 0.0)
+    lost = np.where(state.radius > curve.onset, np.maximum(spent - stored, 0.0), 0.0)
+    edge = np.where(state.radius > 0.0, edge, 0.0)
+    return depth, force, radius, left[group], state.radius[group], edge[group], energy, lost[group]
+
+
+def _refuse_other_shapes(bed: Bed, radius: Array) -> None:
+    """Refuse contacts that end where the profile is much blunter than a paraboloid or sharper than a cone."""
+    touching = radius[radius > 0.0]
+    exponent = touching * bed.gap_slope(touching) / bed.gap(touching)
+    bad = (exponent < LEAST_EXPONENT) | (exponent > GREATEST_EXPONENT)
+    if np.any(bad):
+        where = int(np.flatnonzero(bad)[0])
+        raise OutsideValidity(
+            f"PlasticIndentation: at a contact radius of {touching[where]:.4g} m the equivalent profile grows like the "
+            f"power {exponent[where]:.3g} of the radius; yielding is known of cones, power 1, to paraboloids, power 2: "
+            "give such a profile, or a load at which the contact does not end there."
+        )
+
+
+@value
+class PlasticPress(PerLoad[Q]):
+    """A contact that has yielded, at a moment, or at the points of its path.
+
+    Parameters
+    ----------
+    depth, force, radius : float or ndarray, (steps,)
+        d [m] since first touch, F_N [N], compression positive, and a [m], zero without contact.
+    residual_depth : float or ndarray, (steps,)
+        d0 [m], at which the unloaded bodies would just touch.
+    largest_radius : float or ndarray, (steps,)
+        Of the contact under the greatest load so far [m]: the radius of the dent.
+    edge_height : float or ndarray, (steps,)
+        Of the edge of the contact above the original surfaces under the greatest load so far [m], of both bodies
+        together: positive where they pile up, negative where they sink in.
+    energy, dissipation : float or ndarray, (steps,)
+        What unloading would give back, and what it would not [J]; a part of the latter stays as residual stress.
+    """
+
+    __words__ = words(
+        energy=("U", "J", "energy that unloading would give back"),
+        edge_height=(
+            "h_e",
+            "m",
+            "height of the edge over the original surfaces, under the greatest load so far",
+        ),
+        work=("W", "J", "what was spent since the beginning"),
+    )
+
+    depth: Q
+    force: Q
+    radius: Q
+    residual_depth: Q
+    largest_radius: Q
+    edge_height: Q
+    energy: Q
+    dissipation: Q
+
+    @property
+    def mean_pressure(self) -> Q:
+        """F / (pi a^2) [Pa]; zero without contact."""
+        area = np.pi * np.asarray(self.radius) ** 2
+        mean = np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0)
+        return mean if mean.ndim else float(mean)  # type: ignore[return-value]
+
+    @property
+    def work(self) -> Q:
+        """What was spent since the beginning, the integral of the force over the depth [J]."""
+        return self.energy + self.dissipation  # type: ignore[return-value,operator]
+
+
+@value
+class PlasticState(PlasticPress[float]):
+    """A contact that yields at one point of its path; its numbers are those of `PlasticPress`."""
+
+
+@value
+class PlasticSolution(PlasticPress[Array], Looped):
+    """The solution of a `PlasticIndentation`, point by point; its numbers are those of `PlasticPress`.
+
+    Parameters
+    ----------
+    problem : PlasticIndentation
+        The problem that was solved.
+    """
+
+    __words__ = words(dented=("", None, "bed on which the contact is elastic after the path"))
+
+    problem: PlasticIndentation
+
+    @property
+    def yield_depth(self) -> float:
+        """As of the problem [m]."""
+        return self.problem.yield_depth
+
+    @property
+    def yield_force(self) -> float:
+        """As of the problem [N]."""
+        return self.problem.yield_force
+
+    @property
+    def _loop(self) -> PathLoop:
+        return PathLoop((numbers_of(self.problem.path),), self.depth, self.force, self.dissipation)
+
+    @property
+    def dented(self) -> Foundation:
+        """The bed that the path leaves: the contact is elastic on it up to the greatest load so far.
+
+        Depths on it are counted from `residual_depth`.
+        """
+        curve = self.problem._loading
+        by_force = isinstance(self.problem.path, Force)
+        greatest = np.array([max(float(np.max(numbers_of(self.problem.path), initial=0.0)), 0.0)])
+        state, _ = curve.at_level(greatest, by_force=by_force)
+        return curve.springs(state, 0)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        widest = float(np.max(self.largest_radius, initial=0.0))
+        loading = self.problem._loading
+        yields = widest > loading.onset
+        notes = [note for note in self.problem.bed.notes if not (yields and note.assumption is Assumption.RESPONSE)]
+        if widest > 0.0:
+            notes += shape_notes(self.problem.bed, widest)
+        if yields:
+            notes.append(LAW)
+            least, most = BLUNT_SHARES
+            if least < float(round_part(loading.exponent(np.array([widest])))[0]) < most:
+                notes.append(BETWEEN)
+            if loading.beyond_tables(widest):
+                notes.append(FULLY_PLASTIC)
+        return (*notes, *self._cycle_notes)

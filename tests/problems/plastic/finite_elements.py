@@ -1,0 +1,175 @@
+"""Axisymmetric finite elements of a perfectly plastic body under a rigid one, small strains, no friction.
+
+Bilinear quadrilaterals with the mean dilatation of Hughes (B-bar), von Mises' condition by radial return, and contact
+by events: the nodes 0 to k - 1 of the surface are held on the rigid body, and node k just touches it, so that the depth
+is an unknown and no contact is searched for.
+"""
+
+import copy
+
+import numpy as np
+from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
+
+GAUSS = np.array([-1.0, 1.0]) / np.sqrt(3.0)
+FAR = 30.0
+"""Size of the mesh over the contact radius."""
+
+
+def graded(fine, count, ratio):
+    """Places: as many equal steps, then growing ones up to the far end."""
+    places, step = list(fine * np.arange(count + 1)), fine
+    while places[-1] < FAR:
+        step *= ratio
+        places.append(places[-1] + step)
+    return np.array(places)
+
+
+class Body:
+    """A cylinder of unit modulus whose upper face is pressed; `cells` cells lie on the greatest contact radius, 1."""
+
+    def __init__(self, cells, poisson, strength):
+        r, z = graded(1.0 / cells, int(1.25 * cells), 1.18), graded(1.0 / cells, cells, 1.15)
+        self.poisson, self.strength = poisson, strength
+        self.shear, self.bulk = 0.5 / (1.0 + poisson), 1.0 / (3.0 * (1.0 - 2.0 * poisson))
+        grid = np.stack(np.meshgrid(r, -z, indexing="ij"), -1).reshape(-1, 2)
+        nodes = np.arange(r.size * z.size).reshape(r.size, z.size)
+        cells_of = np.stack([nodes[:-1, 1:], nodes[1:, 1:], nodes[1:, :-1], nodes[:-1, :-1]], -1).reshape(-1, 4)
+        self.r, self.surface = r, 2 * nodes[:, 0] + 1
+        self.fixed = np.zeros(grid.size, dtype=bool)
+        self.fixed[2 * nodes[0]] = self.fixed[2 * nodes[:, -1] + 1] = True  # axis and bottom
+        self.dofs = np.stack([2 * cells_of, 2 * cells_of + 1], -1).reshape(-1, 8)
+        self._strain_matrices(grid[cells_of])
+        row, column = np.repeat(self.dofs, 8, axis=1).ravel(), np.tile(self.dofs, (1, 8)).ravel()
+        self.low, self.width = row >= column, 2 * z.size + 3
+        self.place = (row - column)[self.low] * grid.size + column[self.low]
+        self.moved, self.plastic = np.zeros(grid.size), np.zeros((*self.weight.shape, 4))
+
+    def _strain_matrices(self, corners):
+        matrix, weight = np.zeros((len(corners), 4, 4, 8)), np.zeros((len(corners), 4))
+        for q, (x, y) in enumerate((x, y) for x in GAUSS for y in GAUSS):
+            shape = 0.25 * np.array([(1 - x) * (1 - y), (1 + x) * (1 - y), (1 + x) * (1 + y), (1 - x) * (1 + y)])
+            slopes = 0.25 * np.array([[y - 1, x - 1], [1 - y, -1 - x], [1 + y, 1 + x], [-1 - y, 1 - x]])
+            jacobian = np.einsum("eai,aj->eij", corners, slopes)
+            gradient = np.einsum("aj,eji->eai", slopes, np.linalg.inv(jacobian))
+            radius = corners[:, :, 0] @ shape
+            matrix[:, q, 0, 0::2], matrix[:, q, 1, 1::2] = gradient[:, :, 0], gradient[:, :, 1]
+            matrix[:, q, 2, 0::2] = shape / radius[:, None]
+            matrix[:, q, 3, 0::2], matrix[:, q, 3, 1::2] = gradient[:, :, 1], gradient[:, :, 0]
+            weight[:, q] = np.linalg.det(jacobian) * radius * 2.0 * np.pi
+        dilatation = matrix[:, :, :3].sum(2)
+        mean = np.einsum("eq,eqk->ek", weight, dilatation) / weight.sum(1)[:, None]
+        matrix[:, :, :3] += ((mean[:, None] - dilatation) / 3.0)[:, :, None]
+        self.matrix, self.weight = matrix, weight
+
+    def stress(self, moved):
+        """Stresses, their tangent, and plastic strains (rr, zz, tt, engineering rz)."""
+        strain = np.einsum("eqik,ek->eqi", self.matrix, moved[self.dofs]) - self.plastic
+        volume = strain[..., :3].sum(-1, keepdims=True)
+        deviator = np.concatenate([strain[..., :3] - volume / 3.0, 0.5 * strain[..., 3:]], -1) * (2.0 * self.shear)
+        norm = np.sqrt((deviator[..., :3] ** 2).sum(-1) + 2.0 * deviator[..., 3] ** 2)
+        mises = np.sqrt(1.5) * norm
+        yields = mises > self.strength
+        kept = np.where(yields, self.strength / np.where(yields, mises, 1.0), 1.0)
+        flow = deviator / np.where(norm > 0.0, norm, 1.0)[..., None]
+        grown = np.where(yields, (mises - self.strength) / (3.0 * self.shear), 0.0)
+        plastic = self.plastic + np.sqrt(1.5) * grown[..., None] * flow * np.array([1.0, 1.0, 1.0, 2.0])
+        stress = deviator * kept[..., None]
+        stress[..., :3] += self.bulk * volume
+        one, unit = np.array([1.0, 1.0, 1.0, 0.0]), np.diag([1.0, 1.0, 1.0, 0.5])
+        unit[:3, :3] -= 1.0 / 3.0
+        tangent = (2.0 * self.shear * kept)[..., None, None] * unit + self.bulk * np.outer(one, one)
+        along = np.where(yields, kept, 0.0)
+        tangent -= (2.0 * self.shear * along)[..., None, None] * flow[..., :, None] * flow[..., None, :]
+        return stress, tangent, plastic
+
+    def forces(self, stress):
+        inner = np.einsum("eq,eqik,eqi->ek", self.weight, self.matrix, stress)
+        return np.bincount(self.dofs.ravel(), inner.ravel(), self.moved.size)
+
+    def _factor(self, tangent, fixed):
+        stiff = np.einsum("eq,eqik,eqij,eqjl->ekl", self.weight, self.matrix, tangent, self.matrix, optimize=True)
+        size = self.moved.size
+        band = np.bincount(self.place, stiff.ravel()[self.low], (self.width + 1) * size).reshape(-1, size)
+        whole, held = band.copy(), np.flatnonzero(fixed)
+        band[:, held] = 0.0
+        for m in range(1, self.width + 1):
+            band[m, held[held >= m] - m] = 0.0
+        band[0, held] = 1.0
+        return whole, cholesky_banded(band, lower=True, check_finite=False)
+
+    def _part(self, moved, change, free, before):
+        """The part of a step after which least is left."""
+        least, best = np.inf, 1.0
+        for part in (1.0, 0.5, 0.25, 0.1):
+            left = np.linalg.norm(self.forces(self.stress(moved + part * change)[0])[free])
+            if left < least:
+                least, best = left, part
+            if left < 0.9 * before:
+                break
+        return best
+
+    def event(self, k, gap, back=False):
+        """Depth and force when node k just touches a rigid body of this gap at the nodes of the surface."""
+        held = self.surface[:k]
+        fixed = self.fixed.copy()
+        fixed[held] = True
+        free, moved = ~fixed, self.moved.copy()
+        depth = gap[k] - moved[self.surface[k]]
+        elastic = self.stress(0.0 * moved)[1] if back else None
+        for turn in range(40):
+            stress, tangent, plastic = self.stress(moved)
+            residual = self.forces(stress)
+            left = np.linalg.norm(residual[free]) / max(np.linalg.norm(residual[held]), 1e-300)
+            missed = abs(gap[k] - moved[self.surface[k]] - depth) / abs(depth)
+            if turn and left < 1e-8 and missed < 1e-9:
+                self.moved, self.plastic = moved, plastic
+                return depth, -float(residual[held].sum())
+            tangent = elastic if back and turn < 2 else tangent
+            try:
+                whole, factor = self._factor(tangent, fixed)
+            except LinAlgError:
+                whole, factor = self._factor(0.9 * tangent + 0.1 * self.stress(0.0 * moved)[1], fixed)
+            jump, one = np.zeros_like(moved), np.zeros_like(moved)
+            jump[held], one[held] = gap[:k] - depth - moved[held], 1.0
+            right = np.stack([-residual - _times(whole, jump), _times(whole, one)], 1)
+            right[fixed] = 0.0
+            step = cho_solve_banded((factor, True), right, check_finite=False)
+            deeper = (gap[k] - depth - moved[self.surface[k]] - step[self.surface[k], 0]) / (
+                1.0 + step[self.surface[k], 1]
+            )
+            change = step[:, 0] + deeper * step[:, 1]
+            change[held] += jump[held] - deeper
+            part = 1.0 if turn == 0 else self._part(moved, change, free, np.linalg.norm(residual[free]))
+            moved, depth = moved + part * change, depth + part * deeper
+        raise AssertionError(f"no equilibrium when node {k} touches: {left}, {missed}")
+
+
+def _times(band, vector):
+    """A symmetric matrix of bands times a vector."""
+    found = band[0] * vector
+    for m in range(1, len(band)):
+        found[m:] += band[m, :-m] * vector[:-m]
+        found[:-m] += band[m, :-m] * vector[m:]
+    return found
+
+
+def pressed_and_released(cells, poisson, strength, profile):
+    """Depth, force and residual depth of a contact of radius 1 under a rigid body f(r), modulus 1."""
+    body = Body(cells, poisson, strength)
+    gap = profile(body.r)
+    modulus = 1.0 / (1.0 - poisson**2)
+
+    def far(depth, force):  # what the body beyond the mesh yields, about a point force
+        return depth + 0.3 * force / (modulus * FAR)
+
+    for k in range(1, cells + 1):
+        depth, force = body.event(k, gap)
+    back = []
+    loaded = copy.copy(body)
+    for k in range(cells - 1, 2, -1):
+        less, lower = loaded.event(k, gap, back=True)
+        back.append((lower, far(less, lower)))
+    lower, less = np.array(back).T
+    low = lower < 0.3 * force
+    residual = np.polyfit(lower[low] ** (2.0 / 3.0), less[low], 1)[-1]
+    return far(depth, force), force, residual
