@@ -257,9 +257,9 @@ def steady_history(springs: Plays, values: Sequence[float], by_load: bool) -> Tu
 
 
 def _stored(springs: Plays, branches: Branches, motion: Array, front: Array) -> Array:
-    """Return the integral of the square of the springs' load at each point.
+    r"""Return the integral of the square of the springs' load at each point.
 
-    The springs of the ring between two turns bear :math:`m-m_t+\\sigma_t b` at a motion m: a square in m, of which the
+    The springs of the ring between two turns bear :math:`m-m_t+\sigma_t b` at a motion m: a square in m, of which the
     coefficients are summed up from the axis to each turn once.
     """
     beyond, sides = springs.tails(front), np.array(branches.directions)
