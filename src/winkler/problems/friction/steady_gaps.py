@@ -52,7 +52,7 @@ class GapPlays(Plays):
 
     def curve(self, amplitude: Array) -> Moved:
         """Return as `Plays.curve`."""
-        front = np.maximum(self.rim - amplitude / self._beta, 0.0)
+        front = np.where(amplitude < self._nodes[-1], np.maximum(self.rim - amplitude / self._beta, 0.0), 0.0)
         zeroth, first, second = self.tails(front)
         lost = np.maximum(amplitude * first - second, 0.0)
         stuck = self.whole[0] - zeroth

@@ -117,12 +117,14 @@ class SlipRow:
     def _turned(self, depth: float) -> Iterator[SlipPoint]:
         """Yield the points of a path under a steady depth, as far as friction bears what is prescribed."""
         along = [goal.along for goal in self.goals]
+        springs = GapPlays(self._curves.greatest, depth, self.beta, self.ratio)
         if not self.driven:
             most = self.coefficient * self.sums.at(depth)[1]
             allowed = most * (1.0 + SLIDING_TOLERANCE)
             borne = next((i for i, force in enumerate(along) if abs(force) > allowed), len(along))
-            along = [2.0 * max(min(force, most), -most) for force in along[:borne]]
-        history = steady_history(GapPlays(self._curves.greatest, depth, self.beta, self.ratio), along, not self.driven)
+            slides, limit = most * (1.0 - FORCE_TOLERANCE), 2.0 * float(springs.whole[1])
+            along = [2.0 * f if abs(f) < slides else math.copysign(limit, f) for f in along[:borne]]
+        history = steady_history(springs, along, not self.driven)
         shift = along if self.driven else history.motion.tolist()
         halves = (0.5 * each for each in (history.load, history.stored))
         load, stored = (each.tolist() for each in halves)
