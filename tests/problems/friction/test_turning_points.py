@@ -1,4 +1,4 @@
-"""Histories under a steady depth by their turning points: against the march, spring by spring, and by what they keep."""
+"""Histories under a steady depth by their turning points: against the march, against springs one by one."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ BEDS = {
 
 
 def swings(count):
-    """Return shares of the amplitude: loops that shrink, that grow, of random turns, that end where they began, slid."""
+    """Return shares of the amplitude: loops that shrink, grow, end where they began, and random turns."""
     turn = np.arange(count)
     sign, random = (-1.0) ** turn, np.random.default_rng(11).uniform(-1.0, 1.0, count)
     small = np.tile([0.5, 0.2, 0.5, 0.499, 0.5, 0.5, -0.1, 0.5 + 1e-9], -(-count // 8))[:count]
@@ -87,7 +87,7 @@ def test_turning_points_are_the_march_on_all_profiles(bed, load):
 
 @pytest.mark.parametrize("swing", ["shrinking", "growing", "random"])
 def test_energies_are_those_of_springs_one_by_one(swing):
-    """At a steady depth a spring is clipped at its bound; sums over the places of a ball are Gauss's, piece by piece."""
+    """At a steady depth a spring is clipped at its bound; the places of a ball are summed up piece by piece."""
     solution = problem(BALL, wk.Shift, 0.8 * swings(40)[swing]).solve()
     depth, radius = float(solution.depth[0]), float(solution.radius[0])
     shares, weights = np.polynomial.legendre.leggauss(12)
@@ -102,7 +102,7 @@ def test_energies_are_those_of_springs_one_by_one(swing):
         trial = u + shift - before
         after = np.clip(trial, -bound, bound)
         loss = float(stiffness @ (bound * np.abs(trial - after)))
-        work += 0.5 * float(stiffness @ (after**2 - u**2)) + loss  # a spring at its bound gains nothing, and loses
+        work += 0.5 * float(stiffness @ (after**2 - u**2)) + loss
         lost, u, before = lost + loss, after, shift
         found = solution.shear_force[at] / (MU * FORCE), solution.dissipation[at] / lost, solution.work[at] / work
         assert found == pytest.approx((float(stiffness @ u) / (MU * FORCE), 1.0, 1.0), abs=1e-10)

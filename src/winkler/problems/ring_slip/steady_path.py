@@ -276,7 +276,8 @@ def _stored(springs: Plays, branches: Branches, motion: Array, front: Array) -> 
         )
 
     points = np.arange(motion.size)
-    own, sums = rings(inner, points).T.tolist(), []
+    own: list[list[float]] = rings(inner, points).T.tolist()
+    sums: list[list[float]] = []
     for turn, before in enumerate(branches.inner):
         sums.append([a + b for a, b in zip(own[turn], sums[before], strict=True)] if before >= 0 else own[turn])
     a, b, c = rings(heads, points) + np.where(heads < 0, 0.0, np.array(sums).reshape(-1, 3).T[:, heads])
@@ -284,4 +285,5 @@ def _stored(springs: Plays, branches: Branches, motion: Array, front: Array) -> 
 
 
 def chunks(values: Array) -> list[Array]:
+    """Return numbers in parts that are read at a time, lest arrays over their places become long."""
     return [values[low : low + CHUNK] for low in range(0, values.size, CHUNK)]
