@@ -142,11 +142,11 @@ def test_points_of_a_loop_on_a_coating_share_their_turns():
 
 
 def test_what_friction_does_not_bear_is_refused_at_its_point():
-    swing = np.array([0.2, -0.5, 1.0, 1.0 + 1e-13, 1.001, 0.1])
+    swing = np.array([0.2, -0.5, 1.0, 1.0 + 1e-13, 1.001, *[0.1] * 20])
     steps, states = problem(BALL, wk.ShearForce, swing).steps(), []
     with pytest.raises(wk.OutsideValidity, match=r"at index 4 of the path a shear force of 300\.3 N"):  # noqa: PT012
         for state in steps:
             states.append(state)
     assert [state.sliding for state in states] == [False, False, True, True]
     with pytest.raises(wk.OutsideValidity, match="at index 0 of the path"):
-        problem(BALL, wk.ShearForce, np.array([1.1, 0.0])).solve()
+        problem(BALL, wk.ShearForce, np.array([1.1] * 20)).solve()

@@ -27,6 +27,8 @@ from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
 
 __all__ = ["SlipGoal", "SlipRow", "SlipState"]
 
+MANY = 20
+"""Points of a path from which on its turning points take less time than its steps."""
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
 SLIDING_TOLERANCE = 1e-12
@@ -97,7 +99,7 @@ class SlipRow:
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * ratio * stiffness * size**2
 
     def points(self) -> Iterator[SlipPoint]:
-        """Yield the springs at every point of the path, under a steady depth all at once.
+        """Yield the springs at every point of the path, many of them under a steady depth all at once.
 
         Raises
         ------
@@ -106,7 +108,8 @@ class SlipRow:
         """
         goals, depth = self.goals, self.goals[0].depth
         reached = None
-        if depth >= LEAST_DEPTH and 0.0 < self.beta < math.inf and all(goal.depth == depth for goal in goals):
+        steady = len(goals) >= MANY and all(goal.depth == depth for goal in goals)
+        if steady and depth >= LEAST_DEPTH and 0.0 < self.beta < math.inf:
             for index, point in enumerate(self._turned(depth)):
                 yield point
                 reached = index, goals[index], Reached(SlipState(point.memory, point.shift), point.work, point.lost)
