@@ -86,17 +86,48 @@ def bench_a_loop_of_a_thousand_steps(benchmark, below, steel_on_steel, name):
     below(most, f"500 springs, {STEPS} steps, {name}")
 
 
+TURNS = 10_000
+SWINGS = {
+    "shrinking": (-1.0) ** np.arange(TURNS) * (1.0 - np.arange(TURNS) / TURNS),
+    "growing": (-1.0) ** np.arange(TURNS) * (np.arange(TURNS) + 1.0) / TURNS,
+    "random": np.random.default_rng(3).uniform(-1.0, 1.0, TURNS),
+}
+
+
 @pytest.mark.parametrize("load", [wk.Shift, wk.ShearForce])
-def bench_a_shrinking_loop(benchmark, below, steel_on_steel, load):
-    """Every turning point is remembered: ten thousand of them by shift, two thousand by force."""
+@pytest.mark.parametrize("name", SWINGS)
+def bench_ten_thousand_turning_points(benchmark, below, steel_on_steel, name, load):
+    """Under a steady load, all that are not closed are remembered: half a second, energies included."""
     bed, force = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel), 1000.0
     depth = wk.Indentation(bed, wk.Force(force)).solve().depth
-    count, most, limit = (10_000, 0.25 * depth, 1.2) if load is wk.Shift else (2_000, 0.27 * force, 1.0)
-    turns = np.arange(count)
-    path = Path(turns * 1.0, wk.Force(force), load(most * (-1.0) ** turns * (1.0 - turns / count)))
+    most = 0.25 * depth if load is wk.Shift else 0.27 * force
+    problem = wk.Tangential(bed, Coulomb(0.3), Path(np.arange(TURNS) * 1.0, wk.Force(force), load(most * SWINGS[name])))
+    solution = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
+    assert np.all(np.diff(solution.dissipation) >= 0.0)
+    below(0.5, f"{TURNS} turning points, {name}, {load.__name__}")
+
+
+def bench_ten_thousand_turning_points_on_a_coating(benchmark, below):
+    """Where slip is followed by rings: a second, the tables of the layers computed before."""
+    layer = wk.Layer(wk.Elastic(400e9, 0.3), thickness=2e-6)
+    bed = wk.Foundation(wk.Paraboloid(1e-3), wk.CoatedHalfSpace([layer], on=wk.Elastic(40e9, 0.3)))
+    path = Path(np.arange(TURNS) * 1.0, wk.Force(0.05), wk.Shift(4e-9 * SWINGS["shrinking"]))
     problem = wk.Tangential(bed, Coulomb(0.3), path)
-    assert benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1).states[-1].memory.size > count // 3
-    below(limit, f"shrinking loop of {count} turning points, {load.__name__}")
+    solution = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
+    assert np.all(np.diff(solution.dissipation) >= 0.0)
+    below(1.0, f"{TURNS} turning points on a coating")
+
+
+def bench_turning_points_at_depths_that_change(benchmark, below, steel_on_steel):
+    """Straight steps of shift and depth, one by one: 0.2 ms each."""
+    count = 1_000
+    bed, turns = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel), np.arange(count)
+    depth = wk.Indentation(bed, wk.Force(1000.0)).solve().depth * (1.0 + 0.2 * SWINGS["random"][turns])
+    path = Path(turns * 1.0, wk.Depth(depth), wk.Shift(0.25 * depth * SWINGS["random"][-count:]))
+    problem = wk.Tangential(bed, Coulomb(0.3), path)
+    solution = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
+    assert np.all(np.diff(solution.dissipation) >= 0.0)
+    below(0.2, f"{count} turning points of shift and depth")
 
 
 @pytest.mark.parametrize("load", [wk.Shift, wk.ShearForce])

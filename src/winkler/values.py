@@ -177,6 +177,7 @@ def value(cls: type[T]) -> type[T]:
     a wrong name raises an error with the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
+    check = getattr(check, "own", check)  # the fields of a parent are checked with one's own
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
 
     def __post_init__(self: Any) -> None:
@@ -202,6 +203,7 @@ def value(cls: type[T]) -> type[T]:
             except ArithmeticError as error:
                 raise InvalidInput(f"{cls.__name__}: {error}; check the numbers and their units.") from error
 
+    __post_init__.own = check  # type: ignore[attr-defined]
     for name, method in (
         ("__post_init__", __post_init__),
         ("__eq__", _equal),

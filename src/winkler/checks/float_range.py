@@ -70,7 +70,9 @@ def _without_nan(result: Any) -> Any:
     """Return a result without undefined numbers; compiled kernels raise no error for those."""
     for name in _fields_of(result.__class__):
         inside = getattr(result, name)
-        if isinstance(inside, float):
+        if type(inside) is float:  # most numbers of a long march
+            undefined = inside != inside
+        elif isinstance(inside, float):
             undefined = math.isnan(inside)
         else:
             undefined = isinstance(inside, np.ndarray) and inside.dtype == float and bool(np.isnan(inside).any())

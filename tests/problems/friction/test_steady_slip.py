@@ -57,8 +57,8 @@ def test_turning_points_as_the_march_of_the_springs(bound_of, ratio):
         step = torsion_step(bound, memory, press, value - motion)
         memory, motion, lost, work = step.memory, value, lost + step.loss, work + step.work
         assert point.load == pytest.approx(torque_of(bound, memory), abs=1e-12 * most)
-        assert point.load == pytest.approx(torque_of(bound, point.memory), abs=1e-12 * most)
-        got = (point.work, point.lost, point.stored, square(bound, point.memory))
+        assert point.load == pytest.approx(torque_of(bound, point.memory.record), abs=1e-12 * most)
+        got = (point.work, point.lost, point.stored, square(bound, point.memory.record))
         assert got == pytest.approx((work, lost, square(bound, memory), point.stored), abs=1e-12 * whole)
     back = steady_points(bound, press, [point.load for point in found], by_load=True)
     np.testing.assert_allclose([point.motion for point in back], values, atol=1e-11 * np.max(values))
@@ -81,7 +81,7 @@ def test_a_prescribed_load_as_the_march_of_the_springs():
 def test_a_history_is_cut_into_branches():
     """Out to 4, an inner loop 1 to 3 that closes, and beyond -4, where nothing is remembered."""
     branches = followed([4.0, 1.0, 3.0, 0.0, -4.0, -5.0])
-    assert branches.turns == [(), (0,), (0, 1), (0,), (), ()]
+    assert [branches.turns(point) for point in range(6)] == [[], [0], [0, 1], [0], [], []]
     assert branches.directions == [1.0, -1.0, 1.0, -1.0, -1.0, -1.0]
     ways = [(each.point, each.fold, each.start, each.end) for each in branches.stretches]
     assert ways[:4] == [(0, 1, 0.0, 4.0), (1, 2, 0.0, 1.5), (2, 2, 0.0, 1.0), (3, 2, 0.0, 1.0)]

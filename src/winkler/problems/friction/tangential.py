@@ -42,7 +42,6 @@ from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffne
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
 from winkler.problems.round_march import RoundSlip
-from winkler.problems.row import follow
 from winkler.problems.viscoelastic.tangential import DraggedState, dragged_notes, dragged_states, pressed_alone
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
@@ -212,12 +211,8 @@ class Tangential:
         row = SlipRow(slipping_springs(self.bed), self.law.coefficient, ratio, self.path, moved)
         pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
         points = zip(self.path.time.tolist(), *pressed, strict=True)
-        for (time, depth, force, radius), (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
-            memory, shift = state
-            yield TangentialState(
-                time, depth, force, radius, shift, row.shear_force(memory), work, row.stored(memory), lost,
-                self.bed, self.law, ratio, memory,
-            )  # fmt: skip
+        for (time, depth, force, radius), sheared in zip(points, row.points(), strict=True):
+            yield TangentialState(time, depth, force, radius, *sheared[:-1], self.bed, self.law, ratio, sheared.memory)
 
     def gathered(self, states: Iterable[State]) -> TangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

@@ -7,6 +7,7 @@ it, it is halved until the halves bring the springs to where the whole did (`win
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -17,12 +18,17 @@ from winkler.loading import Depth, Shift
 from winkler.path import Path
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
+from winkler.problems.friction.steady_gaps import GapPlays, turned_memories
+from winkler.problems.friction.straight_step import LEAST_DEPTH
 from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, over
+from winkler.problems.ring_slip.steady_path import steady_history
+from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
 
 __all__ = ["SlipGoal", "SlipRow", "SlipState"]
 
+MANY = 20
+"""Points of a path from which on its turning points take less time than its steps."""
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
 SLIDING_TOLERANCE = 1e-12
@@ -46,6 +52,17 @@ class SlipState(NamedTuple):
 
     memory: SlipMemory
     shift: float
+
+
+class SlipPoint(NamedTuple):
+    """A point of a path: shift [m], shear force [N], energies [J], and what the springs remember."""
+
+    shift: float
+    shear_force: float
+    work: float
+    stored: float
+    lost: float
+    memory: SlipMemory
 
 
 class SlipRow:
@@ -73,12 +90,50 @@ class SlipRow:
         self.driven = isinstance(path.lateral, Shift)
         self.pressed = isinstance(path.normal, Depth)
         deepest = max(0.0, *(goal.depth for goal in self.goals))
-        self.sums = SlipSums(NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH))
+        self._curves = NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH)
+        self.sums = SlipSums(self._curves)
         stiffness, _, _ = self.sums.at(deepest)
         greatest = float(np.max(np.abs(path.along)))
         size = greatest if self.driven or stiffness == 0.0 else greatest / (ratio * stiffness)
         size = min(self.beta * deepest, size) if deepest > 0.0 else 0.0
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * ratio * stiffness * size**2
+
+    def points(self) -> Iterator[SlipPoint]:
+        """Yield the springs at every point of the path, many of them under a steady depth all at once.
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `step`.
+        """
+        goals, depth = self.goals, self.goals[0].depth
+        reached = None
+        steady = len(goals) >= MANY and all(goal.depth == depth for goal in goals)
+        if steady and depth >= LEAST_DEPTH and 0.0 < self.beta < math.inf:
+            for index, point in enumerate(self._turned(depth)):
+                yield point
+                reached = index, goals[index], Reached(SlipState(point.memory, point.shift), point.work, point.lost)
+        # what friction does not bear is refused, at its step
+        for (memory, shift), work, lost in follow(self, goals[reached[0] + 1 if reached else 0 :], reached):
+            yield SlipPoint(shift, self.shear_force(memory), work, self.stored(memory), lost, memory)
+
+    def _turned(self, depth: float) -> Iterator[SlipPoint]:
+        """Yield the points of a path under a steady depth, as far as friction bears what is prescribed."""
+        along = [goal.along for goal in self.goals]
+        springs = GapPlays(self._curves.greatest, depth, self.beta, self.ratio)
+        if not self.driven:
+            most = self.coefficient * self.sums.at(depth)[1]
+            allowed = most * (1.0 + SLIDING_TOLERANCE)
+            borne = next((i for i, force in enumerate(along) if abs(force) > allowed), len(along))
+            slides, limit = most * (1.0 - FORCE_TOLERANCE), 2.0 * float(springs.whole[1])
+            along = [2.0 * f if abs(f) < slides else math.copysign(limit, f) for f in along[:borne]]
+        history = steady_history(springs, along, not self.driven)
+        shift = along if self.driven else history.motion.tolist()
+        halves = (0.5 * each for each in (history.load, history.stored))
+        load, stored = (each.tolist() for each in halves)
+        rows = zip(shift, load, history.work.tolist(), stored, history.lost.tolist(), strict=True)
+        for row, memory in zip(rows, turned_memories(depth, self.beta, history), strict=True):
+            yield SlipPoint(*row, memory)
 
     def begin(self, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs pressed straight down, and moved after."""

@@ -14,7 +14,7 @@ from winkler.media.interior.twist_field import TwistBelow, twist_below
 from winkler.media.layered.wave_constants import twist_constants
 from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory, pieces_of
 from winkler.problems.round_march import RoundTwist
 from winkler.values import value, words
 
@@ -38,7 +38,7 @@ class TwistedSprings:
         A contact radius that was never exceeded [m].
     forced : bool
         Whether the memory counts forces, not depths.
-    memory : TwistMemory
+    memory : TwistMemory or TurnedTwist
         What the springs remember.
     """
 
@@ -55,7 +55,7 @@ class TwistedSprings:
     coefficient: float
     widest: float
     forced: bool
-    memory: TwistMemory
+    memory: TwistMemory | TurnedTwist
 
     @property
     def radius(self) -> float:
@@ -114,7 +114,7 @@ class TwistedSprings:
     def _read(self, x: Array, reading: Callable[[Array, Array], Array]) -> Array:
         x = np.asarray(x, dtype=float)
         result = np.zeros(x.shape)
-        inner = self.memory.edges[1:-1]
+        inner = self.memory.record.edges[1:-1]
         which = np.searchsorted(inner, x, side="right")
         for index, piece in enumerate(pieces_of(self.memory)):
             here = which == index

@@ -76,6 +76,14 @@ class NormalCurve(NamedTuple):
         stiffness, force, work = (np.cos(angle * self.orders) @ self.rows[panel]).tolist()
         return stiffness, force, work
 
+    def read(self, depths: Array, which: int) -> Array:
+        """Return one of K, F and W, numbered from zero, at many depths up to that of the curve [m], ``(m,)``."""
+        edges, table = np.array(self.edges), np.array([row[:, which] for row in self.rows])
+        panel = np.clip(np.searchsorted(edges, depths, side="right"), 1, edges.size - 1) - 1
+        low, high = edges[panel], edges[panel + 1]
+        t = np.clip((2.0 * depths - low - high) / (high - low), -1.0, 1.0)
+        return np.asarray(np.polynomial.chebyshev.chebval(t, table.T[:, panel], tensor=False))
+
     def between(self, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
         r"""Return the sums of d - gap [N] and of its square [J] over the springs from a gap to a depth.
 
@@ -157,6 +165,11 @@ class NormalCurves:
         if level not in self._curves:
             self._curves[level] = normal_curve(self.bed, self.depth * SHALLOWER**-level)
         return self._curves[level]
+
+    @property
+    def greatest(self) -> NormalCurve:
+        """The curve up to the greatest depth, known to rounding of its greatest values."""
+        return self._curves[0]
 
     def at(self, depth: float) -> tuple[float, float, float]:
         """Return as `NormalCurve.at`."""

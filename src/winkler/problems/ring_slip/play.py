@@ -32,11 +32,23 @@ class Stretch(NamedTuple):
 
 
 class Branches(NamedTuple):
-    """A history: its stretches, and for each point the turns that it remembers, the oldest first, and its direction."""
+    """A history: its stretches, and of each point its direction and the last turn that is remembered, -1 if none.
+
+    `inner` holds for each point that is a turn the one that is remembered before it, -1 if none, and -1 of all others.
+    """
 
     stretches: list[Stretch]
-    turns: list[tuple[int, ...]]
     directions: list[float]
+    heads: list[int]
+    inner: list[int]
+
+    def turns(self, point: int) -> list[int]:
+        """Return the turns that are remembered at a point, the oldest first."""
+        found, turn = [], self.heads[point]
+        while turn >= 0:
+            found.append(turn)
+            turn = self.inner[turn]
+        return found[::-1]
 
 
 def followed(values: Sequence[float]) -> Branches:
@@ -48,13 +60,15 @@ def followed(values: Sequence[float]) -> Branches:
         The motion, or the load, point by point.
     """
     stretches: list[Stretch] = []
-    remembered: list[tuple[int, ...]] = []
     directions: list[float] = []
+    heads: list[int] = []
+    inner = [-1] * len(values)
     turns: list[int] = []
     value = direction = 0.0
     for point, target in enumerate(values):
         sign = 1.0 if target > value else -1.0
         if target != value and direction == -sign:
+            inner[point - 1] = turns[-1] if turns else -1
             turns.append(point - 1)
         on_its_way = value != target
         while on_its_way:
@@ -70,6 +84,6 @@ def followed(values: Sequence[float]) -> Branches:
             if on_its_way:
                 del turns[-2:]
             value = stop
-        remembered.append(tuple(turns))
+        heads.append(turns[-1] if turns else -1)
         directions.append(direction)
-    return Branches(stretches, remembered, directions)
+    return Branches(stretches, directions, heads, inner)

@@ -26,7 +26,7 @@ from winkler.problems.ring_slip.torsion_march import (
     trapezoid,
     unrounded,
 )
-from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory, fresh, pieces_of
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
 
 __all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
@@ -163,7 +163,7 @@ class RingPoint(NamedTuple):
     lost: float
     nested: bool
     bound: TwistBound
-    memory: TwistMemory
+    memory: TwistMemory | TurnedTwist
 
 
 def ring_points(
@@ -258,7 +258,7 @@ def _steady(
     yield from points
     if borne < len(targets):
         goals = [RingGoal(point, press, target) for point, target in enumerate(targets)]
-        ends = [RingMemory(point.memory, point.motion, 0.0, borne - 1, True) for point in points[-1:]]
+        ends = [RingMemory(point.memory.record, point.motion, 0.0, borne - 1, True) for point in points[-1:]]
         last = [(borne - 1, goals[borne - 1], Reached(end, 0.0, 0.0)) for end in ends]
         next(follow(RingRow(bound, goals, moved), goals[borne:], *last))  # refuses
 

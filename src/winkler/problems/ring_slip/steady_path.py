@@ -20,9 +20,9 @@ from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.panels.kink_panels import LOCAL_NODES, TO_COEFFICIENTS, WEIGHTS
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.play import Branches, followed
-from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory
+from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TurnHistory, TwistMemory
 
-__all__ = ["FreshSprings", "HistoryPoint", "falls", "steady_points"]
+__all__ = ["FreshSprings", "HistoryPoint", "Moved", "Plays", "chunks", "falls", "steady_history", "steady_points"]
 
 CHUNK = 2048
 """So many places are read at a time."""
@@ -50,10 +50,10 @@ class HistoryPoint(NamedTuple):
     stored: float
     lost: float
     nested: bool
-    memory: TwistMemory
+    memory: TwistMemory | TurnedTwist
 
 
-class _Moved(NamedTuple):
+class Moved(NamedTuple):
     """Fresh springs, for many amplitudes: c [m], F, the integral of F over s, and L."""
 
     front: Array
@@ -73,8 +73,54 @@ def falls(bound: TwistBound, press: PressedState) -> bool:
     )
 
 
-class FreshSprings:
-    """What springs bear that came into contact at rest.
+class Plays:
+    """What springs bear that came into contact at rest, and of which the outer ones slide first.
+
+    Parameters
+    ----------
+    rim : float
+        Where they end: a radius, or a gap [m].
+    whole : ndarray, (3,)
+        The integrals of e^2 b^n over all of them, n = 0, 1, 2.
+    nodes : ndarray
+        Amplitudes in rising order, between which that of a load is sought; the last one lets all slide that can.
+    """
+
+    def __init__(self, rim: float, whole: Array, nodes: Array) -> None:
+        self.rim, self.whole, self._nodes = rim, whole, nodes
+
+    def tails(self, front: Array) -> Array:
+        """Return the integrals of e^2 b^n from these places to the rim, n = 0, 1, 2: ``(3, m)``."""
+        raise NotImplementedError
+
+    def curve(self, amplitude: Array) -> Moved:
+        """Return what fresh springs bear that have moved by these amplitudes."""
+        raise NotImplementedError
+
+    def amplitude(self, load: Array) -> Array:
+        """Return the amplitudes under which fresh springs bear these loads, less than what friction bears."""
+        known = self.curve(self._nodes)
+        least = load / (2.0 * self.whole[0])
+        found = np.maximum(np.interp(load, np.append(0.0, known.load), np.append(0.0, self._nodes)), least)
+        top = self._nodes[-1]
+        found = np.where(load >= known.load[-1], top, np.minimum(found, top))
+        active = np.flatnonzero(load < known.load[-1])
+        for _ in range(MOST_TRIALS):  # the load is a concave function of the amplitude: Newton's steps settle
+            if active.size == 0:
+                break
+            now = self.curve(found[active])
+            miss = load[active] - now.load
+            stiffness = 2.0 * (self.whole[0] - self.tails(now.front)[0])
+            ahead = found[active] + miss / np.where(stiffness > 0.0, stiffness, np.inf)
+            ahead = np.clip(ahead, least[active], max(top, float(np.max(least[active]))))
+            late = (np.abs(miss) > LOAD_ROUNDING * 2.0 * self.whole[1]) & (ahead != found[active])
+            found[active] = ahead
+            active = active[late]
+        return np.asarray(found)
+
+
+class FreshSprings(Plays):
+    """The rings of a twist, or of a push on layers, as `Plays`; amplitudes in Pa.
 
     Parameters
     ----------
@@ -92,54 +138,32 @@ class FreshSprings:
         beyond = np.cumsum(whole[:, ::-1], axis=1)[:, ::-1]
         self._beyond: Array = np.append(beyond[:, 1:], np.zeros((3, 1)), axis=1)
         """The integrals of e^2 b^n from the upper end of each panel to the edge."""
-        self._all: Array = beyond[:, 0]
-        self.inertia = 2.0 * float(self._all[0])
+        super().__init__(press.radius, beyond[:, 0], np.maximum.accumulate(limit.ravel()[::-1]))
+        self.inertia = 2.0 * float(self.whole[0])
         """As `TwistBound.inertia` of the whole contact."""
-        self._nodes = np.maximum.accumulate(limit.ravel()[::-1])
         self.most = float(self._nodes[-1])
         """The amplitude [Pa] from which all slides, of bounds that do not grow without limit."""
 
     def tails(self, front: Array) -> Array:
-        """Return the integrals of e^2 b^n from these radii to the edge, n = 0, 1, 2: ``(3, m)``."""
-        parts = [self._tails(part)[0] for part in _chunks(front)]
+        """Return as `Plays.tails`."""
+        parts = [self._tails(part)[0] for part in chunks(front)]
         return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0))
 
-    def curve(self, amplitude: Array) -> _Moved:
-        """Return what fresh springs bear that have moved by these amplitudes [Pa]."""
-        parts = [self._curve(part) for part in _chunks(amplitude)]
+    def curve(self, amplitude: Array) -> Moved:
+        """Return as `Plays.curve`."""
+        parts = [self._curve(part) for part in chunks(amplitude)]
         columns = zip(*parts, strict=True) if parts else [()] * 4
-        return _Moved(*(np.concatenate([*column, np.zeros(0)]) for column in columns))
+        return Moved(*(np.concatenate([*column, np.zeros(0)]) for column in columns))
 
-    def amplitude(self, load: Array) -> Array:
-        """Return the amplitudes [Pa] under which fresh springs bear these loads, less than what friction bears."""
-        known = self._curve(self._nodes)
-        least = load / (2.0 * self._all[0])
-        found = np.maximum(np.interp(load, np.append(0.0, known.load), np.append(0.0, self._nodes)), least)
-        top = self._nodes[-1]
-        found = np.where(load >= known.load[-1], top, np.minimum(found, top))
-        active = np.flatnonzero(load < known.load[-1])
-        for _ in range(MOST_TRIALS):  # the load is a concave function of the amplitude: Newton's steps settle
-            if active.size == 0:
-                break
-            now = self.curve(found[active])
-            miss = load[active] - now.load
-            stiffness = 2.0 * (self._all[0] - self.tails(now.front)[0])
-            ahead = found[active] + miss / np.where(stiffness > 0.0, stiffness, np.inf)
-            ahead = np.clip(ahead, least[active], max(top, float(np.max(least[active]))))
-            late = (np.abs(miss) > LOAD_ROUNDING * 2.0 * self._all[1]) & (ahead != found[active])
-            found[active] = ahead
-            active = active[late]
-        return np.asarray(found)
-
-    def _curve(self, amplitude: Array) -> _Moved:
+    def _curve(self, amplitude: Array) -> Moved:
         front = self._front(amplitude)
         tails, weights, limit = self._tails(front)
         k = self._bound.panels.panel(front)
         lost = np.sum(weights * limit * np.maximum(amplitude[:, None] - limit, 0.0), axis=1)
         lost = lost + np.maximum(amplitude * self._beyond[1, k] - self._beyond[2, k], 0.0)
-        stuck, lost = self._all[0] - tails[0], np.where(amplitude > 0.0, np.maximum(lost, 0.0), 0.0)
+        stuck, lost = self.whole[0] - tails[0], np.where(amplitude > 0.0, np.maximum(lost, 0.0), 0.0)
         load = np.where(amplitude > 0.0, 2.0 * (amplitude * stuck + tails[1]), 0.0)
-        return _Moved(front, load, amplitude**2 * stuck + tails[2] + 2.0 * lost, lost)
+        return Moved(front, load, amplitude**2 * stuck + tails[2] + 2.0 * lost, lost)
 
     def _front(self, amplitude: Array) -> Array:
         panels = self._bound.panels
@@ -186,59 +210,80 @@ def steady_points(bound: TwistBound, press: PressedState, values: Sequence[float
     by_load : bool
         Which of both is prescribed.
     """
-    springs, branches = FreshSprings(bound, press), followed(values)
-    stretches = branches.stretches
+    springs = FreshSprings(bound, press)
+    history = steady_history(springs, values, by_load)
+    columns = (each.tolist() for each in history[:-1])
+    return [
+        HistoryPoint(motion, load, front, work, stored, lost, True, TurnedTwist(press, history, point))
+        for point, (motion, load, front, work, stored, lost) in enumerate(zip(*columns, strict=True))
+    ]
+
+
+def steady_history(springs: Plays, values: Sequence[float], by_load: bool) -> TurnHistory:
+    """Return a whole history of springs that came into contact at rest; its time and its memory are those of its turns.
+
+    Parameters
+    ----------
+    springs : Plays
+    values : sequence of float
+        The motion, or the load, less than what friction bears.
+    by_load : bool
+        Which of both is prescribed.
+    """
+    branches = followed(values)
+    stretches, count = branches.stretches, len(values)
     ends = np.array([[stretch.start, stretch.end] for stretch in stretches]).reshape(-1, 2)
     if by_load:
         amplitudes, which = np.unique(ends, return_inverse=True)
         ends = springs.amplitude(amplitudes)[which.reshape(ends.shape)]
-    curves = springs.curve(ends[:, 1])
-    start = springs.curve(ends[:, 0])
-    count = len(values)
-    motion, load, front = np.zeros(count), np.zeros(count), np.full(count, press.radius)
-    work, lost = np.zeros(count), np.zeros(count)
-    done = 0
-    for point in range(count):
-        if point:
-            for each in (motion, load, front):
-                each[point] = each[point - 1]
-        while done < len(stretches) and stretches[done].point == point:
-            _, turn, fold, sign, _, _ = stretches[done]
-            at, borne = (motion[turn], load[turn]) if fold == 2 else (0.0, 0.0)
-            motion[point] = at + sign * fold * ends[done, 1]
-            load[point] = borne + sign * fold * curves.load[done]
-            front[point] = curves.front[done]
-            way = sign * fold * (ends[done, 1] - ends[done, 0])
-            work[point] += 0.5 * (way * borne + fold**2 * (curves.work[done] - start.work[done]))
-            lost[point] += fold * (curves.lost[done] - start.lost[done])
-            done += 1
-    tails = np.append(springs.tails(np.append(0.0, front)), np.zeros((3, 1)), axis=1)
-    points = []
-    for point, energies in enumerate(zip(np.cumsum(work).tolist(), np.cumsum(lost).tolist(), strict=True)):
-        memory, stored = _remembered(press, branches, motion, front, tails, point)
-        at = (float(motion[point]), float(load[point]), float(front[point]))
-        points.append(HistoryPoint(*at, energies[0], stored, energies[1], True, memory))
-    return points
+    curves, start = springs.curve(ends[:, 1]), springs.curve(ends[:, 0])
+    gains = (ends[:, 1] - ends[:, 0], curves.work - start.work, curves.lost - start.lost)
+    rows = zip(stretches, *(each.tolist() for each in (ends[:, 1], curves.load, curves.front, *gains)), strict=True)
+    motion, load, front, work, lost = np.zeros((5, count)).tolist()
+    here, done = (0.0, 0.0, springs.rim), 0
+    for (point, turn, fold, sign, _, _), end, bears, reaches, way, work_gain, loss_gain in rows:
+        for each in range(done, point):
+            motion[each], load[each], front[each] = here
+        done = point
+        at, borne = (motion[turn], load[turn]) if fold == 2 else (0.0, 0.0)
+        here = at + sign * fold * end, borne + sign * fold * bears, reaches
+        work[point] += 0.5 * (sign * fold * way * borne + fold**2 * work_gain)
+        lost[point] += fold * loss_gain
+    for each in range(done, count):
+        motion[each], load[each], front[each] = here
+    moved, fronts = np.array(motion), np.array(front)
+    stored = _stored(springs, branches, moved, fronts)
+    return TurnHistory(moved, np.array(load), fronts, np.cumsum(work), stored, np.cumsum(lost), branches)
 
 
-def _remembered(
-    press: PressedState, branches: Branches, motion: Array, front: Array, tails: Array, point: int
-) -> tuple[TwistMemory, float]:
-    """Return what the springs remember at a point, and the integral of the square of their load."""
-    last = [*branches.turns[point], point]
-    """When the springs of each ring slid last; those within the first never did."""
-    edges = np.array([0.0, *front[last].tolist(), press.radius])
-    held = motion[point] - np.append(0.0, motion[last])
-    sides = np.array([0.0, *(branches.directions[each] for each in last)])
-    rings = -np.diff(tails[:, [0, *(each + 1 for each in last), -1]], axis=1)
-    stored = float(np.sum(held**2 * rings[0] + sides * (2.0 * held * rings[1]) + sides**2 * rings[2]))
-    some = np.diff(edges) > 0.0
-    sides = sides[some]
-    bounds = np.where(sides[:, None] != 0.0, np.array(press), np.array(NO_CONTACT))
-    ends = np.append(0.0, edges[1:][some])
-    memory = TwistMemory(*press, ends, held[some], np.zeros(sides.size), sides, bounds)
-    return memory, stored
+def _stored(springs: Plays, branches: Branches, motion: Array, front: Array) -> Array:
+    r"""Return the integral of the square of the springs' load at each point.
+
+    The springs of the ring between two turns bear :math:`m-m_t+\sigma_t b` at a motion m: a square in m, of which the
+    coefficients are summed up from the axis to each turn once.
+    """
+    beyond, sides = springs.tails(front), np.array(branches.directions)
+    heads, inner = np.array(branches.heads, dtype=int), np.array(branches.inner, dtype=int)
+
+    def rings(turn: Array, until: Array) -> Array:
+        """Return the coefficients of m^2, 2 m and 1 of rings from turns, or the axis, to the fronts of points."""
+        still = turn < 0
+        low = np.where(still, springs.whole[:, None], beyond[:, turn])
+        zeroth, first, second = low - beyond[:, until]
+        at, side = np.where(still, 0.0, motion[turn]), np.where(still, 0.0, sides[turn])
+        return np.array(
+            [zeroth, side * first - at * zeroth, at * at * zeroth - 2.0 * at * side * first + side**2 * second]
+        )
+
+    points = np.arange(motion.size)
+    own: list[list[float]] = rings(inner, points).T.tolist()
+    sums: list[list[float]] = []
+    for turn, before in enumerate(branches.inner):
+        sums.append([a + b for a, b in zip(own[turn], sums[before], strict=True)] if before >= 0 else own[turn])
+    a, b, c = rings(heads, points) + np.where(heads < 0, 0.0, np.array(sums).reshape(-1, 3).T[:, heads])
+    return np.asarray(np.maximum(motion * (a * motion + 2.0 * b) + c + sides**2 * beyond[2], 0.0))
 
 
-def _chunks(values: Array) -> list[Array]:
+def chunks(values: Array) -> list[Array]:
+    """Return numbers in parts that are read at a time, lest arrays over their places become long."""
     return [values[low : low + CHUNK] for low in range(0, values.size, CHUNK)]
