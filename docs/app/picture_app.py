@@ -68,6 +68,7 @@ class State(NamedTuple):
 STATES = (
     State("first_page"),
     State("normal_contact", "Coated tool", "normal contact"),
+    State("metals", "plastic_indentation", "metals that yield"),
     State("line_contact", "roller_contact", "line contact"),
     State("adhesion", "adhesive_cycle", "adhesion"),
     State("friction", "tangential", "friction and impacts"),

@@ -54,7 +54,7 @@ class SlipState(NamedTuple):
     shift: float
 
 
-class SlipPoint(NamedTuple):
+class PathPoint(NamedTuple):
     """A point of a path: shift [m], shear force [N], energies [J], and what the springs remember."""
 
     shift: float
@@ -98,7 +98,7 @@ class SlipRow:
         size = min(self.beta * deepest, size) if deepest > 0.0 else 0.0
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * ratio * stiffness * size**2
 
-    def points(self) -> Iterator[SlipPoint]:
+    def points(self) -> Iterator[PathPoint]:
         """Yield the springs at every point of the path, many of them under a steady depth all at once.
 
         Raises
@@ -115,12 +115,12 @@ class SlipRow:
                 reached = index, goals[index], Reached(SlipState(point.memory, point.shift), point.work, point.lost)
         # what friction does not bear is refused, at its step
         for (memory, shift), work, lost in follow(self, goals[reached[0] + 1 if reached else 0 :], reached):
-            yield SlipPoint(shift, self.shear_force(memory), work, self.stored(memory), lost, memory)
+            yield PathPoint(shift, self.shear_force(memory), work, self.stored(memory), lost, memory)
 
-    def _turned(self, depth: float) -> Iterator[SlipPoint]:
+    def _turned(self, depth: float) -> Iterator[PathPoint]:
         """Yield the points of a path under a steady depth, as far as friction bears what is prescribed."""
         along = [goal.along for goal in self.goals]
-        springs = GapPlays(self._curves.greatest, depth, self.beta, self.ratio)
+        springs = GapPlays(self._curves.greatest(), depth, self.beta, self.ratio)
         if not self.driven:
             most = self.coefficient * self.sums.at(depth)[1]
             allowed = most * (1.0 + SLIDING_TOLERANCE)
@@ -133,7 +133,7 @@ class SlipRow:
         load, stored = (each.tolist() for each in halves)
         rows = zip(shift, load, history.work.tolist(), stored, history.lost.tolist(), strict=True)
         for row, memory in zip(rows, turned_memories(depth, self.beta, history), strict=True):
-            yield SlipPoint(*row, memory)
+            yield PathPoint(*row, memory)
 
     def begin(self, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs pressed straight down, and moved after."""

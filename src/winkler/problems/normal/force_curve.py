@@ -166,9 +166,8 @@ class NormalCurves:
             self._curves[level] = normal_curve(self.bed, self.depth * SHALLOWER**-level)
         return self._curves[level]
 
-    @property
     def greatest(self) -> NormalCurve:
-        """The curve up to the greatest depth, known to rounding of its greatest values."""
+        """Return the curve up to the greatest depth, known to rounding of its greatest values."""
         return self._curves[0]
 
     def at(self, depth: float) -> tuple[float, float, float]:

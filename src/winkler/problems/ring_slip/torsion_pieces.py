@@ -46,6 +46,7 @@ class TwistMemory:
         entered=(r"\beta", None, "part of the load over x that grows with the level of first touch"),
         sides=(r"\sigma", "", "part of the load over x that is a bound"),
         bounds=("", None, "the contacts whose bounds these are"),
+        record=("", None, "the springs themselves"),
     )
 
     level: float
@@ -94,6 +95,13 @@ class TurnedTwist:
     history : TurnHistory
     point : int
     """
+
+    __words__ = words(
+        press=("", None, "how the contact is pressed"),
+        history=("", None, "turning points of the path"),
+        point=("", "", "index of the point of the path"),
+        record=("", None, "what the springs remember, ring by ring"),
+    )
 
     press: PressedState
     history: TurnHistory

@@ -159,7 +159,7 @@ def cells_note(first: WearState) -> Iterator[Note]:
     found = grid.press(np.zeros(first.nodes.size), Force(first.force)).pressure
     squares = np.append(grid.transforms.borders, first.nodes[-1] ** 2)
     # the pressure of layers takes a while at each place: the middle, the edge and some cells between are examined
-    last = int(np.searchsorted(squares, exact.radius**2, side="right")) - 1
+    last = min(int(np.searchsorted(squares, exact.radius**2, side="right")), found.size) - 1
     chosen = np.unique(np.clip([0, 1, 2, *np.linspace(0, last, BETWEEN).astype(int), last - 2, last - 1], 0, last))
     yield from _coarse(found, found[chosen] - _mean_pressures(exact, squares, chosen))
 

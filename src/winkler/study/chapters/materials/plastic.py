@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.normal import STRONG, normal_formulas
 
 __all__ = ["PLASTIC", "YIELDING"]
+
+UP = (5, 10, 20, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500)
+"""Forces up to the greatest [N]."""
 
 YIELDING = (
     Equation(
@@ -39,7 +42,7 @@ PLASTIC = Chapter(
             fr="empreinte profondeur empreinte permanente dureté brinell contact élastoplastique contact plastique métal retour élastique plasticité totale décharge",
             headline=("residual_depth", "largest_radius", "dissipation"),
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
-            path={"kind": "force", "force": ["100 N", "500 N", "0 N"]},
+            path={"kind": "force", "force": [f"{force} N" for force in (*UP, *reversed(UP[:-1]), 0)]},
             picture=Caption(
                 "dent",
                 "The contact along its path, and the dent",
@@ -47,7 +50,7 @@ PLASTIC = Chapter(
                 "surface under the greatest load and after it.",
             ),
             curves=(("depth", "force"), ("depth", "radius")),
-            contact_shown="the elastic contact under the last load, as if nothing had yielded",
+            pictured=PicturedContact.NONE,  # an elastic contact bears pressures that a metal does not
             formulas=followed_by(normal_formulas, *YIELDING),
         ),
     },
