@@ -97,14 +97,14 @@ SWINGS = {
 @pytest.mark.parametrize("load", [wk.Shift, wk.ShearForce])
 @pytest.mark.parametrize("name", SWINGS)
 def bench_ten_thousand_turning_points(benchmark, below, steel_on_steel, name, load):
-    """Under a steady load, all that are not closed are remembered: half a second, energies included."""
+    """Under a steady load, all that are not closed are remembered: less than a second, energies included."""
     bed, force = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel), 1000.0
     depth = wk.Indentation(bed, wk.Force(force)).solve().depth
     most = 0.25 * depth if load is wk.Shift else 0.27 * force
     problem = wk.Tangential(bed, Coulomb(0.3), Path(np.arange(TURNS) * 1.0, wk.Force(force), load(most * SWINGS[name])))
     solution = benchmark.pedantic(problem.solve, rounds=3, warmup_rounds=1)
     assert np.all(np.diff(solution.dissipation) >= 0.0)
-    below(0.5, f"{TURNS} turning points, {name}, {load.__name__}")
+    below(1.0, f"{TURNS} turning points, {name}, {load.__name__}")
 
 
 def bench_ten_thousand_turning_points_on_a_coating(benchmark, below):
