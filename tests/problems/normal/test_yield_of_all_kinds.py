@@ -21,7 +21,8 @@ def strengthened(item, strength):
     if isinstance(item, wk.Rigid):
         return wk.Elastic(1e12, 0.3, strength)
     if isinstance(item, tuple):
-        return tuple(strengthened(part, strength) for part in item)
+        parts = tuple(strengthened(part, strength) for part in item)
+        return type(item)(*parts) if hasattr(item, "_fields") else parts
     if not dataclasses.is_dataclass(item):
         return item
     old = {field.name: getattr(item, field.name) for field in dataclasses.fields(item) if field.init}

@@ -88,13 +88,13 @@ def turned_memories(depth: float, beta: float, history: TurnHistory) -> Iterator
     history : TurnHistory
     """
     motions, fronts, branches = history.motion.tolist(), history.front.tolist(), history.branches
-    stacks: list[SlipRing | None] = []
+    kept: dict[int, SlipRing | None] = {}  # of the turns that are remembered, and of the point before
 
     def until(turn: int, front: float) -> SlipRing | None:
         """Return the pieces from the axis to a front within which nothing has slid after a turn; -1 is none."""
         if turn < 0:
             return SlipRing(None, SpringPiece(0.0, front, 0.0, 0.0, 0)) if front > 0.0 else None
-        return beyond(stacks[turn], turn, front, 0)
+        return beyond(kept[turn], turn, front, 0)
 
     def beyond(within: SlipRing | None, turn: int, stop: float, slides: int) -> SlipRing | None:
         """Return pieces with another one, from the front of a turn on, which slid then."""
@@ -106,6 +106,8 @@ def turned_memories(depth: float, beta: float, history: TurnHistory) -> Iterator
         return SlipRing(within, SpringPiece(start, stop, *ends, slides))
 
     for point, (motion, head) in enumerate(zip(motions, branches.heads, strict=True)):
-        stacks.append(until(head, fronts[point]))
-        outermost = beyond(stacks[point], point, depth, int(branches.directions[point]))
+        while kept and next(reversed(kept)) > head:
+            kept.popitem()
+        kept[point] = until(head, fronts[point])
+        outermost = beyond(kept[point], point, depth, int(branches.directions[point]))
         yield SlipMemory(depth, motion, outermost)
