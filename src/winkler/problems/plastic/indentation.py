@@ -39,9 +39,9 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1
 LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "Yielding by tables fitted to finite elements of small strains without hardening or friction: force and radius err "
-    "by about 2 %, the residual depth by 0.01 of the depth. Reverse yielding at release is left out, and a tenth of "
-    "the dissipation may stay in the bodies as residual stress.",
+    "Yielding by tables fitted to finite elements of small strains without hardening or friction: in their range force "
+    "and radius err by about 2 %, the residual depth by 0.01 of the depth, of two bodies by up to 0.03. Reverse "
+    "yielding at release is left out, and a tenth of the dissipation may stay in the bodies as residual stress.",
     "finite elements of this package; " + JOHNSON,
     0.02,
 )
