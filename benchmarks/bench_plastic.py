@@ -1,0 +1,27 @@
+"""Speed of metals that yield: a loop of many points, with one body that yields and with two.
+
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+
+pytestmark = pytest.mark.bench
+
+STEEL, SOFT = wk.Elastic(210e9, 0.3, strength=1e9), wk.Elastic(210e9, 0.3, strength=0.5e9)
+
+
+@pytest.mark.parametrize(("second", "limit"), [(None, 0.1), (SOFT, 0.3)], ids=["one", "two"])
+def bench_a_loop_of_a_thousand_points(benchmark, below, second, limit):
+    """Up to 200 times the force of first yield, back, and up again."""
+    medium = wk.HalfSpace(STEEL) if second is None else wk.HalfSpace.between(STEEL, second)
+    ramp = 2000.0 * np.linspace(0.0, 1.0, 334)
+    path = wk.Force(np.concatenate([ramp, ramp[-2::-1], ramp[1:]]))
+    problem = wk.PlasticIndentation(wk.Foundation(wk.Paraboloid(5e-3), medium), path)
+    solution = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
+    assert solution.residual_depth[-1] > 0.0
+    below(limit, f"{path.force.size} points")
