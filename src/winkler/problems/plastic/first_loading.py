@@ -20,7 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic, Solid
 from winkler.media.halfspace import HalfSpace
@@ -28,12 +29,12 @@ from winkler.numerics.equations.roots import bracketed, invert
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.normal.onset.search import onset_in
-from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.plastic.dent import Dent
-from winkler.problems.plastic.yielded_response import Yielded, beyond_tables, yielded
+from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON, Yielded, beyond_tables, yielded
 
-__all__ = ["FirstLoading", "GreatestLoad", "first_loading", "stored_energy"]
+__all__ = ["FirstLoading", "GreatestLoad", "first_loading", "refuse_unknown", "stored_energy"]
 
 POINTS_PER_EFOLD = 48
 """Points of the curve per factor e of the contact radius; the cubics between them give first guesses, and the work to
@@ -46,6 +47,8 @@ bodies: the one that yields more decides."""
 WIDENING = 1.5
 LAST_SHARE = 0.999
 """Part of the reach of a profile up to which the curve is followed: a ball is vertical there."""
+LEAST_STIFFNESS = 50.0
+"""Modulus over strength below which strains at yield are not small."""
 NODES = 4
 ENERGY_NODES = 24
 LEAST_LOAD = 1e-12
@@ -356,6 +359,47 @@ def _integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation,
         x = np.where(walled, np.minimum(scale[:, None] * np.sin(place), scale[:, None]), place)
         total += (curve(x.ravel(), index.ravel()).reshape(x.shape) ** 2 * step) @ weights
     return total
+
+
+def refuse_unknown(owner: str, bed: Bed) -> None:
+    """Refuse a bed of which it is not known how its bodies yield.
+
+    Raises
+    ------
+    InvalidInput
+        If no body has a strength, a strength is above a fiftieth of Young's modulus, the medium is no half-space, or
+        the profile has a flat end, a rim or a valley.
+    """
+    if not isinstance(bed, Foundation):
+        raise InvalidInput(
+            f"{owner}: the bed is a {type(bed).__name__}; how bodies yield is known by their shape: give a "
+            "Foundation of a profile on a HalfSpace."
+        )
+    if not isinstance(bed.medium, HalfSpace):
+        raise InvalidInput(
+            f"{owner}: the medium is a {type(bed.medium).__name__}; how layered, graded or anisotropic bodies "
+            "yield is not known here: give a HalfSpace of isotropic bodies."
+        )
+    parts = strong_parts(bed.medium)
+    if not parts:
+        raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
+    for part in parts:
+        solid = part.solid
+        if solid.strength * LEAST_STIFFNESS > solid.young:
+            raise InvalidInput(
+                f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
+                f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
+            )
+        if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
+            raise InvalidInput(
+                f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
+                f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
+            )
+    if not bed.profile.rising or bed.rim < np.inf or flat_radius(bed) > 0.0:
+        raise InvalidInput(
+            f"{owner}: the profile has a flat end, a rim or a valley, under which bodies yield in another way; "
+            "give a profile that rises from its apex on, such as Sphere, Paraboloid or Cone."
+        )
 
 
 @functools.lru_cache(maxsize=64)

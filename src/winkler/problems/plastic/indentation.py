@@ -17,24 +17,20 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, PerLoad, Q
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.last_cycle import Looped, PathLoop
-from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radius
-from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import shape_notes
-from winkler.problems.plastic.first_loading import FirstLoading, first_loading, stored_energy
-from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON, round_part
+from winkler.problems.plastic.first_loading import FirstLoading, first_loading, refuse_unknown, stored_energy
+from winkler.problems.plastic.yielded_response import round_part
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
 __all__ = ["PlasticIndentation", "PlasticPress", "PlasticSolution", "PlasticState"]
 
-LEAST_STIFFNESS = 50.0
-"""Modulus over strength below which strains at yield are not small."""
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1017/CBO9781139171731"
 LAW = Note(
     Assumption.RESPONSE,
@@ -114,36 +110,7 @@ class PlasticIndentation:
             raise InvalidInput(
                 f"{owner}: the path has the shape {levels.shape}; give its points one after the other in one row."
             )
-        if not isinstance(self.bed, Foundation):
-            raise InvalidInput(
-                f"{owner}: the bed is a {type(self.bed).__name__}; how bodies yield is known by their shape: give a "
-                "Foundation of a profile on a HalfSpace."
-            )
-        if not isinstance(self.bed.medium, HalfSpace):
-            raise InvalidInput(
-                f"{owner}: the medium is a {type(self.bed.medium).__name__}; how layered, graded or anisotropic bodies "
-                "yield is not known here: give a HalfSpace of isotropic bodies."
-            )
-        parts = strong_parts(self.bed.medium)
-        if not parts:
-            raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
-        for part in parts:
-            solid = part.solid
-            if solid.strength * LEAST_STIFFNESS > solid.young:
-                raise InvalidInput(
-                    f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
-                    f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
-                )
-            if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
-                raise InvalidInput(
-                    f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
-                    f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
-                )
-        if not self.bed.profile.rising or self.bed.rim < np.inf or flat_radius(self.bed) > 0.0:
-            raise InvalidInput(
-                f"{owner}: the profile has a flat end, a rim or a valley, under which bodies yield in another way; "
-                "give a profile that rises from its apex on, such as Sphere, Paraboloid or Cone."
-            )
+        refuse_unknown(owner, self.bed)
 
     @property
     def total(self) -> int:
