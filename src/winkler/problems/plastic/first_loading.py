@@ -24,6 +24,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import bracketed, invert
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -32,7 +33,15 @@ from winkler.problems.normal.onset.search import onset_in
 from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.plastic.dent import Dent
-from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON, Yielded, beyond_tables, yielded
+from winkler.problems.plastic.yielded_response import (
+    GREATEST_POISSON,
+    LEAST_POISSON,
+    Yielded,
+    beyond_tables,
+    strain_of_pressure,
+    strain_of_shape,
+    yielded,
+)
 
 __all__ = ["FirstLoading", "GreatestLoad", "first_loading", "refuse_unknown", "stored_energy"]
 
@@ -92,21 +101,56 @@ class YieldingHalf(NamedTuple):
         nu, and Y [Pa], infinite of one that does not yield.
     start : float
         p_el / Y [-] where it begins to yield.
+    solid : Elastic or Rigid
+        What it is made of.
     """
 
     modulus: float
     poisson: float
     strength: float
     start: float
+    solid: Solid
 
     def answer(self, elastic: Array, exponent: Array) -> Yielded:
         """Return the departure from an elastic body that would bear a pressure [Pa]."""
         if math.isinf(self.strength):
             return Yielded(*(np.zeros(elastic.shape),) * 3)
         load = np.maximum(elastic / self.strength, LEAST_LOAD)
+        past = load > self.start
+        if isinstance(self.solid, Hardening):
+            departure = self._hardened(elastic, exponent, past)
+        else:
+            departure = self._beyond_start(load, exponent)
+        return Yielded(*(np.where(past, part, 0.0) for part in departure))
+
+    def _beyond_start(self, load: Array, exponent: Array) -> Yielded:
         start = np.full(load.shape, max(self.start, LEAST_LOAD))
-        departure = yielded(load, self.poisson, exponent).less(yielded(start, self.poisson, exponent))
-        return Yielded(*(np.where(load > self.start, part, 0.0) for part in departure))
+        return yielded(load, self.poisson, exponent).less(yielded(start, self.poisson, exponent))
+
+    def _hardened(self, elastic: Array, exponent: Array, past: Array) -> Yielded:
+        """Return the departure with the flow stress in place of the strength; zeros where it has not yielded.
+
+        The pressure has that at one strain, the shape that at another one (`strain_of_pressure`, `strain_of_shape`).
+        """
+        answer = np.zeros((3, elastic.size))
+        elastic, exponent = elastic[past], exponent[past]
+        flow = self.solid.flow_stress  # type: ignore[union-attr]
+
+        def lost(stress: Array, index: Array) -> tuple[Array, Array]:
+            load = np.maximum(elastic[index] / stress, LEAST_LOAD)
+            fall = self._beyond_start(load, exponent[index]).fall
+            return load, -elastic[index] * np.expm1(-fall) / self.modulus
+
+        def excess(stress: Array, index: Array) -> Array:
+            return stress - flow(strain_of_pressure(*lost(stress, index)))
+
+        everywhere = np.arange(elastic.size)
+        soft = np.full(elastic.shape, self.strength)
+        stress = bracketed(excess, soft, flow(elastic / self.modulus))
+        load, missing = lost(stress, everywhere)
+        shaped = self._beyond_start(elastic / flow(strain_of_shape(load, missing)), exponent)
+        answer[:, past] = -np.log1p(-missing * self.modulus / elastic), shaped.sinking, shaped.evening
+        return Yielded(*answer)
 
     def pressure(self, elastic: Array, exponent: Array) -> Array:
         """Return the mean pressure that it bears in place of an elastic one [Pa]."""
@@ -430,7 +474,7 @@ def _onset(bed: Foundation, part: StrongPart) -> float:
 
 def _body(bed: Foundation, solid: Solid, onset: float) -> YieldingHalf:
     if not isinstance(solid, Elastic):
-        return YieldingHalf(math.inf, 0.0, math.inf, math.inf)
+        return YieldingHalf(math.inf, 0.0, math.inf, math.inf, solid)
     modulus = solid.young / (1.0 - solid.poisson**2)
     start = math.inf
     if onset == 0.0:
@@ -439,4 +483,4 @@ def _body(bed: Foundation, solid: Solid, onset: float) -> YieldingHalf:
         at = np.array([onset])
         pressure = (bed.stiffness(at) * bed.gap(at) - bed.gap_load(at)) / (np.pi * at**2)
         start = float(pressure[0]) / solid.strength
-    return YieldingHalf(modulus, solid.poisson, solid.strength, start)
+    return YieldingHalf(modulus, solid.poisson, solid.strength, start, solid)

@@ -17,6 +17,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
+from winkler.materials.hardening import Hardening
 from winkler.numerics.types import Array, PerLoad, Q
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
@@ -40,6 +41,15 @@ LAW = Note(
     "yielding at release is left out, and a tenth of the dissipation may stay in the bodies as residual stress.",
     "finite elements of this package; " + JOHNSON,
     0.02,
+)
+HARDENED = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "A body hardens: its strength is the flow stress at a representative strain. Against finite elements of balls that "
+    "were no part of the fit the force errs by up to 2.5 % and the residual depth by 0.015 of the depth, of a cone by "
+    "0.02.",
+    "finite elements of this package; D. Tabor, The Hardness of Metals, Oxford University Press 1951",
+    0.025,
 )
 BETWEEN = Note(
     Assumption.RESPONSE,
@@ -319,6 +329,8 @@ class PlasticSolution(PlasticPress[Array], Looped):
             notes += shape_notes(self.problem.bed, widest)
         if yields:
             notes.append(LAW)
+            if any(isinstance(body.solid, Hardening) for body in (loading.first, loading.second)):
+                notes.append(HARDENED)
             least, most = BLUNT_SHARES
             if least < float(round_part(loading.exponent(np.array([widest])))[0]) < most:
                 notes.append(BETWEEN)

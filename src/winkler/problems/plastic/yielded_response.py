@@ -27,7 +27,17 @@ import numpy as np
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
 
-__all__ = ["GREATEST_POISSON", "LEAST_POISSON", "Yielded", "ball_onset", "beyond_tables", "round_part", "yielded"]
+__all__ = [
+    "GREATEST_POISSON",
+    "LEAST_POISSON",
+    "Yielded",
+    "ball_onset",
+    "beyond_tables",
+    "round_part",
+    "strain_of_pressure",
+    "strain_of_shape",
+    "yielded",
+]
 
 BALL_POISSON = (0.0, 0.3, 0.45)
 BALL_KNOTS = (0.0, 0.1500, 0.3000, 0.5000, 0.7500, 1.0500, 1.4000, 1.8000, 2.3000, 2.8600)
@@ -64,6 +74,14 @@ FULL_PRESSURE = 3.0
 (S. Dj. Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423)."""
 FULL_BALL_SINKING, FULL_CONE_SINKING = 1.86, 0.8
 """Gamma - 1 there, estimates: of a ball near the similarity solutions of the same source."""
+
+
+GREATEST_STRAIN_SHARE = 0.95
+PRESSURE_STRAIN = (1.277, -0.346)
+SHAPE_STRAIN = (0.571, 0.278)
+"""Factors and powers of x of the representative strains of a metal that hardens, over the elastic strain that is
+missing; fitted to finite elements of balls that harden linearly, by 0.1 E, and by a power of 0.2, and tested on others:
+by 0.005 E and 0.02 E, by powers of 0.1 and 0.4, with a Poisson's ratio of 0.45, and a cone."""
 
 
 class Yielded(NamedTuple):
@@ -107,6 +125,27 @@ def yielded(load: Array, poisson: float, exponent: Array) -> Yielded:
     if np.any(part < 1.0):
         mixed += (1.0 - part) * _of_cone(np.log(load), poisson)
     return Yielded(*mixed.T)
+
+
+def strain_of_pressure(load: Array, missing: Array) -> Array:
+    """Return the plastic strains [-] whose flow stress decides how much a metal bears that hardens.
+
+    Parameters
+    ----------
+    load : ndarray, (n,)
+        x, the elastic pressure over that flow stress [-].
+    missing : ndarray, (n,)
+        (p_el - p) / E* [-].  Under a deep dent of a ball the strain is about 0.2 a/R, under one of a cone 0.2 times its
+        slope, as Tabor and Johnson state.
+    """
+    factor, power = PRESSURE_STRAIN
+    return np.asarray(np.minimum(factor * load**power, GREATEST_STRAIN_SHARE) * missing)
+
+
+def strain_of_shape(load: Array, missing: Array) -> Array:
+    """Return the strains [-] whose flow stress decides how a metal sinks in that hardens; as `strain_of_pressure`."""
+    factor, power = SHAPE_STRAIN
+    return np.asarray(factor * np.maximum(load, 1.0) ** power * missing)
 
 
 def round_part(exponent: Array) -> Array:
