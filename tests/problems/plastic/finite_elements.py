@@ -1,8 +1,8 @@
-"""Axisymmetric finite elements of a perfectly plastic body under a rigid one, small strains, no friction.
+"""Axisymmetric finite elements of a yielding body under a rigid one, small strains, no friction.
 
-Bilinear quadrilaterals with the mean dilatation of Hughes (B-bar), von Mises' condition by radial return, and contact
-by events: the nodes 0 to k - 1 of the surface are held on the rigid body, and node k just touches it, so that the depth
-is an unknown and no contact is searched for.
+Bilinear quadrilaterals with the mean dilatation of Hughes (B-bar), von Mises' condition by radial return, linear
+hardening, and contact by events: the nodes 0 to k - 1 of the surface are held on the rigid body, and node k just
+touches it, so that the depth is an unknown and no contact is searched for.
 """
 
 import copy
@@ -27,9 +27,9 @@ def graded(fine, count, ratio):
 class Body:
     """A cylinder of unit modulus whose upper face is pressed; `cells` cells lie on the greatest contact radius, 1."""
 
-    def __init__(self, cells, poisson, strength):
+    def __init__(self, cells, poisson, strength, rise=0.0):
         r, z = graded(1.0 / cells, int(1.25 * cells), 1.18), graded(1.0 / cells, cells, 1.15)
-        self.poisson, self.strength = poisson, strength
+        self.poisson, self.strength, self.rise = poisson, strength, rise
         self.shear, self.bulk = 0.5 / (1.0 + poisson), 1.0 / (3.0 * (1.0 - 2.0 * poisson))
         grid = np.stack(np.meshgrid(r, -z, indexing="ij"), -1).reshape(-1, 2)
         nodes = np.arange(r.size * z.size).reshape(r.size, z.size)
@@ -42,7 +42,7 @@ class Body:
         row, column = np.repeat(self.dofs, 8, axis=1).ravel(), np.tile(self.dofs, (1, 8)).ravel()
         self.low, self.width = row >= column, 2 * z.size + 3
         self.place = (row - column)[self.low] * grid.size + column[self.low]
-        self.moved, self.plastic = np.zeros(grid.size), np.zeros((*self.weight.shape, 4))
+        self.moved, self.plastic = np.zeros(grid.size), np.zeros((*self.weight.shape, 5))
 
     def _strain_matrices(self, corners):
         matrix, weight = np.zeros((len(corners), 4, 4, 8)), np.zeros((len(corners), 4))
@@ -62,24 +62,26 @@ class Body:
         self.matrix, self.weight = matrix, weight
 
     def stress(self, moved):
-        """Stresses, their tangent, and plastic strains (rr, zz, tt, engineering rz)."""
-        strain = np.einsum("eqik,ek->eqi", self.matrix, moved[self.dofs]) - self.plastic
+        """Stresses, their tangent, and plastic strains (rr, zz, tt, engineering rz, accumulated)."""
+        strain = np.einsum("eqik,ek->eqi", self.matrix, moved[self.dofs]) - self.plastic[..., :4]
         volume = strain[..., :3].sum(-1, keepdims=True)
         deviator = np.concatenate([strain[..., :3] - volume / 3.0, 0.5 * strain[..., 3:]], -1) * (2.0 * self.shear)
         norm = np.sqrt((deviator[..., :3] ** 2).sum(-1) + 2.0 * deviator[..., 3] ** 2)
         mises = np.sqrt(1.5) * norm
-        yields = mises > self.strength
-        kept = np.where(yields, self.strength / np.where(yields, mises, 1.0), 1.0)
+        limit = self.strength + self.rise * self.plastic[..., 4]
+        yields = mises > limit
+        grown = np.where(yields, (mises - limit) / (3.0 * self.shear + self.rise), 0.0)
+        kept = np.where(yields, (limit + self.rise * grown) / np.where(yields, mises, 1.0), 1.0)
         flow = deviator / np.where(norm > 0.0, norm, 1.0)[..., None]
-        grown = np.where(yields, (mises - self.strength) / (3.0 * self.shear), 0.0)
-        plastic = self.plastic + np.sqrt(1.5) * grown[..., None] * flow * np.array([1.0, 1.0, 1.0, 2.0])
+        along = np.sqrt(1.5) * flow * np.array([1.0, 1.0, 1.0, 2.0])
+        plastic = self.plastic + grown[..., None] * np.concatenate([along, np.ones((*grown.shape, 1))], -1)
         stress = deviator * kept[..., None]
         stress[..., :3] += self.bulk * volume
         one, unit = np.array([1.0, 1.0, 1.0, 0.0]), np.diag([1.0, 1.0, 1.0, 0.5])
         unit[:3, :3] -= 1.0 / 3.0
         tangent = (2.0 * self.shear * kept)[..., None, None] * unit + self.bulk * np.outer(one, one)
-        along = np.where(yields, kept, 0.0)
-        tangent -= (2.0 * self.shear * along)[..., None, None] * flow[..., :, None] * flow[..., None, :]
+        lost = np.where(yields, kept - self.rise / (3.0 * self.shear + self.rise), 0.0)
+        tangent -= (2.0 * self.shear * lost)[..., None, None] * flow[..., :, None] * flow[..., None, :]
         return stress, tangent, plastic
 
     def forces(self, stress):
@@ -153,9 +155,9 @@ def _times(band, vector):
     return found
 
 
-def pressed_and_released(cells, poisson, strength, profile):
+def pressed_and_released(cells, poisson, strength, profile, rise=0.0):
     """Depth, force and residual depth of a contact of radius 1 under a rigid body f(r), modulus 1."""
-    body = Body(cells, poisson, strength)
+    body = Body(cells, poisson, strength, rise)
     gap = profile(body.r)
     modulus = 1.0 / (1.0 - poisson**2)
 

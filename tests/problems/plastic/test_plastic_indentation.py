@@ -56,18 +56,19 @@ def test_load_and_area_are_those_of_others_finite_elements(ratio):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["ball", "cone"])
+@pytest.mark.parametrize("kind", ["ball", "cone", "hardening ball"])
 def test_force_radius_and_dent_are_those_of_finite_elements(kind):
     """Extrapolated from 8 and 16 elements along the contact radius, which is one; the modulus is one."""
-    ball = kind == "ball"
+    ball, rise = kind != "cone", 0.05 if kind == "hardening ball" else 0.0
     strength = STIFFNESS / 210e9 / (10.0 if ball else 5.0)  # a/R and the slope of the cone are one
     profile = (lambda r: 0.5 * r * r) if ball else (lambda r: r)
-    coarse, fine = (np.array(pressed_and_released(cells, 0.3, strength, profile)) for cells in (8, 16))
+    coarse, fine = (np.array(pressed_and_released(cells, 0.3, strength, profile, rise)) for cells in (8, 16))
     depth, force, residual = 2.0 * fine - coarse
     # the strength over the modulus is that of a metal: slopes and strengths are scaled down together
     scale = 1e-3
     shape = wk.Paraboloid(1.0 / scale) if ball else wk.Cone(math.pi / 2.0 - math.atan(scale))
-    bed = Foundation(shape, wk.HalfSpace(wk.Elastic(1.0, 0.3, strength * scale)))
+    solid = wk.LinearHardening(1.0, 0.3, strength * scale, plastic_modulus=rise) if rise else None
+    bed = Foundation(shape, wk.HalfSpace(solid or wk.Elastic(1.0, 0.3, strength * scale)))
     solved = pressed(bed, wk.Depth([depth * scale]))
     assert solved.force[0] == pytest.approx(force * scale, rel=0.02)
     assert solved.radius[0] == pytest.approx(1.0, rel=0.02)

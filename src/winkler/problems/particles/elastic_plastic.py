@@ -22,6 +22,7 @@ from winkler.checks.number_checks import NonNegative, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
+from winkler.materials.hardening import Hardening
 from winkler.numerics.types import Array, PerLoad, Q
 from winkler.path import numbers_of
 from winkler.problems.answer import gather
@@ -61,7 +62,8 @@ class ElasticPlasticParticle:
     curvature_radius : float
         R [m], positive.
     solid : Elastic
-        Its modulus, Poisson's ratio and yield strength; infinite strength if it never yields.
+        Its modulus, Poisson's ratio and yield strength; infinite strength if it never yields.  One that does not
+        harden.
     path : Depth or Force
         Depths [m] against the plane, or dead loads [N], one after the other, ``(steps,)``; depths at most R/2.
     work_opening : float, optional
@@ -114,6 +116,11 @@ class ElasticPlasticParticle:
             raise InvalidInput(
                 f"{owner}: work_closing ({self.work_closing:g} J/m^2) exceeds work_opening ({self.work_opening:g}), so "
                 "that every cycle would give energy away; closing gains at most what opening costs."
+            )
+        if isinstance(self.solid, Hardening):
+            raise InvalidInput(
+                f"{owner}: the solid is a {type(self.solid).__name__}; the law of particles is that of a metal which "
+                "does not harden: give Elastic(young, poisson, strength), or take PlasticIndentation."
             )
         if self._levels.ndim != 1:
             raise InvalidInput(

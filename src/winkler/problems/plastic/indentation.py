@@ -8,6 +8,7 @@ depends on the greatest load so far and the load now alone, and no step is too l
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from typing import Any, ClassVar
 
@@ -67,6 +68,10 @@ FULLY_PLASTIC = Note(
     "S. Dj. Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423",
     0.07,
 )
+LARGE_FROM = 0.05
+"""Contact radius over that of the body from which a note states what the shape of the bodies costs."""
+LARGE_ERROR = 0.4
+"""Of 1 - cos(pi a/R), the part of the force by which a flattened ball bears less: Jackson and Green have 0.92/2.84."""
 BLUNT_SHARES = 0.02, 0.98
 """Parts of a paraboloid between which a profile counts as neither one nor a cone."""
 LEAST_EXPONENT, GREATEST_EXPONENT = 0.9, 2.3
@@ -222,6 +227,20 @@ def _refuse_other_shapes(bed: Bed, radius: Array) -> None:
         )
 
 
+def _large(wide: float) -> Note:
+    """Return the note on a contact radius over that of a ball [-] at which its shape counts."""
+    error = LARGE_ERROR * (1.0 - math.cos(math.pi * min(wide, 1.0)))
+    return Note(
+        Assumption.SMALL_SLOPES,
+        Standing.APPROXIMATE if error < 0.3 else Standing.OUTSIDE,
+        f"The contact is {wide:.2g} times as wide as the ball, where the law of small slopes ends: a ball that is "
+        f"flattened bears less at this radius, by up to {100.0 * error:.2g} %; a plane that is dented more.",
+        "finite elements of this package with large displacements; R. L. Jackson, I. Green, J. Tribol. 127 (2005) "
+        "343-354, doi:10.1115/1.1866166",
+        error,
+    )
+
+
 @value
 class PlasticPress(PerLoad[Q]):
     """A contact that has yielded, at a moment, or at the points of its path.
@@ -332,8 +351,11 @@ class PlasticSolution(PlasticPress[Array], Looped):
             if any(isinstance(body.solid, Hardening) for body in (loading.first, loading.second)):
                 notes.append(HARDENED)
             least, most = BLUNT_SHARES
-            if least < float(round_part(loading.exponent(np.array([widest])))[0]) < most:
+            ball = float(round_part(loading.exponent(np.array([widest])))[0])
+            if least < ball < most:
                 notes.append(BETWEEN)
+            if ball > least and (wide := float(abs(self.problem.bed.slope(np.array([widest]))[0]))) > LARGE_FROM:
+                notes.append(_large(wide))
             if loading.beyond_tables(widest):
                 notes.append(FULLY_PLASTIC)
         return (*notes, *self._cycle_notes)

@@ -14,6 +14,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
+from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import between
 from winkler.problems.assumptions.declared import PRESSED
@@ -53,8 +54,8 @@ class StrengthFromDent:
     Parameters
     ----------
     bed : Foundation
-        As of `PlasticIndentation`.  The first body is the one whose strength is sought: an `Elastic` without one.  The
-        second one may be rigid, elastic, or have a strength of its own.
+        As of `PlasticIndentation`.  The first body is the one whose strength is sought: an `Elastic` without one, or a
+        solid that hardens.  The second one may be rigid, elastic, or have a strength of its own.
     force : Force
         The greatest load that the contact has borne [N], a single one.
     dent : Radius or Depth
@@ -209,7 +210,7 @@ class StrengthFromDentSolution:
     problem : StrengthFromDent
         The problem that was solved.
     strength : float
-        Y [Pa]; of a metal that hardens the flow stress at the strain of the dent.
+        Y [Pa]; where yielding begins if the solid is one that hardens, else the flow stress at the strain of the dent.
     strength_error : float
         Its standard deviation by those of force and dent [Pa], to first order.
     law_error : float
@@ -249,4 +250,4 @@ class StrengthFromDentSolution:
         """How far the result can be trusted."""
         bed, force = self.problem._bed(self.strength), float(self.problem.force.force)
         law = PlasticIndentation(bed, Force([force])).solve().validity
-        return (*law, HARDENS)
+        return law if isinstance(bed.medium.first, Hardening) else (*law, HARDENS)  # type: ignore[attr-defined]

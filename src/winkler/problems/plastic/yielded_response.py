@@ -82,6 +82,8 @@ SHAPE_STRAIN = (0.571, 0.278)
 """Factors and powers of x of the representative strains of a metal that hardens, over the elastic strain that is
 missing; fitted to finite elements of balls that harden linearly, by 0.1 E, and by a power of 0.2, and tested on others:
 by 0.005 E and 0.02 E, by powers of 0.1 and 0.4, with a Poisson's ratio of 0.45, and a cone."""
+LAST_HARDENED = 10.0
+"""Load x up to which these were made.  Beyond, the strain is in proportion to the contact radius: Meyer's law."""
 
 
 class Yielded(NamedTuple):
@@ -139,13 +141,13 @@ def strain_of_pressure(load: Array, missing: Array) -> Array:
         slope, as Tabor and Johnson state.
     """
     factor, power = PRESSURE_STRAIN
-    return np.asarray(np.minimum(factor * load**power, GREATEST_STRAIN_SHARE) * missing)
+    return np.asarray(np.minimum(factor * np.minimum(load, LAST_HARDENED) ** power, GREATEST_STRAIN_SHARE) * missing)
 
 
 def strain_of_shape(load: Array, missing: Array) -> Array:
     """Return the strains [-] whose flow stress decides how a metal sinks in that hardens; as `strain_of_pressure`."""
     factor, power = SHAPE_STRAIN
-    return np.asarray(factor * np.maximum(load, 1.0) ** power * missing)
+    return np.asarray(factor * np.clip(load, 1.0, LAST_HARDENED) ** power * missing)
 
 
 def round_part(exponent: Array) -> Array:
