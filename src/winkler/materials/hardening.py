@@ -61,7 +61,7 @@ class PowerHardening(Elastic):
     --------
     >>> copper = PowerHardening(120e9, 0.34, 60e6, exponent=0.3)
     >>> copper.flow_stress(np.array([0.0, 0.08])).round(-6).tolist()
-    [60000000.0, 272000000.0]
+    [60000000.0, 276000000.0]
     """
 
     __words__ = words(exponent=("n", "", "power of the strain with which the flow stress rises"))

@@ -18,9 +18,11 @@ from winkler.plot.friction.curves import loss_text
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, note, titled, zero
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.particles.elastic_plastic import ParticleSolution
+from winkler.problems.plastic.dent_limit import DentLimitSolution
 from winkler.problems.plastic.indentation import PlasticSolution
+from winkler.problems.plastic.strength_from_dent import StrengthFromDentSolution
 
-__all__ = ["particle_sheet", "plastic_sheet"]
+__all__ = ["dent_limit_sheet", "dent_strength_sheet", "particle_sheet", "plastic_sheet"]
 
 Yielding = ParticleSolution | PlasticSolution
 
@@ -63,6 +65,21 @@ def plastic_sheet(item: PlasticSolution) -> Sheet:
     )
     left = f"the dent is {with_unit(float(item.residual_depth[-1]), 'm')} deep"
     return Sheet(titled((*loop, _dent_panel(item)), *LOOP_TITLES, "the dent"), height=3.5, title=f"{begun}; {left}")
+
+
+@without_extent(DentLimitSolution)
+def dent_limit_sheet(item: DentLimitSolution) -> Sheet:
+    """Return the contact under the load that leaves the dent, and let go."""
+    left = with_unit(item.problem.residual_depth, "m")
+    title = f"{with_unit(item.force, 'N')} leave a dent {left} deep"
+    return dataclasses.replace(plastic_sheet(item.pressed), title=title)
+
+
+@without_extent(StrengthFromDentSolution)
+def dent_strength_sheet(item: StrengthFromDentSolution) -> Sheet:
+    """Return the contact of a body with the strength that was found, and its dent."""
+    title = f"this dent tells a strength of {with_unit(item.strength, 'Pa')}"
+    return dataclasses.replace(plastic_sheet(item.pressed), title=title)
 
 
 def _dent_panel(item: PlasticSolution) -> Panel:

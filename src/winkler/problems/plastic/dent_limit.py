@@ -16,7 +16,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.plastic.first_loading import LAST_SHARE, WIDENING, FirstLoading, first_loading, refuse_unknown
-from winkler.problems.plastic.indentation import PlasticIndentation
+from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
 from winkler.validity import Assumption, Note
 from winkler.values import value, words
 
@@ -124,6 +124,7 @@ class DentLimitSolution:
 
     __words__ = words(
         elastic_peak_pressure=("p_{el}", "Pa", "greatest pressure that bodies which do not yield would bear"),
+        pressed=("", None, "the contact under this load, and let go"),
     )
 
     problem: DentLimit
@@ -134,6 +135,11 @@ class DentLimitSolution:
     elastic_peak_pressure: float
 
     @property
+    def pressed(self) -> PlasticSolution:
+        """The contact under this load, and let go."""
+        return PlasticIndentation(self.problem.bed, Force([self.force, 0.0])).solve()
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return PlasticIndentation(self.problem.bed, Force([self.force])).solve().validity
+        return self.pressed.validity

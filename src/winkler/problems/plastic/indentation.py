@@ -103,6 +103,7 @@ class PlasticIndentation:
     Examples
     --------
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> steel = Elastic(young=210e9, poisson=0.3, strength=1e9)
     >>> bed = Foundation(Paraboloid(5e-3), HalfSpace(steel))

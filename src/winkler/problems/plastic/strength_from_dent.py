@@ -19,7 +19,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import between
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.plastic.first_loading import LEAST_STIFFNESS, refuse_unknown
-from winkler.problems.plastic.indentation import PlasticIndentation
+from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
@@ -231,6 +231,7 @@ class StrengthFromDentSolution:
         law_error=(r"\delta Y", "Pa", "error of the strength that the law of yielding may add"),
         of_force=("", "", "relative change of the strength by that of the force"),
         of_dent=("", "", "relative change of the strength by that of the dent"),
+        pressed=("", None, "the contact under the load, and let go"),
         hardness=("H_M", "Pa", "force over the area of the dent in its plane, Meyer's hardness"),
     )
 
@@ -246,8 +247,13 @@ class StrengthFromDentSolution:
     depth: float
 
     @property
+    def pressed(self) -> PlasticSolution:
+        """The contact of a body with this strength under the load, and let go."""
+        force = float(self.problem.force.force)
+        return PlasticIndentation(self.problem._bed(self.strength), Force([force, 0.0])).solve()
+
+    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        bed, force = self.problem._bed(self.strength), float(self.problem.force.force)
-        law = PlasticIndentation(bed, Force([force])).solve().validity
-        return law if isinstance(bed.medium.first, Hardening) else (*law, HARDENS)  # type: ignore[attr-defined]
+        law = self.pressed.validity
+        return law if isinstance(self.problem.bed.medium.first, Hardening) else (*law, HARDENS)  # type: ignore[attr-defined]

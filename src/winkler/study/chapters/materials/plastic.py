@@ -64,6 +64,11 @@ PLASTIC = Chapter(
             headline=("force", "elastic_peak_pressure", "mean_pressure", "radius"),
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             residual_depth="1 um",
+            picture=Caption(
+                "dent_limit",
+                "The load that leaves the dent",
+                "Force and contact radius over the depth up to the load and back, and the dent that stays.",
+            ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, *YIELDING),
         ),
@@ -80,6 +85,11 @@ PLASTIC = Chapter(
             force={"kind": "force", "force": "1 kN"},
             dent={"kind": "radius", "radius": "0.5 mm"},
             dent_error="5 um",
+            picture=Caption(
+                "dent_strength",
+                "The dent and the strength that it tells",
+                "Force and contact radius over the depth of a body with this strength, and its dent.",
+            ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, *YIELDING),
         ),
