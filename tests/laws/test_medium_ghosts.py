@@ -85,6 +85,8 @@ PROBLEMS = {
     ),
     "OscillatingRolling": lambda bed: wk.OscillatingRolling(bed, MU, 0.01, 1e-4, LOAD, cycles=1, count=20),
     "PlasticIndentation": lambda bed: wk.PlasticIndentation(bed, LOAD),
+    "DentLimit": lambda bed: wk.DentLimit(bed, 1e-9),
+    "StrengthFromDent": lambda bed: wk.StrengthFromDent(bed, wk.Force(1.0), wk.Radius(1e-3)),
     "PullOff": lambda bed: wk.PullOff(bed, SHORT),
     "RelaxationDamper": lambda bed: wk.RelaxationDamper(bed, 0.02, 0.001, 1.0),
     "RelaxationTest": lambda bed: wk.RelaxationTest(bed, 0.02, [1.0]),

@@ -39,6 +39,8 @@ WITHOUT = {
     "line_yield_onset": "the onset is its answer",
     "master_curve": "measurements of a solid, no contact",
     "plastic_indentation": "its strength is its law",
+    "dent_limit": "its strength is its law",
+    "strength_from_dent": "the strength is its answer",
     "poroelastic_relaxation": "a wet gel, whose network has no strength",
     "held_contacts": "measurements of a body that relaxes",
     "friction_loops": "measurements",
