@@ -736,14 +736,31 @@ def two_hills_stiffness() -> Numbers:
 # yield
 
 
-@of_case
-def plastic_elastic_limit() -> Numbers:
+def _first_yield(young: Any, nu: Any, strength: Any, radius: Any) -> tuple[Any, Any]:
     """The axis below Hertz's pressure: p0 [3/(2 + 2 z^2) - (1 + nu)(1 - z atan(1/z))] is greatest, and is Y."""
-    young, nu, strength, radius = frac("210e9"), frac("0.3"), frac("700e6"), frac("1e-2")
 
     def stress(z: Any) -> Any:
         return frac("1.5") / (1 + z * z) - (1 + nu) * (1 - z * mp.atan(1 / z))
 
     peak = strength / stress(mp.findroot(lambda z: mp.diff(stress, z), 0.48))
     contact = mp.pi * radius * peak * (1 - nu * nu) / (2 * young)
-    return [2 * mp.pi * peak * contact**2 / 3, contact**2 / radius]
+    return 2 * mp.pi * peak * contact**2 / 3, contact**2 / radius
+
+
+@of_case
+def plastic_elastic_limit() -> Numbers:
+    """Force and depth."""
+    return list(_first_yield(frac("210e9"), frac("0.3"), frac("700e6"), frac("1e-2")))
+
+
+@of_case
+def dent_of_first_yield() -> Numbers:
+    """The force."""
+    return [_first_yield(frac("210e9"), frac("0.3"), frac("700e6"), frac("1e-2"))[0]]
+
+
+@of_case
+def strength_of_first_yield() -> Numbers:
+    """The force goes with the third power of the strength."""
+    unit = _first_yield(frac("210e9"), frac("0.3"), frac("1"), frac("1e-2"))[0]
+    return [mp.cbrt(frac("13.962894307677277") / unit)]

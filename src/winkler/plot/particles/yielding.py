@@ -72,14 +72,14 @@ def dent_limit_sheet(item: DentLimitSolution) -> Sheet:
     """Return the contact under the load that leaves the dent, and let go."""
     left = with_unit(item.problem.residual_depth, "m")
     title = f"{with_unit(item.force, 'N')} leave a dent {left} deep"
-    return dataclasses.replace(plastic_sheet(item.pressed), title=title)
+    return dataclasses.replace(plastic_sheet(item.released), title=title)
 
 
 @without_extent(StrengthFromDentSolution)
 def dent_strength_sheet(item: StrengthFromDentSolution) -> Sheet:
     """Return the contact of a body with the strength that was found, and its dent."""
     title = f"this dent tells a strength of {with_unit(item.strength, 'Pa')}"
-    return dataclasses.replace(plastic_sheet(item.pressed), title=title)
+    return dataclasses.replace(plastic_sheet(item.released), title=title)
 
 
 def _dent_panel(item: PlasticSolution) -> Panel:

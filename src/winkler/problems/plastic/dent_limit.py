@@ -78,10 +78,10 @@ class DentLimit:
             If no load within the reach of the profile leaves such a dent, or the contact then ends where the profile is
             much blunter than a paraboloid or sharper than a cone.
         """
-        curve = first_loading(self.bed)  # type: ignore[arg-type]
+        curve = first_loading(self.bed)
         radius = np.array([self._radius(curve)])
         force = float(curve.at(radius).force[0])
-        state = next(PlasticIndentation(self.bed, Force([force])).steps())
+        state = next(PlasticIndentation(self.bed, Force(np.array([force]))).steps())
         elastic = Indentation(self.bed, Force(force)).solve()
         return DentLimitSolution(
             self, force, state.depth, state.radius, state.mean_pressure, float(elastic.peak_pressure)
@@ -124,7 +124,7 @@ class DentLimitSolution:
 
     __words__ = words(
         elastic_peak_pressure=("p_{el}", "Pa", "greatest pressure that bodies which do not yield would bear"),
-        pressed=("", None, "the contact under this load, and let go"),
+        released=("", None, "the contact under this load, and let go"),
     )
 
     problem: DentLimit
@@ -135,11 +135,11 @@ class DentLimitSolution:
     elastic_peak_pressure: float
 
     @property
-    def pressed(self) -> PlasticSolution:
+    def released(self) -> PlasticSolution:
         """The contact under this load, and let go."""
-        return PlasticIndentation(self.problem.bed, Force([self.force, 0.0])).solve()
+        return PlasticIndentation(self.problem.bed, Force(np.array([self.force, 0.0]))).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return self.pressed.validity
+        return self.released.validity

@@ -142,7 +142,7 @@ class YieldingHalf(NamedTuple):
             return load, -elastic[index] * np.expm1(-fall) / self.modulus
 
         def excess(stress: Array, index: Array) -> Array:
-            return stress - flow(strain_of_pressure(*lost(stress, index)))
+            return np.asarray(stress - flow(strain_of_pressure(*lost(stress, index))))
 
         everywhere = np.arange(elastic.size)
         soft = np.full(elastic.shape, self.strength)

@@ -135,13 +135,14 @@ class StrengthFromDent:
         bed, medium = self.bed, self.bed.medium
         assert isinstance(bed, Foundation)
         assert isinstance(medium, HalfSpace)
+        assert isinstance(medium.first, Elastic)
         first = dataclasses.replace(medium.first, strength=strength)
         return dataclasses.replace(bed, medium=dataclasses.replace(medium, first=first))
 
     def _dent(self, strength: float, force: float) -> float:
         """Return the radius or the depth [m] of the dent that a force leaves; infinite where it is out of reach."""
         try:
-            state = next(PlasticIndentation(self._bed(strength), Force([force])).steps())
+            state = next(PlasticIndentation(self._bed(strength), Force(np.array([force]))).steps())
         except OutsideValidity as error:
             if "beyond the reach" in str(error):
                 return math.inf
@@ -188,7 +189,7 @@ class StrengthFromDent:
             )
         )
         of_dent, of_force = 1.0 / by_strength, -by_force / by_strength
-        state = next(PlasticIndentation(self._bed(strength), Force([force])).steps())
+        state = next(PlasticIndentation(self._bed(strength), Force(np.array([force]))).steps())
         measured = math.hypot(of_force * self.force_error / force, of_dent * self.dent_error / dent)
         if isinstance(self.dent, Radius):
             of_law = RADIUS_ERROR
@@ -220,7 +221,7 @@ class StrengthFromDentSolution:
         d ln Y / d ln F and d ln Y / d ln r [-], with the other measured quantity unchanged.
     hardness : float
         Force over the area of the dent in its plane [Pa], Meyer's hardness.
-    largest_radius, residual_depth : float
+    radius, residual_depth : float
         Radius and depth of the dent [m]; one of them is that given.
     depth : float
         Under load [m].
@@ -231,7 +232,7 @@ class StrengthFromDentSolution:
         law_error=(r"\delta Y", "Pa", "error of the strength that the law of yielding may add"),
         of_force=("", "", "relative change of the strength by that of the force"),
         of_dent=("", "", "relative change of the strength by that of the dent"),
-        pressed=("", None, "the contact under the load, and let go"),
+        released=("", None, "the contact under the load, and let go"),
         hardness=("H_M", "Pa", "force over the area of the dent in its plane, Meyer's hardness"),
     )
 
@@ -242,18 +243,18 @@ class StrengthFromDentSolution:
     of_force: float
     of_dent: float
     hardness: float
-    largest_radius: float
+    radius: float
     residual_depth: float
     depth: float
 
     @property
-    def pressed(self) -> PlasticSolution:
+    def released(self) -> PlasticSolution:
         """The contact of a body with this strength under the load, and let go."""
         force = float(self.problem.force.force)
-        return PlasticIndentation(self.problem._bed(self.strength), Force([force, 0.0])).solve()
+        return PlasticIndentation(self.problem._bed(self.strength), Force(np.array([force, 0.0]))).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        law = self.pressed.validity
+        law = self.released.validity
         return law if isinstance(self.problem.bed.medium.first, Hardening) else (*law, HARDENS)  # type: ignore[attr-defined]
