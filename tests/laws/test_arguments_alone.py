@@ -79,6 +79,7 @@ GIVEN: dict[str, Any] = {
     "rolling_start.start": wk.ShearForce(10.0),
     "simplified_rolling.speed": 20.0,
     "sliding_wear.layer_wears": True,
+    "strength_from_dent.force_error": 10.0,
     "surface_constriction.law": wk.WiedemannFranz(3e-8),
     "surface_constriction.mean_free_path": 40e-9,
     "surface_constriction.temperature": 350.0,
