@@ -147,9 +147,14 @@ def goes_together(problem: str, profile: str) -> bool:
         "calibrated_tip",
     }
     pinned = {"flat_punch", "capped_cylinder"}
+    # with a flat end, a rim or a valley, or blunter than a paraboloid
+    blunt = pinned | {"power_law", "rounded_punch", "truncated_cone", "truncated_paraboloid", "wavy", "sum"}
     refused = {
         "adhesive_shear": {"flat_punch"},  # pressed at its rim
         "yield_onset": sharp,
+        "plastic_indentation": blunt | {"capped_paraboloid", "area_function"},
+        "dent_limit": blunt | {"ball_in_socket", "area_function"},  # at the load of the example
+        "strength_from_dent": blunt | {"ball_in_socket"},
         **dict.fromkeys(("line_yield_onset", "line_shakedown"), sharp),
         **{name: {"area_function"} for name in OTHER_LINES},  # of a tip of revolution
         "periodic_indentation": {
