@@ -416,13 +416,14 @@ def refuse_unknown(owner: str, bed: Bed) -> None:
     """
     if not isinstance(bed, Foundation):
         raise InvalidInput(
-            f"{owner}: the bed is a {type(bed).__name__}; how bodies yield is known by their shape: give a "
-            "Foundation of a profile on a HalfSpace."
+            f"{owner}: the bed is a {type(bed).__name__}; how bodies yield is known by their shape: give a Foundation "
+            "of a profile on a HalfSpace; of lines and ellipses LineYieldOnset and EllipticYieldOnset know where it "
+            "begins."
         )
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"{owner}: the medium is a {type(bed.medium).__name__}; how layered, graded or anisotropic bodies "
-            "yield is not known here: give a HalfSpace of isotropic bodies."
+            "yield is not known here: give a HalfSpace of isotropic bodies; in layers YieldOnset knows where it begins."
         )
     parts = strong_parts(bed.medium)
     if not parts:
