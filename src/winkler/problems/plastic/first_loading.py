@@ -15,7 +15,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +33,15 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.plastic.dent import Dent
 from winkler.problems.plastic.yielded_response import Yielded, beyond_tables, yielded
 
-__all__ = ["FirstLoading", "GreatestLoad", "first_loading", "stored_energy"]
+__all__ = [
+    "START_SHARE",
+    "FirstLoading",
+    "GreatestLoad",
+    "LoadingTable",
+    "first_loading",
+    "integral_of_square",
+    "stored_energy",
+]
 
 POINTS_PER_EFOLD = 48
 """Points of the curve per factor e of the contact radius; the cubics between them give first guesses, and the work to
@@ -220,12 +228,20 @@ class FirstLoading(NamedTuple):
         state = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
         if not yielding.any():
             return state, work
-        table = LoadingTable(self, level[yielding], by_force)
-        found = self.at(table.radii(level[yielding]))
+        table = LoadingTable.of_levels(self, level[yielding], by_force)
+        found = self.at(table.radii(level[yielding], by_force))
         found = found._replace(**{"force" if by_force else "depth": level[yielding]})
         for whole, part in zip((*state, work), (*found, table.work(found.radius)), strict=True):
             whole[yielding] = part
         return state, work
+
+    def wider(self, radius: float) -> Iterator[float]:
+        """Yield this contact radius and wider ones, up to the end of what is known of the profile [m]."""
+        end = max(radius, LAST_SHARE * self.bed.reach)
+        while radius < end:
+            yield radius
+            radius *= WIDENING
+        yield end
 
     def stored(self, state: GreatestLoad) -> Array:
         """Return the energies that unloading from states would give back [J]."""
@@ -240,7 +256,7 @@ class FirstLoading(NamedTuple):
 
         energy = np.zeros(touching.shape)
         modulus = self.bed.medium.modulus  # type: ignore[attr-defined]
-        energy[touching] = modulus * _integral_of_square(pressed, self.bed, radius, radius)
+        energy[touching] = modulus * integral_of_square(pressed, self.bed, radius, radius)
         return energy
 
     def springs(self, state: GreatestLoad, index: int) -> Foundation:
@@ -252,28 +268,18 @@ class FirstLoading(NamedTuple):
 
 
 class LoadingTable:
-    """The curve from where yielding begins to beyond the greatest of some loads."""
+    """The curve from one contact radius to another."""
 
-    def __init__(self, curve: FirstLoading, level: Array, by_force: bool) -> None:
+    def __init__(self, curve: FirstLoading, first: float, last: float) -> None:
         from scipy.interpolate import CubicSpline
 
-        self.curve, self.by_force = curve, by_force
-        least, most = float(np.min(level)), float(np.max(level))
-        first = curve.onset
-        if first == 0.0:
-            first = START_SHARE * self._elastic_radius(least)
-        last = self._beyond(max(first, self._elastic_radius(most)), most)
+        self.curve = curve
         count = 2 + math.ceil(POINTS_PER_EFOLD * math.log(last / first))
         self.places = np.linspace(math.log(first), math.log(last), count)
         radii = np.exp(self.places)
         radii[0], radii[-1] = first, last
-        state = curve.at(radii)
-        self.levels = state.level(by_force)
-        if np.any(np.diff(self.levels) <= 0.0) or np.any(np.diff(state.depth) <= 0.0):
-            raise OutsideValidity(
-                "PlasticIndentation: within this load the curve of first loading turns back, which the law for bodies "
-                "of revolution does not cover; give a smaller load or a smoother profile."
-            )
+        self.states = state = curve.at(radii)
+        _refuse_turning(state.depth)
         self.log_force = CubicSpline(self.places, np.log(state.force))
         self.log_depth = CubicSpline(self.places, np.log(state.depth))
         self.nodes, self.weights = gauss_legendre(NODES)
@@ -285,34 +291,32 @@ class LoadingTable:
         steps = self._spent(self.places[:-1], self.places[1:])
         self.works = start + np.concatenate([[0.0], np.cumsum(steps)])
 
-    def _elastic_radius(self, level: float) -> float:
-        solve = at_force if self.by_force else at_depth
-        return float(solve(self.curve.bed, np.array([level]))[1][0])
+    @classmethod
+    def of_levels(cls, curve: FirstLoading, level: Array, by_force: bool) -> LoadingTable:
+        """Return the curve from where yielding begins to beyond the greatest of some loads."""
+        solve = at_force if by_force else at_depth
+        least, most = (float(solve(curve.bed, np.array([end]))[1][0]) for end in (np.min(level), np.max(level)))
+        first, greatest = curve.onset or START_SHARE * least, float(np.max(level))
+        for last in curve.wider(max(first, most)):
+            if float(curve.at(np.array([last])).level(by_force)[0]) > greatest:
+                return cls(curve, first, last)
+        word, unit = ("force", "N") if by_force else ("depth", "m")
+        end = curve.bed.reach
+        raise OutsideValidity(
+            f"The {word} of {greatest:.6g} {unit} leads beyond the reach of the profile ({end:.6g} m), where nothing "
+            "is known of it; give a smaller one."
+        )
 
-    def _beyond(self, radius: float, level: float) -> float:
-        """Return a radius at which the curve is beyond a load; it is beyond the elastic radius."""
-        end = self.curve.bed.reach
-        while True:
-            state = self.curve.at(np.array([radius]))
-            if float(state.level(self.by_force)[0]) > level:
-                return radius
-            if radius >= LAST_SHARE * end:
-                word, unit = ("force", "N") if self.by_force else ("depth", "m")
-                raise OutsideValidity(
-                    f"PlasticIndentation: the {word} of {level:.6g} {unit} leads beyond the reach of the profile "
-                    f"({end:.6g} m), where nothing is known of it; give a smaller one."
-                )
-            radius = min(WIDENING * radius, LAST_SHARE * end)
-
-    def radii(self, level: Array) -> Array:
+    def radii(self, level: Array, by_force: bool) -> Array:
         """Return the radii at which the curve meets loads."""
-        spline = self.log_force if self.by_force else self.log_depth
+        spline, levels = self.log_force if by_force else self.log_depth, self.states.level(by_force)
+        _refuse_turning(levels)
 
         def with_slope(radius: Array) -> tuple[Array, Array]:
-            value = self.curve.at(radius).level(self.by_force)
+            value = self.curve.at(radius).level(by_force)
             return value, value * spline(np.log(radius), 1) / radius
 
-        guess = np.exp(np.interp(np.log(level), np.log(self.levels), self.places))
+        guess = np.exp(np.interp(np.log(level), np.log(levels), self.places))
         first, last = math.exp(self.places[0]), math.exp(self.places[-1])
         guess = np.clip(guess, first * (1.0 + 1e-15), last * (1.0 - 1e-15))
         return invert(with_slope, level, lower=0.0, upper=last, guess=guess)
@@ -330,16 +334,24 @@ class LoadingTable:
         return np.asarray((rate @ self.weights) * (high - low))
 
 
+def _refuse_turning(levels: Array) -> None:
+    if np.any(np.diff(levels) <= 0.0):
+        raise OutsideValidity(
+            "Within this load the curve of first loading turns back, which the law for bodies of revolution that yield "
+            "does not cover; give a smaller load or a smoother profile."
+        )
+
+
 def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
     """Return the elastic energy [J] of contacts on half-spaces at depths [m] and radii [m] `(n,)`."""
     wall = bed.reach if isinstance(bed.profile, Dent) else math.inf
-    squares = _integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
+    squares = integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
     modulus = bed.medium.modulus  # type: ignore[attr-defined]
     return np.asarray(modulus * (depth * depth * radius + squares) - depth * bed.gap_load(radius))
 
 
-def _integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
-    """Integrate curve(x, index)^2 from 0 to each radius; it may end like a root at the wall of that index."""
+def integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
+    """Return the integrals of curve(x, index)^2 from 0 to radii; it may end like a root at the wall of that index."""
     nodes, weights = gauss_legendre(ENERGY_NODES)
     total, walled = np.zeros(radius.shape), np.isfinite(wall)[:, None]
     scale = np.where(np.isfinite(wall), wall, 1.0)
