@@ -31,7 +31,7 @@ from winkler.problems.normal.onset.search import onset_in
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.plastic.dent import Dent
-from winkler.problems.plastic.yielded_response import Yielded, beyond_tables, yielded
+from winkler.problems.plastic.yielded_response import Yielded, beyond_tables, round_part, yielded
 
 __all__ = [
     "START_SHARE",
@@ -51,11 +51,13 @@ START_SHARE = 1e-3
 SHARE_POWER = 1.5
 """Power of its share of the gap with which a body counts for the shape of the pressure, from finite elements of two
 bodies: the one that yields more decides."""
-WIDENING = 1.5
+WIDENING, AT_ONCE = 1.5, 4
 LAST_SHARE = 0.999
 """Part of the reach of a profile up to which the curve is followed: a ball is vertical there."""
 NODES = 4
 ENERGY_NODES = 24
+NEAR, SECANT_STEPS, SECANT_LAST = 1e-6, 6, 1e-10
+"""Where a second guess of a share is, how often it is mended, and the step of which the error left is rounding."""
 LEAST_LOAD = 1e-12
 """A load over the strength of which no table knows anything: the bodies are elastic."""
 
@@ -109,13 +111,25 @@ class YieldingHalf(NamedTuple):
         if math.isinf(self.strength):
             return Yielded(*(np.zeros(elastic.shape),) * 3)
         load = np.maximum(elastic / self.strength, LEAST_LOAD)
-        start = np.full(load.shape, max(self.start, LEAST_LOAD))
-        departure = yielded(load, self.poisson, exponent).less(yielded(start, self.poisson, exponent))
+        start, part = max(self.start, LEAST_LOAD), round_part(exponent)
+        alike = bool(np.all(part == part[0]))
+        begun = (
+            _begun(start, self.poisson, float(part[0]))
+            if alike
+            else yielded(np.full(exponent.shape, start), self.poisson, exponent)
+        )
+        departure = yielded(load, self.poisson, exponent).less(begun)
         return Yielded(*(np.where(load > self.start, part, 0.0) for part in departure))
 
     def pressure(self, elastic: Array, exponent: Array) -> Array:
         """Return the mean pressure that it bears in place of an elastic one [Pa]."""
         return np.asarray(elastic * np.exp(-self.answer(elastic, exponent).fall))
+
+
+@functools.lru_cache(maxsize=64)
+def _begun(start: float, poisson: float, part: float) -> Yielded:
+    """Return the departure where yielding begins, of profiles all alike."""
+    return yielded(np.array([start]), poisson, np.array([1.0 + part]))
 
 
 class FirstLoading(NamedTuple):
@@ -140,7 +154,9 @@ class FirstLoading(NamedTuple):
         """Return force [N] or depth [m] where one of the bodies begins to yield."""
         if not 0.0 < self.onset < math.inf:
             return self.onset
-        return float(self.at(np.array([self.onset])).level(by_force)[0])
+        place = np.array([self.onset])
+        depth = self.bed.gap(place)
+        return float((self.bed.stiffness(place) * depth - self.bed.gap_load(place) if by_force else depth)[0])
 
     def exponent(self, radius: Array) -> Array:
         """Return d ln g / d ln a [-] at contact radii `(n,)` [m]."""
@@ -149,8 +165,7 @@ class FirstLoading(NamedTuple):
     def beyond_tables(self, radius: float) -> bool:
         """Whether the law of a body is continued beyond its finite elements at a contact radius [m]."""
         at = np.array([radius])
-        strain, exponent = self._strain(at), self.exponent(at)
-        share = self._share(strain, exponent)
+        strain, exponent, share = self._strain(at), self.exponent(at), self.share(at)
         return any(
             bool(beyond_tables(body.modulus * part * strain / body.strength, body.poisson, exponent)[0])
             for body, part in ((self.first, share), (self.second, 1.0 - share))
@@ -163,8 +178,15 @@ class FirstLoading(NamedTuple):
         force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
         return np.asarray(force / (np.pi * radius**2 * bed.medium.modulus))  # type: ignore[attr-defined]
 
-    def at(self, radius: Array) -> GreatestLoad:
-        """Return the states of first loading at contact radii `(n,)` [m], positive."""
+    def at(self, radius: Array, share: Array | None = None) -> GreatestLoad:
+        """Return the states of first loading at contact radii `(n,)` [m], positive.
+
+        Parameters
+        ----------
+        radius : ndarray, (n,)
+        share : ndarray, (n,), optional
+            `share` at these radii, where it is known.
+        """
         bed = self.bed
         gap = bed.gap(radius)
         stiffness = bed.stiffness(radius)
@@ -172,7 +194,8 @@ class FirstLoading(NamedTuple):
         area = np.pi * radius**2
         exponent = self.exponent(radius)
         strain = self._strain(radius)
-        share = self._share(strain, exponent)
+        if share is None:
+            share = self.share(radius)
         pressure, taken, kept, weights = (np.zeros_like(gap) for _ in range(4))
         for body, part in ((self.first, share), (self.second, 1.0 - share)):
             if math.isinf(body.modulus):
@@ -190,22 +213,35 @@ class FirstLoading(NamedTuple):
         fullness = kept * elastic_force / (stiffness * gap) + (1.0 - kept) * 0.25 * np.pi
         return GreatestLoad(radius, gap * taken, force, force / (stiffness * fullness), kept)
 
-    def _share(self, strain: Array, exponent: Array) -> Array:
-        """Return the part of the gap that stands against the first body."""
+    def share(self, radius: Array, guess: Array | None = None) -> Array:
+        """Return the part of the gap that stands against the first body, at contact radii `(n,)` [m].
+
+        Parameters
+        ----------
+        radius : ndarray, (n,)
+        guess : ndarray, (n,), optional
+            Parts near by.
+        """
         first, second = self.first, self.second
         if math.isinf(second.modulus):
-            return np.ones_like(strain)
+            return np.ones_like(radius)
         if math.isinf(first.modulus):
-            return np.zeros_like(strain)
+            return np.zeros_like(radius)
         if first == second:
-            return np.full_like(strain, 0.5)
+            return np.full_like(radius, 0.5)
+        strain, exponent = self._strain(radius), self.exponent(radius)
 
         def excess(share: Array, index: Array) -> Array:
             at, power = strain[index], exponent[index]
             pressed = first.pressure(first.modulus * share * at, power)
             return pressed - second.pressure(second.modulus * (1.0 - share) * at, power)
 
-        return bracketed(excess, np.zeros_like(strain), np.ones_like(strain))
+        whole = np.arange(radius.size)
+        if guess is not None:
+            found = _secant(lambda share: excess(share, whole), guess)
+            if found is not None:
+                return found
+        return bracketed(excess, np.zeros_like(radius), np.ones_like(radius))
 
     def at_level(self, level: Array, *, by_force: bool) -> tuple[GreatestLoad, Array]:
         """Return the states of first loading at forces [N] or depths [m] `(n,)`, and the work spent on each [J].
@@ -229,7 +265,7 @@ class FirstLoading(NamedTuple):
         if not yielding.any():
             return state, work
         table = LoadingTable.of_levels(self, level[yielding], by_force)
-        found = self.at(table.radii(level[yielding], by_force))
+        found = table.at(table.radii(level[yielding], by_force))
         found = found._replace(**{"force" if by_force else "depth": level[yielding]})
         for whole, part in zip((*state, work), (*found, table.work(found.radius)), strict=True):
             whole[yielding] = part
@@ -278,10 +314,12 @@ class LoadingTable:
         self.places = np.linspace(math.log(first), math.log(last), count)
         radii = np.exp(self.places)
         radii[0], radii[-1] = first, last
-        self.states = state = curve.at(radii)
+        share = curve.share(radii)
+        self.states = state = curve.at(radii, share)
         _refuse_turning(state.depth)
         self.log_force = CubicSpline(self.places, np.log(state.force))
         self.log_depth = CubicSpline(self.places, np.log(state.depth))
+        self.share = CubicSpline(self.places, share)
         self.nodes, self.weights = gauss_legendre(NODES)
         if curve.onset > 0.0:
             start = float(stored_energy(curve.bed, state.depth[:1], state.radius[:1])[0])
@@ -297,9 +335,11 @@ class LoadingTable:
         solve = at_force if by_force else at_depth
         least, most = (float(solve(curve.bed, np.array([end]))[1][0]) for end in (np.min(level), np.max(level)))
         first, greatest = curve.onset or START_SHARE * least, float(np.max(level))
-        for last in curve.wider(max(first, most)):
-            if float(curve.at(np.array([last])).level(by_force)[0]) > greatest:
-                return cls(curve, first, last)
+        wider = curve.wider(max(first, most))
+        while radii := list(itertools.islice(wider, AT_ONCE)):
+            beyond = curve.at(np.array(radii)).level(by_force) > greatest
+            if beyond.any():
+                return cls(curve, first, radii[int(np.argmax(beyond))])
         word, unit = ("force", "N") if by_force else ("depth", "m")
         end = curve.bed.reach
         raise OutsideValidity(
@@ -307,13 +347,17 @@ class LoadingTable:
             "is known of it; give a smaller one."
         )
 
+    def at(self, radius: Array) -> GreatestLoad:
+        """Return the states at radii, as `FirstLoading.at`, sooner."""
+        return self.curve.at(radius, self.curve.share(radius, self.share(np.log(radius))))
+
     def radii(self, level: Array, by_force: bool) -> Array:
         """Return the radii at which the curve meets loads."""
         spline, levels = self.log_force if by_force else self.log_depth, self.states.level(by_force)
         _refuse_turning(levels)
 
         def with_slope(radius: Array) -> tuple[Array, Array]:
-            value = self.curve.at(radius).level(by_force)
+            value = self.at(radius).level(by_force)
             return value, value * spline(np.log(radius), 1) / radius
 
         guess = np.exp(np.interp(np.log(level), np.log(levels), self.places))
@@ -332,6 +376,22 @@ class LoadingTable:
         place = low[:, None] + (high - low)[:, None] * self.nodes
         rate = np.exp(self.log_force(place) + self.log_depth(place)) * self.log_depth(place, 1)
         return np.asarray((rate @ self.weights) * (high - low))
+
+
+def _secant(function: Callable[[Array], Array], guess: Array) -> Array | None:
+    """Return roots between zero and one near guesses, to rounding; nothing if one is not found in a few steps."""
+    before, now = guess, guess * (1.0 - NEAR) + 0.5 * NEAR
+    value_before, value = function(before), function(now)
+    for _ in range(SECANT_STEPS):
+        rise = value - value_before
+        step = np.where(rise == 0.0, 0.0, value * (now - before) / np.where(rise == 0.0, 1.0, rise))
+        before, now, value_before = now, now - step, value
+        if np.any((now <= 0.0) | (now >= 1.0)):
+            return None
+        if np.all(np.abs(step) <= SECANT_LAST * now):
+            return now
+        value = function(now)
+    return None
 
 
 def _refuse_turning(levels: Array) -> None:

@@ -38,6 +38,7 @@ from winkler.problems.one_load import single
 from winkler.problems.plastic.first_loading import (
     START_SHARE,
     FirstLoading,
+    GreatestLoad,
     LoadingTable,
     first_loading,
     stored_energy,
@@ -277,24 +278,30 @@ class _Blows:
 
     def __init__(self, curve: FirstLoading, energy: Array) -> None:
         self.curve, self.energy = curve, energy
-        self.first, self.table = curve.onset, None
+        self.first = curve.onset
+        self.table: LoadingTable | None = None
         yielding = energy > _onset_energy(curve)
         radius = np.zeros_like(energy)
         if not yielding.all():
             radius[~yielding] = self._elastic_radii(energy[~yielding])
+        bed = curve.bed
+        depth = bed.gap(radius)
+        force = bed.stiffness(radius) * depth - bed.gap_load(radius)
+        self.states = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
         if yielding.any():
             self.table = self._table(energy[yielding])
             self.first = float(self.table.states.radius[0])
-            radius[yielding] = self._radii(self.table, energy[yielding])
-        at = curve.at(radius)
-        self.states = at._replace(recovery=np.where(yielding, at.recovery, at.depth))
+            found = self.table.at(self._radii(self.table, energy[yielding]))
+            for whole, part in zip(self.states, found, strict=True):
+                whole[yielding] = part
 
     def _elastic_radii(self, energy: Array) -> Array:
         bed = self.curve.bed
         most = np.array([min(bed.reach, self.curve.onset)])
         if math.isfinite(most[0]) and self._elastic_work(most)[0] < energy[-1]:
             raise _beyond(bed, float(energy[-1]))
-        guess = np.minimum([_rough_radius(bed, float(one)) for one in energy], (1.0 - 1e-9) * most[0])
+        rough = _rough_radius(bed, float(energy[-1])) * (energy / energy[-1]) ** 0.2  # as of a ball
+        guess = np.minimum(rough, (1.0 - 1e-9) * most[0])
 
         def work(radius: Array) -> tuple[Array, Array]:
             force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)

@@ -66,6 +66,10 @@ FULL_BALL_SINKING, FULL_CONE_SINKING = 1.86, 0.8
 """Gamma - 1 there, estimates: of a ball near the similarity solutions of the same source."""
 
 
+EXPONENT_ROUNDING = 1e-13
+"""By which local exponents of paraboloids and cones may miss two and one."""
+
+
 class Yielded(NamedTuple):
     """How far a yielding body departs from an elastic one; all are zero before it yields.
 
@@ -111,7 +115,8 @@ def yielded(load: Array, poisson: float, exponent: Array) -> Yielded:
 
 def round_part(exponent: Array) -> Array:
     """Return the part of a paraboloid in the law of profiles of local exponents; the rest is that of a cone."""
-    return np.clip(exponent - 1.0, 0.0, 1.0)
+    part = np.clip(exponent - 1.0, 0.0, 1.0)
+    return np.where(part > 1.0 - EXPONENT_ROUNDING, 1.0, np.where(part < EXPONENT_ROUNDING, 0.0, part))
 
 
 def beyond_tables(load: Array, poisson: float, exponent: Array) -> Array:
