@@ -84,6 +84,7 @@ PROBLEMS = {
         bed, wk.ResistanceLog(np.linspace(1e-3, 1e-2, 30), 1e-3 * np.linspace(1e-3, 1e-2, 30) ** -0.4)
     ),
     "OscillatingRolling": lambda bed: wk.OscillatingRolling(bed, MU, 0.01, 1e-4, LOAD, cycles=1, count=20),
+    "PlasticImpact": lambda bed: wk.PlasticImpact(bed, 1.0, 0.01),
     "PlasticIndentation": lambda bed: wk.PlasticIndentation(bed, LOAD),
     "PullOff": lambda bed: wk.PullOff(bed, SHORT),
     "RelaxationDamper": lambda bed: wk.RelaxationDamper(bed, 0.02, 0.001, 1.0),

@@ -747,3 +747,20 @@ def plastic_elastic_limit() -> Numbers:
     peak = strength / stress(mp.findroot(lambda z: mp.diff(stress, z), 0.48))
     contact = mp.pi * radius * peak * (1 - nu * nu) / (2 * young)
     return [2 * mp.pi * peak * contact**2 / 3, contact**2 / radius]
+
+
+@of_case
+def plastic_impact_first_yield() -> Numbers:
+    """The energy of Hertz's contact at that pressure, 8/15 E* R^(1/2) d^(5/2), and the time of his impact."""
+    young, nu, radius, mass, speed = (frac(text) for text in ("210e9", "0.3", "1e-2", "33e-3", "1e-2"))
+
+    def stress(z: Any) -> Any:
+        return frac("1.5") / (1 + z * z) - (1 + nu) * (1 - z * mp.atan(1 / z))
+
+    peak = frac("700e6") / stress(mp.findroot(lambda z: mp.diff(stress, z), 0.48))
+    stiffness = young / (1 - nu * nu)
+    depth = (mp.pi * radius * peak / (2 * stiffness)) ** 2 / radius
+    first = mp.sqrt(frac(16) / 15 * stiffness * mp.sqrt(radius) * depth ** frac("2.5") / mass)
+    deepest = (15 * mass * speed**2 / (16 * stiffness * mp.sqrt(radius))) ** frac("0.4")
+    lasting = mp.sqrt(mp.pi) * mp.gamma(frac("0.4")) / (frac("1.25") * mp.gamma(frac("0.9")))
+    return [first, 1, deepest, lasting * deepest / speed]

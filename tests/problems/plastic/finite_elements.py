@@ -6,7 +6,6 @@ is an unknown and no contact is searched for.
 """
 
 import copy
-import math
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -156,7 +155,10 @@ def _times(band, vector):
 
 
 def pressed_and_released(cells, poisson, strength, profile):
-    """Depth, force, residual depth and restitution of a contact of radius 1 under a rigid body f(r), modulus 1."""
+    """Depth, force, residual depth, work spent and given back of a contact of radius 1 under a rigid body f(r).
+
+    The modulus is one.
+    """
     body = Body(cells, poisson, strength)
     gap = profile(body.r)
     modulus = 1.0 / (1.0 - poisson**2)
@@ -176,7 +178,7 @@ def pressed_and_released(cells, poisson, strength, profile):
     less, lower = np.append(less[::-1], depth), np.append(lower[::-1], force)
     given = 0.4 * lower[0] * (less[0] - residual) + _work(less, lower)  # the rest as under a ball
     spent = _work(np.append(0.0, rising), np.append(0.0, pressing))
-    return depth, force, residual, math.sqrt(given / spent)
+    return depth, force, residual, spent, given
 
 
 def _work(depth, force):

@@ -111,10 +111,10 @@ def test_full_plasticity_begins_at_about_a_hundred_times_the_yield_velocity():
     for solid in (STEEL, SOFT):
         bed = Foundation(wk.Paraboloid(2.5e-3), wk.HalfSpace(solid, wk.Elastic(370e9, 0.22)))
         first = PlasticImpact(bed, 2.6e-4, 1.0).yield_velocity
-        solved = struck(bed, first * np.array([1.0, 30.0, 300.0]), 2.6e-4)
+        solved = struck(bed, first * np.array([1.0, 10.0, 100.0]), 2.6e-4)
         pressure = solved.mean_pressure / solid.strength
         assert pressure[0] == pytest.approx(1.1, abs=0.05)
-        assert pressure[1] < 2.8 * 0.9
+        assert pressure[1] < 2.2
         assert pressure[2] == pytest.approx(2.8, rel=0.05)
 
 
@@ -132,7 +132,7 @@ def test_a_particle_of_powders_yields_later_and_then_all_at_once():
     pace = velocity / first
     assert np.max(np.abs(higher[pace < 1.0])) < 1e-9
     assert 0.15 < np.max(higher) < 0.19
-    assert 10.0 < pace[np.argmax(higher)] < 11.0
+    assert 8.5 < pace[np.argmax(higher)] < 11.0
     fast = (pace > 100.0) & (pace < 170.0)
     assert np.any(fast)
     assert np.max(np.abs(higher[fast])) < 0.025
