@@ -56,8 +56,10 @@ LAST_SHARE = 0.999
 """Part of the reach of a profile up to which the curve is followed: a ball is vertical there."""
 NODES = 4
 ENERGY_NODES = 24
-NEAR, SECANT_STEPS, SECANT_LAST = 1e-6, 6, 1e-10
-"""Where a second guess of a share is, how often it is mended, and the step of which the error left is rounding."""
+NEAR, SECANT_STEPS, SECANT_LAST = 1e-6, 8, 1e-14
+"""Where a second guess of a share is, how often it is mended, and the error that the last step leaves."""
+COARSER = 8
+"""How many points of the curve share a first guess of the share."""
 LEAST_LOAD = 1e-12
 """A load over the strength of which no table knows anything: the bodies are elastic."""
 
@@ -314,7 +316,7 @@ class LoadingTable:
         self.places = np.linspace(math.log(first), math.log(last), count)
         radii = np.exp(self.places)
         radii[0], radii[-1] = first, last
-        share = curve.share(radii)
+        share = curve.share(radii, self._rough_share(radii))
         self.states = state = curve.at(radii, share)
         _refuse_turning(state.depth)
         self.log_force = CubicSpline(self.places, np.log(state.force))
@@ -328,6 +330,13 @@ class LoadingTable:
             start = float(state.force[0] * state.depth[0]) / (1.0 + power)
         steps = self._spent(self.places[:-1], self.places[1:])
         self.works = start + np.concatenate([[0.0], np.cumsum(steps)])
+
+    def _rough_share(self, radii: Array) -> Array:
+        """Return `FirstLoading.share` nearly, by a cubic through some of the points."""
+        from scipy.interpolate import CubicSpline
+
+        some = np.unique(np.append(np.arange(0, radii.size, COARSER), radii.size - 1))
+        return np.asarray(CubicSpline(self.places[some], self.curve.share(radii[some]))(self.places))
 
     @classmethod
     def of_levels(cls, curve: FirstLoading, level: Array, by_force: bool) -> LoadingTable:
@@ -380,15 +389,16 @@ class LoadingTable:
 
 def _secant(function: Callable[[Array], Array], guess: Array) -> Array | None:
     """Return roots between zero and one near guesses, to rounding; nothing if one is not found in a few steps."""
-    before, now = guess, guess * (1.0 - NEAR) + 0.5 * NEAR
+    before, now = guess * (1.0 - NEAR) + 0.5 * NEAR, guess
     value_before, value = function(before), function(now)
     for _ in range(SECANT_STEPS):
         rise = value - value_before
         step = np.where(rise == 0.0, 0.0, value * (now - before) / np.where(rise == 0.0, 1.0, rise))
+        left = np.abs(step) * (np.abs(step) + np.abs(now - before))
         before, now, value_before = now, now - step, value
         if np.any((now <= 0.0) | (now >= 1.0)):
             return None
-        if np.all(np.abs(step) <= SECANT_LAST * now):
+        if np.all(left <= SECANT_LAST):
             return now
         value = function(now)
     return None
