@@ -283,7 +283,7 @@ class ImpactSolution(ImpactHistory[Array]):
         balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
         pressed = indentation_notes(bed, depth, radius, rubbing)
         if not slides and isinstance(bed, Foundation) and isinstance(bed.medium, HalfSpace):
-            pressed = [_beyond_yield(note) for note in pressed]
+            pressed = tuple(_beyond_yield(note) for note in pressed)
         notes = [*pressed, balance, wave_note(share), gravity_note(force)]
         if slides:
             notes += slip_notes(bed, mu, float(radius[0]))
