@@ -179,6 +179,14 @@ def test_the_results_have_the_shape_and_the_order_of_the_velocities():
         _ = solved.dented
 
 
+def test_many_velocities_are_taken_in_parts():
+    velocity = np.geomspace(1e-2, 1.0, 4001)
+    many = struck(BALL, velocity)
+    few = struck(BALL, velocity[::800])
+    for name in ("restitution", "duration", "residual_depth"):
+        np.testing.assert_allclose(getattr(many, name)[::800], getattr(few, name), rtol=1e-6)
+
+
 def test_faster_bodies_dent_more_and_bounce_less():
     for bed in (BALL, PAIR, TIP):
         solved = struck(bed, np.geomspace(1e-3, 3.0, 60))

@@ -52,6 +52,8 @@ __all__ = ["PlasticImpact", "PlasticImpactSolution"]
 
 TIME_NODES = 24
 """Nodes of the sums over time between two places where the curve bends."""
+AT_ONCE = 2000
+"""Velocities that are computed together, each at the square of these nodes."""
 TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008"
 
 
@@ -134,22 +136,9 @@ class PlasticImpact(PerLoad[Q]):
         given = np.ravel(np.asarray(self.velocity, dtype=float))
         velocity, place = np.unique(given, return_inverse=True)
         curve, energy = self._loading, 0.5 * self.mass * velocity**2
-        blow = _Blows(curve, energy)
-        state = blow.states
-        refuse_other_shapes("PlasticImpact", curve.bed, state.radius)
-        yields = state.radius > curve.onset
-        kept = np.where(yields, np.minimum(curve.stored(state), energy), energy)
-        duration = math.sqrt(0.5 * self.mass) * (blow.approach() + blow.rebound(kept))
-        columns = {
-            "restitution": np.where(yields, np.sqrt(kept / energy), 1.0),
-            "greatest_depth": state.depth,
-            "greatest_force": state.force,
-            "largest_radius": state.radius,
-            "residual_depth": np.where(yields, state.depth - state.recovery, 0.0),
-            "energy": kept,
-            "dissipation": energy - kept,
-            "duration": duration,
-        }
+        parts = [_struck(curve, energy[start : start + AT_ONCE]) for start in range(0, energy.size, AT_ONCE)]
+        columns = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+        columns["duration"] *= math.sqrt(0.5 * self.mass)
         every = {name: like(column[place], self.velocity) for name, column in columns.items()}
         return PlasticImpactSolution(self, self.velocity, **every)
 
@@ -251,6 +240,25 @@ class PlasticImpactSolution(PerLoad[Q]):
             rate = float(np.max(0.2 * bed.slope(radius) / np.ravel(self.duration)))
             notes.append(_rate_note(rate))
         return tuple(notes)
+
+
+def _struck(curve: FirstLoading, energy: Array) -> dict[str, Array]:
+    """Return the numbers of `PlasticImpactSolution` at rising energies [J]; the duration of the mass 2 kg."""
+    blow = _Blows(curve, energy)
+    state = blow.states
+    refuse_other_shapes("PlasticImpact", curve.bed, state.radius)
+    yields = state.radius > curve.onset
+    kept = np.where(yields, np.minimum(curve.stored(state), energy), energy)
+    return {
+        "restitution": np.where(yields, np.sqrt(kept / energy), 1.0),
+        "greatest_depth": state.depth,
+        "greatest_force": state.force,
+        "largest_radius": state.radius,
+        "residual_depth": np.where(yields, state.depth - state.recovery, 0.0),
+        "energy": kept,
+        "dissipation": energy - kept,
+        "duration": blow.approach() + blow.rebound(kept),
+    }
 
 
 def _rate_note(rate: float) -> Note:
