@@ -1,4 +1,4 @@
-"""Speed of metals that yield: a loop of many points, with one body that yields, with two, and with one that hardens.
+"""Speed of metals that yield: a loop of many points, a map of restitution, and a strength from a dent.
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
@@ -20,7 +20,7 @@ HARDENING = wk.PowerHardening(210e9, 0.3, strength=1e9, exponent=0.2)
 
 @pytest.mark.parametrize(
     ("medium", "limit"),
-    [(wk.HalfSpace(STEEL), 0.1), (wk.HalfSpace(STEEL, SOFT), 0.3), (wk.HalfSpace(HARDENING), 0.15)],
+    [(wk.HalfSpace(STEEL), 0.02), (wk.HalfSpace.between(STEEL, SOFT), 0.03), (wk.HalfSpace(HARDENING), 0.15)],
     ids=["one", "two", "hardening"],
 )
 def bench_a_loop_of_a_thousand_points(benchmark, below, medium, limit):
@@ -39,3 +39,15 @@ def bench_a_strength_from_a_dent(benchmark, below):
     found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
     assert found.strength > 0.0
     below(0.5, "one dent")
+
+
+@pytest.mark.parametrize("second", [None, SOFT], ids=["one", "two"])
+def bench_a_map_of_restitution(benchmark, below, second):
+    """A hundred velocities from a tenth to a thousand times that of first yield."""
+    medium = wk.HalfSpace(STEEL) if second is None else wk.HalfSpace.between(STEEL, second)
+    bed = wk.Foundation(wk.Paraboloid(5e-3), medium)
+    first = wk.PlasticImpact(bed, 4.1e-3, 1.0).yield_velocity
+    problem = wk.PlasticImpact(bed, 4.1e-3, first * np.geomspace(0.1, 1000.0, 100))
+    solution = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
+    assert solution.restitution[-1] < 0.5
+    below(0.5, "100 velocities")

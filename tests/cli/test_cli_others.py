@@ -130,6 +130,13 @@ OTHER_LINES = (
 """Problems of lines that take an example of most profiles."""
 
 
+UNLIKE_BALLS_AND_CONES = {
+    *("area_function", "capped_cylinder", "capped_paraboloid", "flat_punch", "power_law", "rounded_punch", "sum"),
+    *("truncated_cone", "truncated_paraboloid", "wavy"),
+}
+"""Profiles under which it is not known how bodies yield."""
+
+
 def goes_together(problem: str, profile: str) -> bool:
     """Say whether the example of a profile has an answer to that of a problem."""
     sharp = {
@@ -166,6 +173,7 @@ def goes_together(problem: str, profile: str) -> bool:
             set(CATALOGUE["profile"]) - {"paraboloid"},
         ),
         "sliding_resistance": pinned | KNOWN_TO_SMALL_RADII,
+        **dict.fromkeys(("plastic_indentation", "plastic_impact"), UNLIKE_BALLS_AND_CONES),
         "limiting_profile": {"flat_punch"},  # no ring that slips
         "line_limiting_profile": {"flat_punch", "area_function"},
         "viscoelastic_impact": KNOWN_TO_SMALL_RADII,

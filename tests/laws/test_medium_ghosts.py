@@ -84,6 +84,7 @@ PROBLEMS = {
         bed, wk.ResistanceLog(np.linspace(1e-3, 1e-2, 30), 1e-3 * np.linspace(1e-3, 1e-2, 30) ** -0.4)
     ),
     "OscillatingRolling": lambda bed: wk.OscillatingRolling(bed, MU, 0.01, 1e-4, LOAD, cycles=1, count=20),
+    "PlasticImpact": lambda bed: wk.PlasticImpact(bed, 1.0, 0.01),
     "PlasticIndentation": lambda bed: wk.PlasticIndentation(bed, LOAD),
     "DentLimit": lambda bed: wk.DentLimit(bed, 1e-9),
     "StrengthFromDent": lambda bed: wk.StrengthFromDent(bed, wk.Force(1.0), wk.Radius(1e-3)),

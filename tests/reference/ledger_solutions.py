@@ -764,3 +764,15 @@ def strength_of_first_yield() -> Numbers:
     """The force goes with the third power of the strength."""
     unit = _first_yield(frac("210e9"), frac("0.3"), frac("1"), frac("1e-2"))[0]
     return [mp.cbrt(frac("13.962894307677277") / unit)]
+
+
+@of_case
+def plastic_impact_first_yield() -> Numbers:
+    """The energy of Hertz's contact at that pressure, 8/15 E* R^(1/2) d^(5/2), and the time of his impact."""
+    young, nu, radius, mass, speed = (frac(text) for text in ("210e9", "0.3", "1e-2", "33e-3", "1e-2"))
+    depth = _first_yield(young, nu, frac("700e6"), radius)[1]
+    stiffness = young / (1 - nu * nu)
+    first = mp.sqrt(frac(16) / 15 * stiffness * mp.sqrt(radius) * depth ** frac("2.5") / mass)
+    deepest = (15 * mass * speed**2 / (16 * stiffness * mp.sqrt(radius))) ** frac("0.4")
+    lasting = mp.sqrt(mp.pi) * mp.gamma(frac("0.4")) / (frac("1.25") * mp.gamma(frac("0.9")))
+    return [first, 1, deepest, lasting * deepest / speed]

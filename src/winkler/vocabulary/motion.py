@@ -69,6 +69,7 @@ MOTION: dict[str, Word] = {
     "balance": Word("", "", "energy that is there and that is lost, over what there was at the beginning"),
     "duration": Word("T", "s", "how long the bodies touch"),
     "restitution": Word("e", "", "velocity of parting over velocity of approach"),
+    "yield_velocity": Word("v_Y", "m/s", "velocity of approach above which a body yields"),
     "lateral_restitution": Word("e_x", "", "restitution of the touching points along the surface"),
     "captured": Word("", "", "whether the body stays: 1 if it does, 0 if not"),
     "side": Word(r"\sigma", "", "where the body slides at the edge: 1 forwards, -1 backwards, 0 nowhere"),
@@ -123,6 +124,7 @@ MOTION: dict[str, Word] = {
     "twisted": Word(r"\phi_e", "rad", "elastic part of the twist"),
     "rolled": Word(r"\theta_e", "rad", "elastic part of the rolling"),
     "greatest_depth": Word("d_{max}", "m", "greatest depth reached during the motion"),
+    "greatest_force": Word("F_{max}", "N", "greatest normal force reached during the motion"),
     "greatest_shear_force": Word("F_{x,max}", "N", "greatest shear force reached during the motion"),
     "torsional_modulus": Word("G_t", "Pa", "effective shear modulus of the pair in torsion, 1/G_t = sum of 1/G"),
 }

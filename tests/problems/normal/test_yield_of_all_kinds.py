@@ -38,6 +38,7 @@ WITHOUT = {
     "line_shakedown": "the limit after yield is its answer",
     "line_yield_onset": "the onset is its answer",
     "master_curve": "measurements of a solid, no contact",
+    "plastic_impact": "its strength is its law",
     "plastic_indentation": "its strength is its law",
     "dent_limit": "its strength is its law",
     "strength_from_dent": "the strength is its answer",

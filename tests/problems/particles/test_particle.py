@@ -119,6 +119,23 @@ def test_yielding_particles_agree_but_for_their_growth(lammps):
     assert grown(depths)[1:] == pytest.approx(forces[1:-1], rel=1.1e-4)
 
 
+def test_let_go_they_bounce_alike_but_for_their_growth(lammps):
+    """The same curve from its greatest overlap back until the particles part: force, and work given back over spent."""
+    table = lammps("plastic")
+    depths, forces = table["overlap_m"] / 2.0, table["force_N"]
+    top = int(np.argmax(depths))
+    contact = pressed(wk.Depth(depths))
+    back = slice(top, None)
+    assert np.count_nonzero(forces[back]) > 10
+    assert contact.force[back] == pytest.approx(forces[back], abs=0.0167 * forces[top])
+
+    def restitution(force):
+        given, spent = -np.trapezoid(force[back], depths[back]), np.trapezoid(force[: top + 1], depths[: top + 1])
+        return math.sqrt(given / spent)
+
+    assert restitution(contact.force) == pytest.approx(restitution(forces), abs=0.003)
+
+
 def test_loading_and_unloading_as_written_in_the_paper():
     depths = np.concatenate([np.linspace(0.0, 0.1, 60), np.linspace(0.1, 0.0, 80), np.linspace(0.0, 0.15, 70)]) * RADIUS
     contact = pressed(wk.Depth(depths))

@@ -8,6 +8,7 @@ touches it, so that the depth is an unknown and no contact is searched for.
 import copy
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 
 GAUSS = np.array([-1.0, 1.0]) / np.sqrt(3.0)
@@ -156,7 +157,10 @@ def _times(band, vector):
 
 
 def pressed_and_released(cells, poisson, strength, profile, rise=0.0):
-    """Depth, force and residual depth of a contact of radius 1 under a rigid body f(r), modulus 1."""
+    """Depth, force, residual depth, work spent and given back of a contact of radius 1 under a rigid body f(r).
+
+    The modulus is one.
+    """
     body = Body(cells, poisson, strength, rise)
     gap = profile(body.r)
     modulus = 1.0 / (1.0 - poisson**2)
@@ -164,14 +168,21 @@ def pressed_and_released(cells, poisson, strength, profile, rise=0.0):
     def far(depth, force):  # what the body beyond the mesh yields, about a point force
         return depth + 0.3 * force / (modulus * FAR)
 
-    for k in range(1, cells + 1):
-        depth, force = body.event(k, gap)
-    back = []
-    loaded = copy.copy(body)
-    for k in range(cells - 1, 2, -1):
-        less, lower = loaded.event(k, gap, back=True)
-        back.append((lower, far(less, lower)))
-    lower, less = np.array(back).T
+    def states(body, contacts, **how):
+        found = [body.event(k, gap, **how) for k in contacts]
+        return np.array([(far(depth, force), force) for depth, force in found]).T
+
+    rising, pressing = states(body, range(1, cells + 1))
+    depth, force = rising[-1], pressing[-1]
+    less, lower = states(copy.copy(body), range(cells - 1, 2, -1), back=True)
     low = lower < 0.3 * force
     residual = np.polyfit(lower[low] ** (2.0 / 3.0), less[low], 1)[-1]
-    return far(depth, force), force, residual
+    less, lower = np.append(less[::-1], depth), np.append(lower[::-1], force)
+    given = 0.4 * lower[0] * (less[0] - residual) + _work(less, lower)  # the rest as under a ball
+    spent = _work(np.append(0.0, rising), np.append(0.0, pressing))
+    return depth, force, residual, spent, given
+
+
+def _work(depth, force):
+    """The integral of the force over the depth, by cubics."""
+    return float(CubicSpline(depth, force).integrate(depth[0], depth[-1]))

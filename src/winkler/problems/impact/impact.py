@@ -12,6 +12,7 @@ is all that takes energy.
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
@@ -21,7 +22,9 @@ import numpy as np
 from winkler.checks.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Coulomb
+from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
@@ -36,7 +39,7 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
-from winkler.validity import Assumption, Note
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Impact", "ImpactSolution"]
@@ -278,7 +281,17 @@ class ImpactSolution(ImpactHistory[Array]):
         )
         mechanical = self.kinetic_energy + self.energy + self.stored_energy
         balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
-        notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
+        pressed = indentation_notes(bed, depth, radius, rubbing)
+        if not slides and isinstance(bed, Foundation) and isinstance(bed.medium, HalfSpace):
+            pressed = tuple(_beyond_yield(note) for note in pressed)
+        notes = [*pressed, balance, wave_note(share), gravity_note(force)]
         if slides:
             notes += slip_notes(bed, mu, float(radius[0]))
         return tuple(notes)
+
+
+def _beyond_yield(note: Note) -> Note:
+    """Return a note on yield with the problem that follows a straight impact beyond it; others as they are."""
+    if note.assumption is not Assumption.ELASTIC or note.standing is not Standing.OUTSIDE:
+        return note
+    return dataclasses.replace(note, statement=f"{note.statement} PlasticImpact goes on where a body yields.")

@@ -1,1 +1,1 @@
-"""Metals that yield under a round body: pressed, let go, and pressed again."""
+"""Metals that yield under a round body: pressed, let go, pressed again, and struck."""

@@ -20,7 +20,7 @@ from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
 from winkler.values import value, words
 
-__all__ = ["Dent"]
+__all__ = ["Dent", "dimple_integral"]
 
 SERIES_BELOW = 0.3
 """Part of the radius below which the dimple and the integral of its transform are summed as series: their closed forms
@@ -127,11 +127,15 @@ class Dent(Shape):
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
-        rho = np.minimum(x / self.radius, 1.0)
-        root = np.sqrt((1.0 - rho) * (1.0 + rho))
-        closed = rho - 0.5 * (rho * root + np.arcsin(rho))
-        dimple = np.where(rho < SERIES_BELOW, _dimple_series(np.minimum(rho, SERIES_BELOW)), closed)
+        dimple = dimple_integral(np.minimum(x / self.radius, 1.0))
         return self._profile_part * self.profile.gap_integral(x) + self._dimple * self.radius * dimple
+
+
+def dimple_integral(rho: Array) -> Array:
+    """Return the integral of 1 - sqrt(1 - t^2) from 0 to rho, up to one."""
+    root = np.sqrt((1.0 - rho) * (1.0 + rho))
+    closed = rho - 0.5 * (rho * root + np.arcsin(rho))
+    return np.where(rho < SERIES_BELOW, _dimple_series(np.minimum(rho, SERIES_BELOW)), closed)
 
 
 def _surface_series(square: Array) -> Array:

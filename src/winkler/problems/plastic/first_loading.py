@@ -15,7 +15,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -38,12 +38,22 @@ from winkler.problems.plastic.yielded_response import (
     LEAST_POISSON,
     Yielded,
     beyond_tables,
+    round_part,
     strain_of_pressure,
     strain_of_shape,
     yielded,
 )
 
-__all__ = ["FirstLoading", "GreatestLoad", "first_loading", "refuse_unknown", "stored_energy"]
+__all__ = [
+    "START_SHARE",
+    "FirstLoading",
+    "GreatestLoad",
+    "LoadingTable",
+    "first_loading",
+    "integral_of_square",
+    "refuse_unknown",
+    "stored_energy",
+]
 
 POINTS_PER_EFOLD = 48
 """Points of the curve per factor e of the contact radius; the cubics between them give first guesses, and the work to
@@ -53,13 +63,17 @@ START_SHARE = 1e-3
 SHARE_POWER = 1.5
 """Power of its share of the gap with which a body counts for the shape of the pressure, from finite elements of two
 bodies: the one that yields more decides."""
-WIDENING = 1.5
+WIDENING, AT_ONCE = 1.5, 4
 LAST_SHARE = 0.999
 """Part of the reach of a profile up to which the curve is followed: a ball is vertical there."""
 LEAST_STIFFNESS = 50.0
 """Modulus over strength below which strains at yield are not small."""
 NODES = 4
 ENERGY_NODES = 24
+NEAR, SECANT_STEPS, SECANT_LAST = 1e-6, 8, 1e-14
+"""Where a second guess of a share is, how often it is mended, and the error that the last step leaves."""
+COARSER = 8
+"""How many points of the curve share a first guess of the share."""
 LEAST_LOAD = 1e-12
 """A load over the strength of which no table knows anything: the bodies are elastic."""
 
@@ -124,8 +138,14 @@ class YieldingHalf(NamedTuple):
         return Yielded(*(np.where(past, part, 0.0) for part in departure))
 
     def _beyond_start(self, load: Array, exponent: Array) -> Yielded:
-        start = np.full(load.shape, max(self.start, LEAST_LOAD))
-        return yielded(load, self.poisson, exponent).less(yielded(start, self.poisson, exponent))
+        start, part = max(self.start, LEAST_LOAD), round_part(exponent)
+        alike = part.size and bool(np.all(part == part[0]))
+        begun = (
+            _begun(start, self.poisson, float(part[0]))
+            if alike
+            else yielded(np.full(exponent.shape, start), self.poisson, exponent)
+        )
+        return yielded(load, self.poisson, exponent).less(begun)
 
     def _hardened(self, elastic: Array, exponent: Array, past: Array) -> Yielded:
         """Return the departure with the flow stress in place of the strength; zeros where it has not yielded.
@@ -157,6 +177,12 @@ class YieldingHalf(NamedTuple):
         return np.asarray(elastic * np.exp(-self.answer(elastic, exponent).fall))
 
 
+@functools.lru_cache(maxsize=64)
+def _begun(start: float, poisson: float, part: float) -> Yielded:
+    """Return the departure where yielding begins, of profiles all alike."""
+    return yielded(np.array([start]), poisson, np.array([1.0 + part]))
+
+
 class FirstLoading(NamedTuple):
     """First loading of a bed.
 
@@ -179,7 +205,9 @@ class FirstLoading(NamedTuple):
         """Return force [N] or depth [m] where one of the bodies begins to yield."""
         if not 0.0 < self.onset < math.inf:
             return self.onset
-        return float(self.at(np.array([self.onset])).level(by_force)[0])
+        place = np.array([self.onset])
+        depth = self.bed.gap(place)
+        return float((self.bed.stiffness(place) * depth - self.bed.gap_load(place) if by_force else depth)[0])
 
     def exponent(self, radius: Array) -> Array:
         """Return d ln g / d ln a [-] at contact radii `(n,)` [m]."""
@@ -188,8 +216,7 @@ class FirstLoading(NamedTuple):
     def beyond_tables(self, radius: float) -> bool:
         """Whether the law of a body is continued beyond its finite elements at a contact radius [m]."""
         at = np.array([radius])
-        strain, exponent = self._strain(at), self.exponent(at)
-        share = self._share(strain, exponent)
+        strain, exponent, share = self._strain(at), self.exponent(at), self.share(at)
         return any(
             bool(beyond_tables(body.modulus * part * strain / body.strength, body.poisson, exponent)[0])
             for body, part in ((self.first, share), (self.second, 1.0 - share))
@@ -202,8 +229,15 @@ class FirstLoading(NamedTuple):
         force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
         return np.asarray(force / (np.pi * radius**2 * bed.medium.modulus))  # type: ignore[attr-defined]
 
-    def at(self, radius: Array) -> GreatestLoad:
-        """Return the states of first loading at contact radii `(n,)` [m], positive."""
+    def at(self, radius: Array, share: Array | None = None) -> GreatestLoad:
+        """Return the states of first loading at contact radii `(n,)` [m], positive.
+
+        Parameters
+        ----------
+        radius : ndarray, (n,)
+        share : ndarray, (n,), optional
+            `share` at these radii, where it is known.
+        """
         bed = self.bed
         gap = bed.gap(radius)
         stiffness = bed.stiffness(radius)
@@ -211,7 +245,8 @@ class FirstLoading(NamedTuple):
         area = np.pi * radius**2
         exponent = self.exponent(radius)
         strain = self._strain(radius)
-        share = self._share(strain, exponent)
+        if share is None:
+            share = self.share(radius)
         pressure, taken, kept, weights = (np.zeros_like(gap) for _ in range(4))
         for body, part in ((self.first, share), (self.second, 1.0 - share)):
             if math.isinf(body.modulus):
@@ -229,22 +264,35 @@ class FirstLoading(NamedTuple):
         fullness = kept * elastic_force / (stiffness * gap) + (1.0 - kept) * 0.25 * np.pi
         return GreatestLoad(radius, gap * taken, force, force / (stiffness * fullness), kept)
 
-    def _share(self, strain: Array, exponent: Array) -> Array:
-        """Return the part of the gap that stands against the first body."""
+    def share(self, radius: Array, guess: Array | None = None) -> Array:
+        """Return the part of the gap that stands against the first body, at contact radii `(n,)` [m].
+
+        Parameters
+        ----------
+        radius : ndarray, (n,)
+        guess : ndarray, (n,), optional
+            Parts near by.
+        """
         first, second = self.first, self.second
         if math.isinf(second.modulus):
-            return np.ones_like(strain)
+            return np.ones_like(radius)
         if math.isinf(first.modulus):
-            return np.zeros_like(strain)
+            return np.zeros_like(radius)
         if first == second:
-            return np.full_like(strain, 0.5)
+            return np.full_like(radius, 0.5)
+        strain, exponent = self._strain(radius), self.exponent(radius)
 
         def excess(share: Array, index: Array) -> Array:
             at, power = strain[index], exponent[index]
             pressed = first.pressure(first.modulus * share * at, power)
             return pressed - second.pressure(second.modulus * (1.0 - share) * at, power)
 
-        return bracketed(excess, np.zeros_like(strain), np.ones_like(strain))
+        whole = np.arange(radius.size)
+        if guess is not None:
+            found = _secant(lambda share: excess(share, whole), guess)
+            if found is not None:
+                return found
+        return bracketed(excess, np.zeros_like(radius), np.ones_like(radius))
 
     def at_level(self, level: Array, *, by_force: bool) -> tuple[GreatestLoad, Array]:
         """Return the states of first loading at forces [N] or depths [m] `(n,)`, and the work spent on each [J].
@@ -267,12 +315,20 @@ class FirstLoading(NamedTuple):
         state = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
         if not yielding.any():
             return state, work
-        table = LoadingTable(self, level[yielding], by_force)
-        found = self.at(table.radii(level[yielding]))
+        table = LoadingTable.of_levels(self, level[yielding], by_force)
+        found = table.at(table.radii(level[yielding], by_force))
         found = found._replace(**{"force" if by_force else "depth": level[yielding]})
         for whole, part in zip((*state, work), (*found, table.work(found.radius)), strict=True):
             whole[yielding] = part
         return state, work
+
+    def wider(self, radius: float) -> Iterator[float]:
+        """Yield this contact radius and wider ones, up to the end of what is known of the profile [m]."""
+        end = max(radius, LAST_SHARE * self.bed.reach)
+        while radius < end:
+            yield radius
+            radius *= WIDENING
+        yield end
 
     def stored(self, state: GreatestLoad) -> Array:
         """Return the energies that unloading from states would give back [J]."""
@@ -287,7 +343,7 @@ class FirstLoading(NamedTuple):
 
         energy = np.zeros(touching.shape)
         modulus = self.bed.medium.modulus  # type: ignore[attr-defined]
-        energy[touching] = modulus * _integral_of_square(pressed, self.bed, radius, radius)
+        energy[touching] = modulus * integral_of_square(pressed, self.bed, radius, radius)
         return energy
 
     def springs(self, state: GreatestLoad, index: int) -> Foundation:
@@ -299,30 +355,22 @@ class FirstLoading(NamedTuple):
 
 
 class LoadingTable:
-    """The curve from where yielding begins to beyond the greatest of some loads."""
+    """The curve from one contact radius to another."""
 
-    def __init__(self, curve: FirstLoading, level: Array, by_force: bool) -> None:
+    def __init__(self, curve: FirstLoading, first: float, last: float) -> None:
         from scipy.interpolate import CubicSpline
 
-        self.curve, self.by_force = curve, by_force
-        least, most = float(np.min(level)), float(np.max(level))
-        first = curve.onset
-        if first == 0.0:
-            first = START_SHARE * self._elastic_radius(least)
-        last = self._beyond(max(first, self._elastic_radius(most)), most)
+        self.curve = curve
         count = 2 + math.ceil(POINTS_PER_EFOLD * math.log(last / first))
         self.places = np.linspace(math.log(first), math.log(last), count)
         radii = np.exp(self.places)
         radii[0], radii[-1] = first, last
-        state = curve.at(radii)
-        self.levels = state.level(by_force)
-        if np.any(np.diff(self.levels) <= 0.0) or np.any(np.diff(state.depth) <= 0.0):
-            raise OutsideValidity(
-                "PlasticIndentation: within this load the curve of first loading turns back, which the law for bodies "
-                "of revolution does not cover; give a smaller load or a smoother profile."
-            )
+        share = curve.share(radii, self._rough_share(radii))
+        self.states = state = curve.at(radii, share)
+        _refuse_turning(state.depth)
         self.log_force = CubicSpline(self.places, np.log(state.force))
         self.log_depth = CubicSpline(self.places, np.log(state.depth))
+        self.share = CubicSpline(self.places, share)
         self.nodes, self.weights = gauss_legendre(NODES)
         if curve.onset > 0.0:
             start = float(stored_energy(curve.bed, state.depth[:1], state.radius[:1])[0])
@@ -332,34 +380,45 @@ class LoadingTable:
         steps = self._spent(self.places[:-1], self.places[1:])
         self.works = start + np.concatenate([[0.0], np.cumsum(steps)])
 
-    def _elastic_radius(self, level: float) -> float:
-        solve = at_force if self.by_force else at_depth
-        return float(solve(self.curve.bed, np.array([level]))[1][0])
+    def _rough_share(self, radii: Array) -> Array:
+        """Return `FirstLoading.share` nearly, by a cubic through some of the points."""
+        from scipy.interpolate import CubicSpline
 
-    def _beyond(self, radius: float, level: float) -> float:
-        """Return a radius at which the curve is beyond a load; it is beyond the elastic radius."""
-        end = self.curve.bed.reach
-        while True:
-            state = self.curve.at(np.array([radius]))
-            if float(state.level(self.by_force)[0]) > level:
-                return radius
-            if radius >= LAST_SHARE * end:
-                word, unit = ("force", "N") if self.by_force else ("depth", "m")
-                raise OutsideValidity(
-                    f"PlasticIndentation: the {word} of {level:.6g} {unit} leads beyond the reach of the profile "
-                    f"({end:.6g} m), where nothing is known of it; give a smaller one."
-                )
-            radius = min(WIDENING * radius, LAST_SHARE * end)
+        some = np.unique(np.append(np.arange(0, radii.size, COARSER), radii.size - 1))
+        return np.asarray(CubicSpline(self.places[some], self.curve.share(radii[some]))(self.places))
 
-    def radii(self, level: Array) -> Array:
+    @classmethod
+    def of_levels(cls, curve: FirstLoading, level: Array, by_force: bool) -> LoadingTable:
+        """Return the curve from where yielding begins to beyond the greatest of some loads."""
+        solve = at_force if by_force else at_depth
+        least, most = (float(solve(curve.bed, np.array([end]))[1][0]) for end in (np.min(level), np.max(level)))
+        first, greatest = curve.onset or START_SHARE * least, float(np.max(level))
+        wider = curve.wider(max(first, most))
+        while radii := list(itertools.islice(wider, AT_ONCE)):
+            beyond = curve.at(np.array(radii)).level(by_force) > greatest
+            if beyond.any():
+                return cls(curve, first, radii[int(np.argmax(beyond))])
+        word, unit = ("force", "N") if by_force else ("depth", "m")
+        end = curve.bed.reach
+        raise OutsideValidity(
+            f"The {word} of {greatest:.6g} {unit} leads beyond the reach of the profile ({end:.6g} m), where nothing "
+            "is known of it; give a smaller one."
+        )
+
+    def at(self, radius: Array) -> GreatestLoad:
+        """Return the states at radii, as `FirstLoading.at`, sooner."""
+        return self.curve.at(radius, self.curve.share(radius, self.share(np.log(radius))))
+
+    def radii(self, level: Array, by_force: bool) -> Array:
         """Return the radii at which the curve meets loads."""
-        spline = self.log_force if self.by_force else self.log_depth
+        spline, levels = self.log_force if by_force else self.log_depth, self.states.level(by_force)
+        _refuse_turning(levels)
 
         def with_slope(radius: Array) -> tuple[Array, Array]:
-            value = self.curve.at(radius).level(self.by_force)
+            value = self.at(radius).level(by_force)
             return value, value * spline(np.log(radius), 1) / radius
 
-        guess = np.exp(np.interp(np.log(level), np.log(self.levels), self.places))
+        guess = np.exp(np.interp(np.log(level), np.log(levels), self.places))
         first, last = math.exp(self.places[0]), math.exp(self.places[-1])
         guess = np.clip(guess, first * (1.0 + 1e-15), last * (1.0 - 1e-15))
         return invert(with_slope, level, lower=0.0, upper=last, guess=guess)
@@ -377,16 +436,41 @@ class LoadingTable:
         return np.asarray((rate @ self.weights) * (high - low))
 
 
+def _secant(function: Callable[[Array], Array], guess: Array) -> Array | None:
+    """Return roots between zero and one near guesses, to rounding; nothing if one is not found in a few steps."""
+    before, now = guess * (1.0 - NEAR) + 0.5 * NEAR, guess
+    value_before, value = function(before), function(now)
+    for _ in range(SECANT_STEPS):
+        rise = value - value_before
+        step = np.where(rise == 0.0, 0.0, value * (now - before) / np.where(rise == 0.0, 1.0, rise))
+        left = np.abs(step) * (np.abs(step) + np.abs(now - before))
+        before, now, value_before = now, now - step, value
+        if np.any((now <= 0.0) | (now >= 1.0)):
+            return None
+        if np.all(left <= SECANT_LAST):
+            return now
+        value = function(now)
+    return None
+
+
+def _refuse_turning(levels: Array) -> None:
+    if np.any(np.diff(levels) <= 0.0):
+        raise OutsideValidity(
+            "Within this load the curve of first loading turns back, which the law for bodies of revolution that yield "
+            "does not cover; give a smaller load or a smoother profile."
+        )
+
+
 def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
     """Return the elastic energy [J] of contacts on half-spaces at depths [m] and radii [m] `(n,)`."""
     wall = bed.reach if isinstance(bed.profile, Dent) else math.inf
-    squares = _integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
+    squares = integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
     modulus = bed.medium.modulus  # type: ignore[attr-defined]
     return np.asarray(modulus * (depth * depth * radius + squares) - depth * bed.gap_load(radius))
 
 
-def _integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
-    """Integrate curve(x, index)^2 from 0 to each radius; it may end like a root at the wall of that index."""
+def integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
+    """Return the integrals of curve(x, index)^2 from 0 to radii; it may end like a root at the wall of that index."""
     nodes, weights = gauss_legendre(ENERGY_NODES)
     total, walled = np.zeros(radius.shape), np.isfinite(wall)[:, None]
     scale = np.where(np.isfinite(wall), wall, 1.0)

@@ -27,11 +27,19 @@ from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import shape_notes
 from winkler.problems.plastic.first_loading import FirstLoading, first_loading, refuse_unknown, stored_energy
+from winkler.problems.plastic.release import Release
 from winkler.problems.plastic.yielded_response import round_part
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value, words
 
-__all__ = ["PlasticIndentation", "PlasticPress", "PlasticSolution", "PlasticState"]
+__all__ = [
+    "PlasticIndentation",
+    "PlasticPress",
+    "PlasticSolution",
+    "PlasticState",
+    "law_notes",
+    "refuse_other_shapes",
+]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1017/CBO9781139171731"
 LAW = Note(
@@ -195,26 +203,32 @@ def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
     curve = problem._loading
     greatest, group = np.unique(np.maximum.accumulate(np.maximum(levels, 0.0)), return_inverse=True)
     state, spent = curve.at_level(greatest, by_force=by_force)
-    _refuse_other_shapes(problem.bed, state.radius)
+    refuse_other_shapes("PlasticIndentation", problem.bed, state.radius)
     left, stored = state.depth - state.recovery, curve.stored(state)
     edge = curve.bed.profile.height(state.radius) - state.depth
     depth, force, radius, energy = (part[group] for part in (state.depth, state.force, state.radius, stored))
-    again = levels < greatest[group]
-    for index in np.unique(group[again]).tolist():
-        here = np.flatnonzero(again & (group == index))
-        springs, residual = curve.springs(state, index), left[index]
-        now = levels[here] if by_force else levels[here] - residual
-        d, a = (at_force if by_force else at_depth)(springs, now)
-        touching = a > 0.0
-        borne = levels[here] if by_force else np.where(touching, springs.stiffness(a) * d - springs.gap_load(a), 0.0)
-        depth[here], force[here], radius[here] = d + residual if by_force else levels[here], borne, a
-        energy[here] = np.where(touching, stored_energy(springs, d, a), 0.0)
-    lost = np.where(state.radius > curve.onset, np.maximum(spent - stored, 0.0), 0.0)
+    yielded, again = state.radius > curve.onset, levels < greatest[group]
+    for dented in (False, True):
+        here = np.flatnonzero(again & (yielded[group] == dented))
+        if not here.size:
+            continue
+        index, now = group[here], levels[here] if by_force else levels[here] - left[group[here]]
+        if dented:
+            release = Release(curve.bed, state)
+            d, a = release.at(now, index, by_force=by_force)
+            borne, given = release.force(d, a, index), release.energy(d, a, index)
+        else:
+            d, a = (at_force if by_force else at_depth)(curve.bed, now)
+            borne = np.where(a > 0.0, curve.bed.stiffness(a) * d - curve.bed.gap_load(a), 0.0)
+            given = stored_energy(curve.bed, d, a)
+        depth[here] = d + left[index] if by_force else levels[here]
+        force[here], radius[here], energy[here] = levels[here] if by_force else borne, a, given
+    lost = np.where(yielded, np.maximum(spent - stored, 0.0), 0.0)
     edge = np.where(state.radius > 0.0, edge, 0.0)
     return depth, force, radius, left[group], state.radius[group], edge[group], energy, lost[group]
 
 
-def _refuse_other_shapes(bed: Bed, radius: Array) -> None:
+def refuse_other_shapes(owner: str, bed: Bed, radius: Array) -> None:
     """Refuse contacts that end where the profile is much blunter than a paraboloid or sharper than a cone."""
     touching = radius[radius > 0.0]
     exponent = touching * bed.gap_slope(touching) / bed.gap(touching)
@@ -222,7 +236,7 @@ def _refuse_other_shapes(bed: Bed, radius: Array) -> None:
     if np.any(bad):
         where = int(np.flatnonzero(bad)[0])
         raise OutsideValidity(
-            f"PlasticIndentation: at a contact radius of {touching[where]:.4g} m the equivalent profile grows like the "
+            f"{owner}: at a contact radius of {touching[where]:.4g} m the equivalent profile grows like the "
             f"power {exponent[where]:.3g} of the radius; yielding is known of cones, power 1, to paraboloids, power 2: "
             "give such a profile, or a load at which the contact does not end there."
         )
@@ -342,21 +356,25 @@ class PlasticSolution(PlasticPress[Array], Looped):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         widest = float(np.max(self.largest_radius, initial=0.0))
-        loading = self.problem._loading
-        yields = widest > loading.onset
-        notes = [note for note in self.problem.bed.notes if not (yields and note.assumption is Assumption.RESPONSE)]
-        if widest > 0.0:
-            notes += shape_notes(self.problem.bed, widest)
-        if yields:
-            notes.append(LAW)
-            if any(isinstance(body.solid, Hardening) for body in (loading.first, loading.second)):
-                notes.append(HARDENED)
-            least, most = BLUNT_SHARES
-            ball = float(round_part(loading.exponent(np.array([widest])))[0])
-            if least < ball < most:
-                notes.append(BETWEEN)
-            if ball > least and (wide := float(abs(self.problem.bed.slope(np.array([widest]))[0]))) > LARGE_FROM:
-                notes.append(_large(wide))
-            if loading.beyond_tables(widest):
-                notes.append(FULLY_PLASTIC)
-        return (*notes, *self._cycle_notes)
+        return (*law_notes(self.problem._loading, widest), *self._cycle_notes)
+
+
+def law_notes(loading: FirstLoading, widest: float) -> tuple[Note, ...]:
+    """Return how far the law can be trusted up to a contact radius [m]."""
+    bed, yields = loading.bed, widest > loading.onset
+    notes = [note for note in bed.notes if not (yields and note.assumption is Assumption.RESPONSE)]
+    if widest > 0.0:
+        notes += shape_notes(bed, widest)
+    if yields:
+        notes.append(LAW)
+        if any(isinstance(body.solid, Hardening) for body in (loading.first, loading.second)):
+            notes.append(HARDENED)
+        least, most = BLUNT_SHARES
+        ball = float(round_part(loading.exponent(np.array([widest])))[0])
+        if least < ball < most:
+            notes.append(BETWEEN)
+        if ball > least and (wide := float(abs(bed.slope(np.array([widest]))[0]))) > LARGE_FROM:
+            notes.append(_large(wide))
+        if loading.beyond_tables(widest):
+            notes.append(FULLY_PLASTIC)
+    return tuple(notes)

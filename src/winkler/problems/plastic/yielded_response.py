@@ -84,6 +84,8 @@ missing; fitted to finite elements of balls that harden linearly, by 0.1 E, and 
 by 0.005 E and 0.02 E, by powers of 0.1 and 0.4, with a Poisson's ratio of 0.45, and a cone."""
 LAST_HARDENED = 10.0
 """Load x up to which these were made.  Beyond, the strain is in proportion to the contact radius: Meyer's law."""
+EXPONENT_ROUNDING = 1e-13
+"""By which local exponents of paraboloids and cones may miss two and one."""
 
 
 class Yielded(NamedTuple):
@@ -152,7 +154,8 @@ def strain_of_shape(load: Array, missing: Array) -> Array:
 
 def round_part(exponent: Array) -> Array:
     """Return the part of a paraboloid in the law of profiles of local exponents; the rest is that of a cone."""
-    return np.clip(exponent - 1.0, 0.0, 1.0)
+    part = np.clip(exponent - 1.0, 0.0, 1.0)
+    return np.where(part > 1.0 - EXPONENT_ROUNDING, 1.0, np.where(part < EXPONENT_ROUNDING, 0.0, part))
 
 
 def beyond_tables(load: Array, poisson: float, exponent: Array) -> Array:

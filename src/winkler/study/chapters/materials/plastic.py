@@ -28,6 +28,14 @@ YIELDING = (
     ),
 )
 
+BOUNCING = (
+    Equation(
+        "The body rests where first loading has taken its energy, and leaves with what the dent gives back",
+        r"\frac{m v^2}{2} = \int_0^{d_{max}} F_N\,\mathrm{d}d, \quad "
+        r"e^2 = \frac{2}{m v^2}\int_{d_0}^{d_{max}} F_N\,\mathrm{d}d",
+    ),
+)
+
 PLASTIC = Chapter(
     "metals that yield",
     kinds={},
@@ -92,6 +100,28 @@ PLASTIC = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, *YIELDING),
+        ),
+        "plastic_impact": answer(
+            "winkler.problems.plastic.impact:PlasticImpact",
+            question="How does a ball bounce off a metal that yields, and which dent does it leave?",
+            page="chapters/metals.md#struck",
+            key="metal",
+            en="restitution of metals restitution map dent of a dropped ball steel ball dropped on steel plate inelastic impact energy lost by plastic deformation yield velocity dynamic hardness rebound hardness leeb shore scleroscope peening dent drop height of a ball that dents",
+            de="stosszahl von metall plastischer stoss rückprallhärte fallende kugel delle fliessgeschwindigkeit",
+            fr="restitution des métaux choc plastique dureté par rebond bille tombante empreinte vitesse de plastification",
+            headline=("restitution", "residual_depth", "duration"),
+            bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
+            mass="33 g",
+            velocity=["5 mm/s", "10 mm/s", "20 mm/s", "50 mm/s", "0.1 m/s", "0.2 m/s", "0.5 m/s", "1 m/s"],
+            picture=Caption(
+                "metal_impact",
+                "Restitution and dents",
+                "Restitution, dent and time of contact over the velocity, dotted where yield begins; of one velocity "
+                "force and contact radius over the depth, and the dent.",
+            ),
+            curves=(("velocity", "restitution"), ("velocity", "residual_depth")),
+            pictured=PicturedContact.NONE,  # as above
+            formulas=followed_by(normal_formulas, *YIELDING, *BOUNCING),
         ),
     },
 )

@@ -1,0 +1,412 @@
+r"""A body that strikes metal, straight: how it bounces, and which dent it leaves.
+
+The contact force is that of slow motion, so that energy decides: the body is stopped at the depth at which the curve
+of first loading has taken its energy, and leaves with what the dent gives back,
+
+.. math:: W(d_{max}) = \tfrac12 m v^2, \qquad e = \sqrt{U(d_{max})/W(d_{max})} .
+
+Both are sums along known curves, and so is the time,
+
+.. math:: T = \int_0^{d_{max}}\frac{\mathrm dd}{\sqrt{2(W(d_{max})-W(d))/m}}
+              + \int_{d_0}^{d_{max}}\frac{\mathrm dd}{\sqrt{2(U(d_{max})-U(d))/m}} .
+
+Nothing is marched: e is one up to the velocity at which a body begins to yield.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import math
+from typing import Annotated, ClassVar
+
+import numpy as np
+
+from winkler.checks.number_checks import POSITIVE_QUANTITY, PositiveNotTiny
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
+from winkler.numerics.equations.roots import invert
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array, PerLoad, Q, like, shaped
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
+from winkler.problems.impact.validity import gravity_note
+from winkler.problems.normal.force_curve import rough_depth
+from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.one_load import single
+from winkler.problems.plastic.first_loading import (
+    START_SHARE,
+    FirstLoading,
+    GreatestLoad,
+    LoadingTable,
+    first_loading,
+    refuse_unknown,
+    stored_energy,
+)
+from winkler.problems.plastic.indentation import law_notes, refuse_other_shapes
+from winkler.problems.plastic.release import Release
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value, words
+
+__all__ = ["PlasticImpact", "PlasticImpactSolution"]
+
+TIME_NODES = 24
+"""Nodes of the sums over time between two places where the curve bends."""
+AT_ONCE = 2000
+"""Velocities that are computed together, each at the square of these nodes."""
+TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008"
+
+
+@value
+class PlasticImpact(PerLoad[Q]):
+    """A body of revolution strikes another one, straight and without friction, of which at least one yields.
+
+    Parameters
+    ----------
+    bed : Foundation
+        As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`, one body of which has a strength,
+        or both; the strength is that at the rate of the impact.
+    mass : float
+        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+    velocity : float or ndarray
+        v [m/s] of approach at first touch, positive; the results have its shape.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is of the wrong sign or kind, or for a bed as in `PlasticIndentation`.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 11.5, doi:10.1017/CBO9781139171731;
+    D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008
+
+    Examples
+    --------
+    A steel ball of 10 mm that drops on a plate of mild steel from a tenth of a millimetre, and from half a metre.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> plate = Elastic(young=210e9, poisson=0.3, strength=300e6)
+    >>> bed = Foundation(Paraboloid(5e-3), HalfSpace(plate, Elastic(210e9, 0.3)))
+    >>> drops = PlasticImpact(bed, mass=4.1e-3, velocity=np.sqrt(2.0 * 9.81 * np.array([1e-4, 0.5]))).solve()
+    >>> drops.restitution.round(3), (drops.residual_depth * 1e6).round(2)
+    (array([0.904, 0.469]), array([ 0.17, 30.37]))
+    >>> round(drops.yield_velocity * 1e3, 2)
+    6.82
+    """
+
+    __words__ = words(bed=("", None, "profile and bodies of the contact"))
+
+    bed: Bed
+    mass: PositiveNotTiny
+    velocity: Annotated[Q, POSITIVE_QUANTITY]
+
+    needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
+    references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015", "tabor_1948")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.INERTIA}
+
+    def __post_init__(self) -> None:
+        refuse_unknown("PlasticImpact", self.bed)
+
+    @property
+    def _loading(self) -> FirstLoading:
+        assert isinstance(self.bed, Foundation)
+        return first_loading(self.bed)
+
+    @property
+    def yield_velocity(self) -> float:
+        """Velocity above which one of the bodies yields [m/s]; zero of a sharp tip, infinite if none does."""
+        return math.sqrt(2.0 * _onset_energy(self._loading) / self.mass)
+
+    def solve(self) -> PlasticImpactSolution[Q]:
+        """Return restitution, dent and duration at every velocity.
+
+        Returns
+        -------
+        PlasticImpactSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is pressed in beyond what is known of its profile, or to where that is much blunter than a
+            paraboloid or sharper than a cone.
+        """
+        given = np.ravel(np.asarray(self.velocity, dtype=float))
+        velocity, place = np.unique(given, return_inverse=True)
+        curve, energy = self._loading, 0.5 * self.mass * velocity**2
+        parts = [_struck(curve, energy[start : start + AT_ONCE]) for start in range(0, energy.size, AT_ONCE)]
+        columns = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+        columns["duration"] *= math.sqrt(0.5 * self.mass)
+        every = {name: like(column[place], self.velocity) for name, column in columns.items()}
+        return PlasticImpactSolution(self, self.velocity, **every)
+
+
+@value
+class PlasticImpactSolution(PerLoad[Q]):
+    """The solution of a `PlasticImpact`; every quantity has the shape of the velocity.
+
+    Parameters
+    ----------
+    problem : PlasticImpact
+        The problem that was solved.
+    velocity : float or ndarray
+        v [m/s] of approach at first touch.
+    restitution : float or ndarray
+        Velocity of parting over that of approach [-].
+    greatest_depth, greatest_force, largest_radius : float or ndarray
+        d_max [m], F_max [N] and a [m] at the moment of rest; the last is the radius of the dent.
+    residual_depth : float or ndarray
+        d0 [m], at which the bodies would just touch after the impact: the depth of the dent.
+    energy, dissipation : float or ndarray
+        What the bodies give back, and what they do not [J]; a part of the latter stays in them as residual stress.
+    duration : float or ndarray
+        How long the bodies touch [s].
+    """
+
+    __words__ = words(
+        energy=("U", "J", "energy that the bodies give back"),
+        largest_radius=("a_m", "m", "contact radius at the moment of rest, that of the dent"),
+        dented=("", None, "bed on which the contact is elastic after the impact"),
+    )
+
+    problem: PlasticImpact[Q]
+    velocity: Q
+    restitution: Q
+    greatest_depth: Q
+    greatest_force: Q
+    largest_radius: Q
+    residual_depth: Q
+    energy: Q
+    dissipation: Q
+    duration: Q
+
+    per_load: ClassVar[str] = "restitution"
+
+    @property
+    def yield_velocity(self) -> float:
+        """As of the problem [m/s]."""
+        return self.problem.yield_velocity
+
+    @property
+    def mean_pressure(self) -> Q:
+        """F_max / (pi a^2) [Pa], at the moment of rest."""
+        return shaped(np.asarray(self.greatest_force) / (np.pi * np.asarray(self.largest_radius) ** 2))
+
+    @property
+    def dented(self) -> Foundation:
+        """The bed that an impact leaves, elastic up to its greatest force; of one velocity, not of an array.
+
+        Depths on it are counted from `residual_depth`.
+        """
+        depth = np.array([single(self.greatest_depth, "dent")])
+        curve = self.problem._loading
+        return curve.springs(curve.at_level(depth, by_force=False)[0], 0)
+
+    def at(self, index: int | tuple[int, ...]) -> PlasticImpactSolution[float]:
+        """Return the solution at one velocity of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such velocity.
+        """
+        fields = [item.name for item in dataclasses.fields(self) if item.name != "problem"]
+        try:
+            numbers = {name: float(np.asarray(getattr(self, name))[index]) for name in fields}
+        except (IndexError, TypeError):
+            raise InvalidInput(
+                f"solution.at: there is no velocity {index!r} in a solution of shape {np.shape(self.velocity)}."
+            ) from None
+        one = PlasticImpact(self.problem.bed, self.problem.mass, numbers["velocity"])
+        return PlasticImpactSolution(one, **numbers)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the law of yielding, rate, waves, gravity."""
+        problem, radius = self.problem, np.ravel(self.largest_radius)
+        curve, widest = problem._loading, float(np.max(radius))
+        bed, fastest = curve.bed, float(np.max(self.velocity))
+        modulus = float(bed.normal_stiffness(np.array([widest]))[0])
+        share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=fastest)
+        notes = [*law_notes(curve, widest), wave_note(share), gravity_note(np.asarray(self.greatest_force))]
+        if widest > curve.onset:
+            rate = float(np.max(0.2 * bed.slope(radius) / np.ravel(self.duration)))
+            notes.append(_rate_note(rate))
+        return tuple(notes)
+
+
+def _struck(curve: FirstLoading, energy: Array) -> dict[str, Array]:
+    """Return the numbers of `PlasticImpactSolution` at rising energies [J]; the duration of the mass 2 kg."""
+    blow = _Blows(curve, energy)
+    state = blow.states
+    refuse_other_shapes("PlasticImpact", curve.bed, state.radius)
+    yields = state.radius > curve.onset
+    kept = np.where(yields, np.minimum(curve.stored(state), energy), energy)
+    return {
+        "restitution": np.where(yields, np.sqrt(kept / energy), 1.0),
+        "greatest_depth": state.depth,
+        "greatest_force": state.force,
+        "largest_radius": state.radius,
+        "residual_depth": np.where(yields, state.depth - state.recovery, 0.0),
+        "energy": kept,
+        "dissipation": energy - kept,
+        "duration": blow.approach() + blow.rebound(kept),
+    }
+
+
+def _rate_note(rate: float) -> Note:
+    """Return what the rate of strain [1/s] means for a strength that is one number."""
+    return Note(
+        Assumption.RESPONSE,
+        Standing.APPROXIMATE,
+        f"The strength is one number, while the metal flows at up to {rate:.1g} 1/s, by the strain of 0.2 times the "
+        "slope at the edge of the dent: many metals are stronger at such rates, and bounce higher. Give the strength "
+        "at this rate.",
+        TABOR,
+    )
+
+
+def _onset_energy(curve: FirstLoading) -> float:
+    """Return the energy at which one of the bodies begins to yield [J]."""
+    if not 0.0 < curve.onset < math.inf:
+        return curve.onset
+    radius = np.array([curve.onset])
+    return float(stored_energy(curve.bed, curve.bed.gap(radius), radius)[0])
+
+
+class _Blows:
+    """Where bodies of some energies [J], rising, are stopped, and how long that takes."""
+
+    def __init__(self, curve: FirstLoading, energy: Array) -> None:
+        self.curve, self.energy = curve, energy
+        self.first = curve.onset
+        self.table: LoadingTable | None = None
+        yielding = energy > _onset_energy(curve)
+        radius = np.zeros_like(energy)
+        if not yielding.all():
+            radius[~yielding] = self._elastic_radii(energy[~yielding])
+        bed = curve.bed
+        depth = bed.gap(radius)
+        force = bed.stiffness(radius) * depth - bed.gap_load(radius)
+        self.states = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
+        if yielding.any():
+            self.table = self._table(energy[yielding])
+            self.first = float(self.table.states.radius[0])
+            found = self.table.at(self._radii(self.table, energy[yielding]))
+            for whole, part in zip(self.states, found, strict=True):
+                whole[yielding] = part
+
+    def _elastic_radii(self, energy: Array) -> Array:
+        bed = self.curve.bed
+        most = np.array([min(bed.reach, self.curve.onset)])
+        if math.isfinite(most[0]) and self._elastic_work(most)[0] < energy[-1]:
+            raise _beyond(bed, float(energy[-1]))
+        rough = _rough_radius(bed, float(energy[-1])) * (energy / energy[-1]) ** 0.2  # as of a ball
+        guess = np.minimum(rough, (1.0 - 1e-9) * most[0])
+
+        def work(radius: Array) -> tuple[Array, Array]:
+            force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
+            return self._elastic_work(radius), force * bed.gap_slope(radius)
+
+        return invert(work, energy, lower=0.0, upper=(1.0 + 1e-9) * float(most[0]), guess=guess)
+
+    def _elastic_work(self, radius: Array) -> Array:
+        return stored_energy(self.curve.bed, self.curve.bed.gap(radius), radius)
+
+    def _table(self, energy: Array) -> LoadingTable:
+        """Return the curve of first loading up to beyond the greatest energy."""
+        curve, most = self.curve, float(energy[-1])
+        first = curve.onset or START_SHARE * _rough_radius(curve.bed, float(energy[0]))
+        start = max(WIDER * first, min(_rough_radius(curve.bed, most), curve.bed.reach))
+        for last in curve.wider(start):
+            table = LoadingTable(curve, first, last)
+            if table.works[-1] > most:
+                return table
+        raise _beyond(curve.bed, most)
+
+    @staticmethod
+    def _radii(table: LoadingTable, energy: Array) -> Array:
+        first, last = math.exp(table.places[0]), math.exp(table.places[-1])
+
+        def work(radius: Array) -> tuple[Array, Array]:
+            place = np.log(radius)
+            rate = np.exp(table.log_force(place) + table.log_depth(place)) * table.log_depth(place, 1)
+            return table.work(radius), rate / radius
+
+        guess = np.exp(np.interp(np.log(energy), np.log(table.works), table.places))
+        guess = np.clip(guess, first * (1.0 + 1e-15), last * (1.0 - 1e-15))
+        return invert(work, energy, lower=0.0, upper=last, guess=guess)
+
+    def _work(self, radius: Array) -> tuple[Array, Array]:
+        """Return what loading to radii takes [J], and the rise of the depth with them [-]."""
+        elastic = radius <= self.first
+        work, rise = np.zeros_like(radius), self.curve.bed.gap_slope(np.where(elastic, radius, 0.0))
+        work[elastic] = self._elastic_work(radius[elastic])
+        if self.table is not None and not elastic.all():
+            place = np.log(radius[~elastic])
+            work[~elastic] = self.table.work(radius[~elastic])
+            rise[~elastic] = np.exp(self.table.log_depth(place) - place) * self.table.log_depth(place, 1)
+        return work, rise
+
+    def approach(self) -> Array:
+        """Return the sums of dd / sqrt(W(d_max) - W(d)) until rest [m / J^(1/2)]."""
+        greatest = self.states.radius
+        begin = np.zeros_like(greatest)
+        total = np.zeros_like(greatest)
+        if self.table is not None and self.curve.onset == 0.0:  # nothing slows a sharp tip before the curve begins
+            begin += self.first
+            total += float(self.table.states.depth[0]) / np.sqrt(self.energy)
+        nodes, weights = gauss_legendre(TIME_NODES)
+        bends = [b for b, _ in self.curve.bed.kinks if b > 0.0] + ([self.curve.onset] if self.curve.onset > 0.0 else [])
+        cuts = [np.clip(bend, begin, greatest) for bend in sorted(bends) if math.isfinite(bend)]
+        for low, high in itertools.pairwise([begin, *cuts, greatest]):
+            # a = a_max (1 - s^2): the root at rest is not left in s
+            start, end = (np.sqrt(1.0 - place / greatest)[:, None] for place in (high, low))
+            s = start + (end - start) * nodes
+            radius = greatest[:, None] * (1.0 - s * s)
+            work, rise = (part.reshape(s.shape) for part in self._work(radius.ravel()))
+            left = np.maximum(self.energy[:, None] - work, np.finfo(float).tiny)
+            total += (2.0 * greatest[:, None] * s * rise / np.sqrt(left) * (end - start)) @ weights
+        return total
+
+    def rebound(self, kept: Array) -> Array:
+        """Return the sums of dd / sqrt(U(d_max) - U(d)) from rest on [m / J^(1/2)], with the energies kept [J]."""
+        nodes, weights = gauss_legendre(TIME_NODES)
+        states, curve = self.states, self.curve
+        index = np.broadcast_to(np.arange(kept.size)[:, None], (kept.size, nodes.size)).ravel()
+        depth = np.outer(states.recovery, 1.0 - nodes * nodes).ravel()
+        radius, stored = np.zeros_like(depth), np.zeros_like(depth)
+        dented = (states.radius > curve.onset)[index]
+        if dented.any():
+            release = Release(curve.bed, states)
+            radius[dented] = release.at(depth[dented], index[dented], by_force=False)[1]
+            stored[dented] = release.energy(depth[dented], radius[dented], index[dented])
+        if not dented.all():
+            radius[~dented] = at_depth(curve.bed, depth[~dented])[1]
+            stored[~dented] = stored_energy(curve.bed, depth[~dented], radius[~dented])
+        left = (kept[index] - stored).reshape(-1, nodes.size)
+        return np.asarray(2.0 * states.recovery * ((nodes / np.sqrt(left)) @ weights))
+
+
+WIDER = 1.01
+"""By how much a curve that is looked at is wider than where it begins, at least."""
+
+
+def _rough_radius(bed: Foundation, energy: float) -> float:
+    """Return a contact radius [m] of the order of that at which a bed has stored an energy [J]."""
+    return float(at_depth(bed, np.array([rough_depth(bed, energy)]))[1][0])
+
+
+def _beyond(bed: Foundation, energy: float) -> OutsideValidity:
+    return OutsideValidity(
+        f"PlasticImpact: {energy:.6g} J press the body beyond its reach ({bed.reach:.6g} m); describe more of the "
+        "profile, or give a slower or lighter body."
+    )
