@@ -25,7 +25,7 @@ from winkler.checks.number_checks import Advice, NonNegative, Whole
 from winkler.errors import InvalidInput
 from winkler.laws.varying_friction import FallingFriction, Rolled, greatest_coefficient
 from winkler.loading import Force
-from winkler.media.halfspace import HalfSpace
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.springs.fastsim import mapped, rolled
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.coupling import sticking_note
@@ -46,7 +46,7 @@ HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
 
-ISOTROPIC = Advice("Kalker's coefficients are those of homogeneous, isotropic bodies")
+HERTZIAN = Advice("on layers and gradings a contact is no ellipse under Hertz' pressure; ProfilePairRolling takes them")
 ONE_FORCE = Condition(
     lambda load: np.ndim(load.force) == 0 and float(load.force) > 0.0, "give Force(F) with one positive number"
 )
@@ -60,7 +60,7 @@ class SimplifiedRolling(PerLoad[Q]):
     ----------
     footprint : ContactEllipse, CurvedBodies or CurvedPair
         The contact, or the curvatures it comes from.
-    medium : HalfSpace
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
         The pair of bodies.
     friction : Coulomb or FallingFriction
         A coefficient that is positive and finite, or one that falls with the velocity at which the bodies, were they
@@ -78,7 +78,7 @@ class SimplifiedRolling(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the load is no positive number, the medium no HalfSpace, or friction falls and no speed is given.
+        If the load is no positive number, the medium not homogeneous, or friction falls and no speed is given.
 
     References
     ----------
@@ -92,6 +92,7 @@ class SimplifiedRolling(PerLoad[Q]):
 
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> steel = Elastic(young=208e9, poisson=0.25)
     >>> contact = ContactEllipse(longitudinal_semi_axis=6e-3, lateral_semi_axis=6e-3)
     >>> spun = SimplifiedRolling(
@@ -106,7 +107,7 @@ class SimplifiedRolling(PerLoad[Q]):
     )
 
     footprint: ContactEllipse | CurvedBodies | CurvedPair
-    medium: Annotated[HalfSpace, ISOTROPIC]
+    medium: Annotated[HomogeneousMedium, HERTZIAN]
     friction: Rolled
     creepage: Creepage[Q]
     load: Annotated[Force[Q], ONE_FORCE]
