@@ -2,8 +2,8 @@ r"""A disc that rolls without slip on any medium, by boundary elements: Kalker's
 
 On the pixels of a disc the tractions are found under which material that comes in at the leading edge is moved by the
 creepage alone.  Forces err in proportion to the size of a pixel, on a half-space as on layers.  So each is divided by
-that of a half-space of nearly the same surface on the same pixels and multiplied by the coefficient of `winkler.problems.rolling.linear_theory`,
-and what is left of the error is taken away with the half of the pixels (Richardson).
+that of a half-space of nearly the same surface on the same pixels, multiplied by the coefficient of
+`winkler.problems.rolling.linear_theory`, and extrapolated from half of the pixels (Richardson).
 """
 
 from __future__ import annotations

@@ -203,7 +203,7 @@ STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "The line gives forces, not where on the surface they act: the zone of stick of a round contact is no strip "
-    "between parallels; use SimplifiedRolling for a map.",
+    "between parallels; use SurfaceRolling for a map.",
     VERMEULEN,
 )
 
@@ -242,7 +242,7 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage, calibration: Kalker 
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
             f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
-            "use SimplifiedRolling."
+            "use SimplifiedRolling, on layers and gradings SurfaceRolling."
         )
 
 

@@ -267,6 +267,13 @@ def test_woven_bodies_roll_as_the_isotropic_pair_that_tractions_move_alike():
     assert alike.shear_modulus == pytest.approx(woven.shear_modulus, rel=1e-12)
     stuck = [wk.Kalker().stiffness(wk.Foundation(wk.Paraboloid(1.0), medium), 1.0) for medium in (woven, alike)]
     assert stuck[0] == pytest.approx(stuck[1], rel=1e-12)
+    spun, ellipse = wk.Creepage(1e-3, 5e-4, 1.0), wk.ContactEllipse(2e-3, 1e-3)
+    forces = [
+        (rolled.longitudinal_force, rolled.lateral_force, rolled.moment)
+        for medium in (woven, alike)
+        for rolled in [wk.SimplifiedRolling(ellipse, medium, FRICTION, spun, wk.Force(1e-6)).solve()]
+    ]
+    assert forces[0] == pytest.approx(forces[1], rel=1e-12)
     disc = rolled_disc(woven, 1.0)
     assert [0.5 * disc.longitudinal, 0.5 * disc.lateral] == pytest.approx(stuck[0], rel=3e-3)
 
