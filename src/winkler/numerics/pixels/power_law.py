@@ -111,7 +111,7 @@ class PowerLawSurface(NamedTuple):
     @property
     def strength(self) -> float:
         """u(r) r^(1 + k) of E* under a unit force [m^k]."""
-        return self._cosine * self.depth**self.exponent / math.pi
+        return float(self._cosine * self.depth**self.exponent / math.pi)
 
     @property
     def _kernels(self) -> tuple[PowerLawKernel, PowerLawKernel]:

@@ -91,7 +91,7 @@ class StripLoad(NamedTuple):
 
     def load(self, x: Array) -> Array:
         """Return q_z [N/m] at 0 <= x <= a."""
-        return np.maximum(self.loads(self._angle(x)), 0.0)
+        return np.asarray(np.maximum(self.loads(self._angle(x)), 0.0))
 
     def before(self, x: Array) -> Array:
         """Return its integral from 0 to x [N]."""
@@ -139,7 +139,7 @@ class RollingLine:
     __words__ = words(most=(r"\mu F_N", "N", "shear force from which all springs slide"))
 
     coefficient: float
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
 
     @property
     def radius(self) -> float:

@@ -72,7 +72,7 @@ def rolled_disc(medium: MappedMedium, radius: float) -> RolledDisc:
         exact * _forces(compliance, radius, count) / _forces(even, radius, count) for count in (PIXELS // 2, PIXELS)
     )
     found = 2.0 * fine - coarse
-    return RolledDisc(*found.tolist(), float(np.max(np.abs(found / fine - 1.0))))
+    return RolledDisc(float(found[0]), float(found[1]), float(np.max(np.abs(found / fine - 1.0))))
 
 
 def _forces(compliance: Compliance, radius: float, count: int) -> Array:

@@ -16,7 +16,7 @@ include it alternate between stick and slip the more, the finer they are.
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from winkler.errors import InvalidInput
 from winkler.laws.varying_friction import FallingFriction, Rolled, greatest_coefficient
 from winkler.loading import Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Medium
 from winkler.numerics.springs.fastsim import mapped, rolled
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.coupling import sticking_note
@@ -245,7 +246,7 @@ class SimplifiedRollingSolution(CreepageSolution[Q]):
         moments = (moment_note(self.coefficients, *axes),) if aside else ()
         distances = distance_notes(creep, axes[0] / axes[1], rolling_pair(problem.medium).poisson)
         law, most = problem.friction, greatest_coefficient(problem.friction)
-        coupled = sticking_note(problem.medium, most)
+        coupled = sticking_note(cast(Medium, problem.medium), most)
         yielding = ellipse_yield_notes(problem.medium, axes, problem.load.force, most)
         falling = (self._falling_note(law),) if isinstance(law, FallingFriction) else ()
         idle = idle_speed_notes(law, problem.speed)
