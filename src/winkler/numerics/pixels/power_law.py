@@ -26,7 +26,7 @@ from winkler.numerics.types import Array
 __all__ = ["PowerLawSurface", "straightened"]
 
 NODES = 32
-"""Of the integral in `straightened`: to the last digits for places up to 1e4 pixels away."""
+"""Of the integral in `straightened`: to 1e-12 for places up to 1e4 pixels away."""
 
 
 class PowerLawKernel(NamedTuple):

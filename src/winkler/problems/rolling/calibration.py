@@ -10,12 +10,14 @@ in the place of G*, and the coefficients of a circle, the creep force of a ball 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
 from winkler.problems.rolling.distances import MEASURED_BY, MEASURED_ON_LAYERS, ON_LAYERS, ball_distances
 from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
 from winkler.validity import Assumption, Note, Standing
@@ -70,8 +72,10 @@ class Kalker:
                 f"ball was within {ON_LAYERS[0]:.2g} of mu F_N of boundary elements under longitudinal or lateral "
                 f"creepage alone, within {ON_LAYERS[1]:.2g} under both."
             )
+            if departure(bed.height, radius) > HERTZIAN_DEPARTURE:
+                statement += " This body is no ball, and of it the distance is not known."
             return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_ON_LAYERS),)
-        part = departure(bed, radius)
+        part = departure(bed.gap, radius)
         one, both = ball_distances(rolling_pair(bed.medium).poisson)
         statement, source = (
             "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his does, and up "
@@ -127,10 +131,10 @@ def _disc(bed: Bed, radius: float) -> RolledDisc:
     return rolled_disc(cast("MappedMedium", bed.medium), radius)
 
 
-def departure(bed: Bed, radius: float) -> float:
-    """Return how far the plane profile leaves the parabola through its end, in parts of its height there."""
+def departure(profile: Callable[[Array], Array], radius: float) -> float:
+    """Return how far a profile leaves the parabola through its end, in parts of its height there."""
     x = radius * np.linspace(0.0, 1.0, 17)[1:]
-    gap = bed.gap(x)
+    gap = profile(x)
     if gap[-1] <= 0.0:
         return 1.0
     return float(np.max(np.abs(gap / gap[-1] - (x / radius) ** 2)))
