@@ -278,6 +278,14 @@ def test_woven_bodies_roll_as_the_isotropic_pair_that_tractions_move_alike():
     assert [0.5 * disc.longitudinal, 0.5 * disc.lateral] == pytest.approx(stuck[0], rel=3e-3)
 
 
+@pytest.mark.parametrize(("profile", "unknown"), [(wk.Paraboloid(1.0), False), (wk.PowerLaw(2.0, 4.0), True)])
+def test_a_body_that_is_no_ball_is_labelled(profile, unknown):
+    bed = wk.Foundation(profile, POWER)
+    notes = wk.Rolling(bed, FRICTION, wk.Creepage(1e-3), wk.Radius(0.01)).solve().validity
+    stated = next(note.statement for note in notes if "within 0.08 of mu F_N" in note.statement)
+    assert stated.endswith("This body is no ball, and of it the distance is not known.") == unknown
+
+
 def test_what_does_not_roll_on_a_line():
     shape, load = wk.Paraboloid(1.0), wk.Radius(0.01)
     slides = wk.StackedHalfSpace([wk.StackLayer(BASE, 0.01, bonded=False)], BASE)
