@@ -19,6 +19,8 @@ BETWEEN = 5e-3
 Rows = tuple[tuple[float, float, float], ...]
 """Amount, direction [deg] and spin of creepages."""
 MU, FORCE = 0.3, 1e-2
+NU = (0.0, 0.3, 0.5)
+"""Poisson's ratios of layers."""
 COUNT, MARGIN = 72, 4
 """Pixels along each axis of the ellipse, and beside it."""
 AMOUNTS, ANGLES = (0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 4.0), (15.0, 30.0, 45.0, 60.0, 75.0)
@@ -93,6 +95,26 @@ def ball_row(poisson: float, one: Rows = ONE, both: Rows = BOTH) -> list[float]:
     return found
 
 
+def layered_row(contrast: float, width: float, poisson: float, count: int = 40) -> list[float]:
+    """Return the distances of `Rolling` of a ball on a layer of a contrast and a contact radius over its thickness."""
+    a, layer = 1e-2, wk.Layer(wk.Elastic(contrast, poisson), 1e-2 / width)
+    medium = wk.CoatedHalfSpace([layer], wk.Elastic(1.0, poisson))
+    bed = wk.Foundation(wk.Paraboloid(1.0), medium)
+    load = wk.Force(float(wk.Indentation(bed, wk.Radius(a)).solve().force))
+    most, stiffness = MU * load.force, np.array(wk.Kalker().stiffness(bed, a))
+    wide, found = count + 2 * MARGIN, []
+    rough = wk.SampledProfile([2.0 * a * wide / count] * 2, wk.Paraboloid(1.0), (wide, wide))
+    for rows in (ONE, BOTH):
+        amount, angle, _ = np.array(rows).T
+        each = amount * np.stack([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+        creepage = wk.Creepage(*(1.5 * most / a**2 * each / stiffness[:, None]))
+        exact = wk.SurfaceRolling(rough, medium, load, wk.Coulomb(MU), creepage).solve()
+        line = wk.Rolling(bed, wk.Coulomb(MU), creepage, load).solve()
+        off = [np.subtract(getattr(line, n), getattr(exact, n)) for n in ("longitudinal_force", "lateral_force")]
+        found.append(float(np.max(np.hypot(*off))) / most)
+    return found
+
+
 def upward(number: float) -> float:
     """Return a number rounded up to hundredths, with what pixels and creepages between may add."""
     return math.ceil(100.0 * (number + BETWEEN)) / 100.0
@@ -105,6 +127,13 @@ def main() -> None:
     for ratio in RATIOS:
         print("    [" + ", ".join(str([upward(part) for part in ellipse_row(ratio, nu)]) for nu in POISSON) + "],")
     print([[upward(part) for part in ball_row(nu)] for nu in POISSON])
+    layers = [
+        layered_row(contrast, width, nu)
+        for contrast in (0.1, 10.0)
+        for width in (0.3, 1.0, 3.0, 10.0, 30.0)
+        for nu in NU
+    ]
+    print([upward(part) for part in np.max(layers, axis=0)])
 
 
 if __name__ == "__main__":

@@ -13,8 +13,6 @@ from winkler.foundation.plane import PlaneFoundation
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
-from winkler.materials.graded import PowerLawGraded
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
@@ -71,7 +69,7 @@ class TestBall:
     def test_follows_the_cubic_law(self, calibration, poisson):
         bed = ball(poisson)
         force, _ = slack(bed, 0.01)
-        stiffness = calibration.stiffness(bed)
+        stiffness = calibration.stiffness(bed, 0.01)
         tau = np.linspace(-4.0, 4.0, 161)
         for word, kappa in zip(("longitudinal", "lateral"), stiffness, strict=True):
             creepage = Creepage(**{word: tau * MU * force / (2.0 * kappa * 0.01**2)})
@@ -96,8 +94,8 @@ class TestBall:
     )
     def test_is_too_soft_without_calibration(self, poisson, along, across):
         bed = ball(poisson)
-        raw = Uncalibrated().stiffness(bed)[0]
-        wanted = Kalker().stiffness(bed)
+        raw = Uncalibrated().stiffness(bed, 0.01)[0]
+        wanted = Kalker().stiffness(bed, 0.01)
         assert raw / wanted[0] == pytest.approx(along, abs=6e-4)
         assert raw / wanted[1] == pytest.approx(across, abs=6e-4)
         assert raw == pytest.approx(2.0 / (2.0 - poisson), rel=1e-14)
@@ -127,7 +125,7 @@ class TestBall:
     def test_both_creepages_together(self):
         bed = ball(0.3)
         force, _ = slack(bed, 0.01)
-        along, across = Kalker().stiffness(bed)
+        along, across = Kalker().stiffness(bed, 0.01)
         xi, eta = np.meshgrid(np.linspace(-2.0, 2.0, 9), np.linspace(-2.0, 2.0, 9))
         unit = MU * force / (2.0 * 0.01**2)
         rolled = Rolling(bed, FRICTION, Creepage(xi * unit / along, eta * unit / across), Radius(0.01)).solve()
@@ -163,7 +161,7 @@ class TestProfiles:
     def test_any_convex_profile_against_a_march(self, profile, share):
         bed = ball(0.25, profile)
         _, depth = slack(bed, 0.01)
-        kappa = Uncalibrated().stiffness(bed)[0]
+        kappa = Uncalibrated().stiffness(bed, 0.01)[0]
         slope = float(bed.gap_slope(np.array([0.01]))[0])
         creepage = share * MU * bed.medium.modulus * slope / kappa
         rolled = Rolling(bed, FRICTION, Creepage(creepage), Radius(0.01), Uncalibrated()).solve()
@@ -176,7 +174,7 @@ class TestProfiles:
         """A wavy ball: behind each crest the bound may grow faster than sticking springs are stretched."""
         bed = ball(0.25, Sum([Paraboloid(1.0), Wavy(amplitude=2e-6, wavelength=3e-3)]))
         _, depth = slack(bed, 0.01)
-        kappa = Kalker().stiffness(bed)[0]
+        kappa = Kalker().stiffness(bed, 0.01)[0]
         wanted, x, load = brute_force(lambda r: MU * bed.medium.modulus * (depth - bed.gap(r)), kappa * creepage, 0.01)
         rolled = Rolling(bed, FRICTION, Creepage(creepage), Radius(0.01)).solve()
         assert rolled.longitudinal_force == pytest.approx(wanted, rel=2e-6)
@@ -187,7 +185,7 @@ class TestProfiles:
     def test_a_flat_punch(self):
         """The bound is the same everywhere: q = min(kappa s (a - x), mu E* d)."""
         bed = ball(0.25, FlatPunch(radius=0.01))
-        kappa, bound = Kalker().stiffness(bed)[0], MU * bed.medium.modulus * 1e-5
+        kappa, bound = Kalker().stiffness(bed, 0.01)[0], MU * bed.medium.modulus * 1e-5
         force = bound * 0.02
         for share in (0.2, 1.0, 5.0):
             s = share * bound / (kappa * 0.02)
@@ -226,11 +224,6 @@ class TestRefused:
     def test_loads(self, load):
         with pytest.raises(InvalidInput, match="one number"):
             Rolling(ball(), FRICTION, Creepage(1e-3), load)
-
-    def test_media(self):
-        graded = GradedHalfSpace.between(PowerLawGraded(1e9, 1e-3, 0.2, 0.3))
-        with pytest.raises(InvalidInput, match="homogeneous"):
-            Rolling(Foundation(Paraboloid(1.0), graded), FRICTION, Creepage(1e-3), Radius(0.01))
 
     def test_apart(self):
         with pytest.raises(OutsideValidity, match="do not touch"):

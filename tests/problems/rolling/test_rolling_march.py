@@ -29,7 +29,7 @@ SOLID = Elastic(2.5, 0.25)
 MEDIUM = HalfSpace.between(SOLID, SOLID)
 BALL = Foundation(Paraboloid(1.0), MEDIUM)
 FORCE = float(Indentation(BALL, Radius(RADIUS)).solve().force)
-KAPPA = Kalker().stiffness(BALL)[0]
+KAPPA = Kalker().stiffness(BALL, 1.0)[0]
 SLIDES = 3.0 * MU * FORCE / (2.0 * KAPPA * RADIUS**2)
 """The creepage from which the ball slides."""
 
@@ -142,7 +142,7 @@ class TestStart:
 
     def test_lateral(self):
         along = start().solve().shear_force
-        across, stiff = Kalker().stiffness(BALL)[1], KAPPA
+        across, stiff = Kalker().stiffness(BALL, 1.0)[1], KAPPA
         turned = (
             dataclasses.replace(start(), creepage=Creepage(lateral=0.4 * SLIDES * stiff / across)).solve().shear_force
         )

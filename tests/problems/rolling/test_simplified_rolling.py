@@ -16,9 +16,10 @@ import pytest
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force
-from winkler.materials.elastic import Elastic, TransverselyIsotropic
+from winkler.materials.elastic import Elastic
+from winkler.materials.layered import Layer
 from winkler.media.halfspace import HalfSpace
-from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.numerics.springs.fastsim import rolled
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.kalker import creep_coefficients
@@ -350,9 +351,9 @@ class TestRefused:
             dataclasses.replace(rolling(Creepage(1e-3)), **change)
 
     def test_media(self):
-        wood = TransverselyIsotropicHalfSpace(TransverselyIsotropic(150e9, 60e9, 50e9, 120e9, 40e9))
-        with pytest.raises(InvalidInput, match="give HalfSpace"):
-            dataclasses.replace(rolling(Creepage(1e-3)), medium=wood)
+        coated = CoatedHalfSpace([Layer(Elastic(1e9, 0.3), 1e-3)], Elastic(2e9, 0.3))
+        with pytest.raises(InvalidInput, match="on layers and gradings a contact is no ellipse"):
+            dataclasses.replace(rolling(Creepage(1e-3)), medium=coated)
 
     @pytest.mark.parametrize("axis", [0.0, -1.0, math.inf, math.nan, "wide"])
     def test_sizes(self, axis):

@@ -125,9 +125,16 @@ def test_what_is_no_joint_is_refused():
         wk.JointStiffness(ball(), pair(0.3), LAW, wk.Force(1.0), share=np.array([0.5, 1.0]))
     with pytest.raises(OutsideValidity, match="touches everywhere, and its two sides are one body"):
         wk.JointStiffness(waves(16), pair(0.3), LAW, wk.Force(10.0)).solve()
+    gibson = wk.GradedHalfSpace.between(wk.PowerLawGraded(young=1.0, depth_scale=1.0, exponent=1.0, poisson=0.5))
+    with pytest.raises(OutsideValidity, match="meets springs of the surface alone"):
+        wk.JointStiffness(ball(), gibson, LAW, wk.Force(0.01))
+
+
+@pytest.mark.slow
+def test_a_ball_on_a_power_law_is_as_stiff_along_the_surface_as_its_springs():
     graded = wk.GradedHalfSpace.between(wk.PowerLawGraded(young=1.0, depth_scale=1.0, exponent=0.3, poisson=0.3))
-    with pytest.raises(OutsideValidity, match="a power of the depth, are not known"):
-        wk.JointStiffness(ball(), graded, LAW, wk.Force(0.01))
+    joint = wk.JointStiffness(ball(32), graded, LAW, wk.Force(0.02), share=np.array([0.5])).solve()
+    assert joint.stiffness_x / joint.stiffness == pytest.approx(graded.shear_modulus / graded.modulus, rel=5e-3)
 
 
 def test_layers_say_what_they_leave_out():

@@ -19,10 +19,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.pixels.integrals import over_pixels, over_slices
 from winkler.numerics.types import Array
 
-__all__ = ["PowerLawSurface"]
+__all__ = ["PowerLawSurface", "straightened"]
+
+NODES = 32
+"""Of the integral in `straightened`: to 1e-12 for places up to 1e4 pixels away."""
 
 
 class PowerLawKernel(NamedTuple):
@@ -105,11 +109,34 @@ class PowerLawSurface(NamedTuple):
         return over_slices(graded, edges, across, rows) - over_slices(love, edges, across, rows)
 
     @property
+    def strength(self) -> float:
+        """u(r) r^(1 + k) of E* under a unit force [m^k]."""
+        return float(self._cosine * self.depth**self.exponent / math.pi)
+
+    @property
     def _kernels(self) -> tuple[PowerLawKernel, PowerLawKernel]:
         """What a unit force moves, and what it moves after Boussinesq."""
-        strength = self._cosine * self.depth**self.exponent / math.pi
-        return PowerLawKernel(strength, self.exponent), PowerLawKernel(1.0 / math.pi, 0.0)
+        return PowerLawKernel(self.strength, self.exponent), PowerLawKernel(1.0 / math.pi, 0.0)
 
     def lost(self, pixel: tuple[float, float]) -> float:
         """Return zero: a power law has no length that pixels could be too coarse for."""
         return 0.0
+
+
+def straightened(x: Array, y: Array, exponent: float) -> Array:
+    r"""Return the integral of :math:`x\,(x^2+t^2)^{-(1+k)/2}` over t from 0 to y: x arsinh(y / |x|) for k = 0.
+
+    Parameters
+    ----------
+    x, y : ndarray
+        Not zero, of shapes that fit each other.
+    exponent : float
+        k.
+    """
+    far = np.arcsinh(y / np.abs(x))
+    if exponent == 0.0:
+        return np.asarray(x * far)
+    whole = np.zeros(far.shape)
+    for node, weight in zip(*gauss_legendre(NODES), strict=True):
+        whole += weight * np.cosh(node * far) ** -exponent
+    return np.asarray(x * np.abs(x) ** -exponent * far * whole)

@@ -11,8 +11,9 @@ import numpy as np
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 
-__all__ = ["doubled_traction", "halved_grid", "halved_means"]
+__all__ = ["doubled_traction", "halved_grid", "halved_means", "in_own_units"]
 
+ROUNDING = 1e-9
 AHEAD = 1
 """Pixels added ahead of a coarse grid: what rolls in must be seen before it touches."""
 
@@ -22,6 +23,20 @@ def halved_grid(grid: TractionGrid) -> TractionGrid:
     (nx, ny), (dx, dy) = grid.grid.shape, grid.grid.pixel
     shape = (nx + 1) // 2 + AHEAD, (ny + 1) // 2
     return TractionGrid.of(shape, (2.0 * dx, 2.0 * dy), grid.compliance, periodic=False)
+
+
+def in_own_units(grid: TractionGrid) -> tuple[TractionGrid, float]:
+    """Return the grid for tractions over E* at the depth that pixels feel, and that E* over the given one.
+
+    Steps of the solution take the response of a pixel for about one, which under a power of the depth depends on E*.
+    """
+    power = grid.compliance.power
+    share = float(power.whole(np.ones(1))[0]) if power else 1.0
+    if not power or abs(share - 1.0) < ROUNDING:
+        return grid, 1.0
+    power = power._replace(depth=power.depth * share ** (-1.0 / power.exponent))
+    own = grid.compliance._replace(power=power)
+    return TractionGrid.of(grid.grid.shape, grid.grid.pixel, own, periodic=False), 1.0 / share
 
 
 def halved_means(field: Array) -> Array:

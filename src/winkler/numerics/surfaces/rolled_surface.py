@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.surfaces.halved_rolling import doubled_traction, halved_grid, halved_means
+from winkler.numerics.surfaces.halved_rolling import doubled_traction, halved_grid, halved_means, in_own_units
 from winkler.numerics.surfaces.sheared_surface import AT_BOUND, STIFFEST, within
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
@@ -101,6 +101,10 @@ def roll(grid: TractionGrid, bound: Array, rigid: Array, start: Array, *, tolera
     NotConverged
         If the bound is not met.
     """
+    grid, own = in_own_units(grid)
+    if own != 1.0:
+        rolled = roll(grid, bound / own, rigid, start / own, tolerance=tolerance)
+        return rolled._replace(traction=own * rolled.traction)
     inside = bound > 0.0
     scale = float(np.sum(bound * np.hypot(rigid[0], rigid[1])))
     misfit, light = math.inf, grid.in_single_digits()

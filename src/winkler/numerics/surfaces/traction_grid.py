@@ -7,9 +7,11 @@ both bodies against each other by
     - \frac\beta\pi\int\frac{\mathbf r}{r^2}\,p\,\mathrm dA' , \qquad
     u_z = \frac1\pi\int\frac pr\,\mathrm dA' + \frac\beta\pi\int\frac{\mathbf r\cdot\mathbf q}{r^2}\,\mathrm dA'
 
-(Cerruti, Boussinesq).  On waves these are four functions of the wave number, across and along the wave in the plane,
-out of the plane, and the coupling of both; a layered body has others.  Of a free surface the displacements at the
-centres of the pixels are in closed form, of a periodic one
+(Cerruti, Boussinesq); of moduli that follow a power k of the depth c_0, 1/r becomes
+:math:`\cos\tfrac{\pi k}2\,c_0^k/r^{1+k}`, a becomes (a - k (a + b)) / (1 - k) and b becomes b (1 + k) / (1 - k).  On
+waves these are four functions of the wave number, across and along the wave in the plane, out of the plane, and the
+coupling of both; a layered body has others.  Of a free surface the displacements at the centres of the pixels are in
+closed form, of a periodic one
 
 .. math:: \hat u = \frac 2q\,\Big[a + b\,\Big(1-\frac{\mathbf q\,\mathbf q^T}{q^2}\Big)\Big]\hat{\mathbf q}
     + \frac{2 i\beta\,\mathbf q}{q^2}\,\hat p .
@@ -24,6 +26,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.pixels.layered_shear import LayeredShear
+from winkler.numerics.pixels.power_law import PowerLawSurface, straightened
 from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
@@ -43,16 +46,20 @@ class Compliance(NamedTuple):
         beta, the second constant of Dundurs.
     layers
         What differs from homogeneous bodies, in the unit of length of the pixels; nothing unless given.
+    power
+        Power of the depth that the moduli follow, in the same unit; none unless given.
     """
 
     even: float
     along: float
     coupling: float = 0.0
     layers: LayeredShear | None = None
+    power: PowerLawSurface | None = None
 
     def in_units_of(self, length: float) -> Compliance:
         """Return the same with lengths measured by this one."""
-        return self._replace(layers=self.layers.in_units_of(length)) if self.layers else self
+        layers = self.layers.in_units_of(length) if self.layers else None
+        return self._replace(layers=layers, power=self.power.in_units_of(length) if self.power else None)
 
 
 class TractionGrid(NamedTuple):
@@ -139,7 +146,8 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
     import scipy.fft
 
     grid = SurfaceGrid.of(shape, pixel, periodic=periodic)
-    a, b, beta, layers = compliance
+    a, b, beta, layers, power = compliance
+    k, strength = (power.exponent, power.strength) if power else (0.0, 1.0 / np.pi)
     qx = 2.0 * np.pi * scipy.fft.fftfreq(shape[0], pixel[0])[:, None]
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(shape[1], pixel[1])[None, :]
     q = np.hypot(qx, qy)
@@ -157,6 +165,9 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
         lengthwise, crosswise = lengthwise + even - turning, crosswise + even + turning
         bent = 1.0 / lengthwise - 1.0 / crosswise
         inverse = grid.wave_numbers * np.stack((1.0 / crosswise + bent * xx, bent * xy, 1.0 / crosswise + bent * yy))
+    if power:
+        share = power.whole(q)
+        lengthwise, crosswise, inverse = share * lengthwise, share * crosswise, inverse / share
     inverse[:, 0, 0] = MEAN_WAVE_RATIO * np.pi / max(shape[0] * pixel[0], shape[1] * pixel[1]) * np.array([1, 0, 1]) / a
     if periodic:
         more = crosswise - lengthwise
@@ -165,9 +176,10 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
         across = -2.0 * beta * odd * np.stack((qx + 0.0 * q, qy + 0.0 * q)) / q**2
     else:
         padded = grid.padded
-        first = _kernel(lambda x, y: x * np.arcsinh(y / np.abs(x)), shape, pixel, padded, (1, 1)) / np.pi
-        second = _kernel(lambda x, y: y * np.arcsinh(x / np.abs(y)), shape, pixel, padded, (1, 1)) / np.pi
-        crossed = _kernel(lambda x, y: -np.hypot(x, y), shape, pixel, padded, (-1, -1)) / np.pi
+        first = _kernel(lambda x, y: straightened(x, y, k), shape, pixel, padded, (1, 1)) * (strength / (1.0 - k))
+        second = _kernel(lambda x, y: straightened(y, x, k), shape, pixel, padded, (1, 1)) * (strength / (1.0 - k))
+        crossed = _kernel(lambda x, y: -(np.hypot(x, y) ** (1.0 - k)), shape, pixel, padded, (-1, -1))
+        crossed *= strength / (1.0 - k) ** 2
         both = a * (first + second)
         along = np.stack((both + b * second, b * crossed, both + b * first))
         if layers:

@@ -10,13 +10,22 @@ in the place of G*, and the coefficients of a circle, the creep force of a ball 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, cast
+
 import numpy as np
 
 from winkler.foundation.bed import Bed
-from winkler.problems.rolling.distances import MEASURED_BY, ball_distances
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.problems.rolling.distances import MEASURED_BY, MEASURED_ON_LAYERS, ON_LAYERS, ball_distances
 from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
+
+if TYPE_CHECKING:
+    from winkler.media.mapped import MappedMedium
+    from winkler.problems.rolling.rolled_disc import RolledDisc
 
 __all__ = ["Kalker", "Uncalibrated"]
 
@@ -32,28 +41,41 @@ HERTZIAN_DEPARTURE = 0.01
 class Kalker:
     """Springs with the stiffness that gives Kalker's coefficients of a round contact: the default."""
 
-    def stiffness(self, bed: Bed) -> tuple[float, float]:
-        """Return c11 G / 2 and c22 G / 2 [Pa].
+    def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
+        """Return c11 G / 2 and c22 G / 2 [Pa], of layers and gradings half the forces of a disc that does not slip.
 
         Parameters
         ----------
         bed : Bed
-            On a HalfSpace.
+        radius : float
+            a [m] of the contact.
 
         Raises
         ------
-        InvalidInput
-            If the medium is no pair of homogeneous, isotropic half-spaces.
         OutsideValidity
-            If Poisson's ratio is negative.
+            If Poisson's ratio is negative, or that of tractions on an anisotropic surface outside Kalker's table.
         """
+        if not isinstance(bed.medium, HomogeneousMedium):
+            disc = _disc(bed, radius)
+            return 0.5 * disc.longitudinal, 0.5 * disc.lateral
         pair = rolling_pair(bed.medium)
         coefficients = creep_coefficients(1.0, pair.poisson)
         return 0.5 * coefficients.longitudinal * pair.shear, 0.5 * coefficients.lateral * pair.shear
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
         """Return what was measured of calibrated springs."""
-        part = departure(bed, radius)
+        if not isinstance(bed.medium, HomogeneousMedium):
+            statement = (
+                "The springs' stiffness is that of a disc that rolls without slip, by boundary elements to "
+                f"{100.0 * _disc(bed, radius).error:.1g} per cent, and strips across the rolling bear what their "
+                "pressure lets them: on layers and power laws whose moduli differ up to tenfold the creep force of a "
+                f"ball was within {ON_LAYERS[0]:.2g} of mu F_N of boundary elements under longitudinal or lateral "
+                f"creepage alone, within {ON_LAYERS[1]:.2g} under both."
+            )
+            if departure(bed.height, radius) > HERTZIAN_DEPARTURE:
+                statement += " This body is no ball, and of it the distance is not known."
+            return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_ON_LAYERS),)
+        part = departure(bed.gap, radius)
         one, both = ball_distances(rolling_pair(bed.medium).poisson)
         statement, source = (
             "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his does, and up "
@@ -75,13 +97,15 @@ class Kalker:
 class Uncalibrated:
     """Springs that are as stiff as at rest, G*: the method as it is, for comparison."""
 
-    def stiffness(self, bed: Bed) -> tuple[float, float]:
+    def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
         """Return G* twice [Pa].
 
         Parameters
         ----------
         bed : Bed
             On a homogeneous medium.
+        radius : float
+            a [m] of the contact, which does not matter.
         """
         stiffness = float(bed.tangential_stiffness(np.array([1.0]))[0])
         return stiffness, stiffness
@@ -100,10 +124,17 @@ class Uncalibrated:
         )
 
 
-def departure(bed: Bed, radius: float) -> float:
-    """Return how far the plane profile leaves the parabola through its end, in parts of its height there."""
+def _disc(bed: Bed, radius: float) -> RolledDisc:
+    """Return the disc that rolls on layers or a grading; what solves for it is loaded for these alone."""
+    from winkler.problems.rolling.rolled_disc import rolled_disc
+
+    return rolled_disc(cast("MappedMedium", bed.medium), radius)
+
+
+def departure(profile: Callable[[Array], Array], radius: float) -> float:
+    """Return how far a profile leaves the parabola through its end, in parts of its height there."""
     x = radius * np.linspace(0.0, 1.0, 17)[1:]
-    gap = bed.gap(x)
+    gap = profile(x)
     if gap[-1] <= 0.0:
         return 1.0
     return float(np.max(np.abs(gap / gap[-1] - (x / radius) ** 2)))

@@ -14,7 +14,16 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["MEASURED_BY", "POISSON", "RATIOS", "EllipseDistances", "ball_distances", "ellipse_distances"]
+__all__ = [
+    "MEASURED_BY",
+    "MEASURED_ON_LAYERS",
+    "ON_LAYERS",
+    "POISSON",
+    "RATIOS",
+    "EllipseDistances",
+    "ball_distances",
+    "ellipse_distances",
+]
 
 MEASURED_BY = (
     "compared with boundary elements (SurfaceRolling) on ellipses with a/b from 0.2 to 5 and Poisson's ratios from 0 "
@@ -34,6 +43,13 @@ OF_ELLIPSES: Array = np.array([
 """Entries in the order of `EllipseDistances`."""
 OF_BALLS: Array = np.array([[0.03, 0.03], [0.04, 0.07], [0.04, 0.14]])
 """Under one creepage and under both."""
+
+ON_LAYERS = (0.08, 0.2)
+"""Of a ball on layers, gradings and power laws: under one creepage and under both."""
+MEASURED_ON_LAYERS = (
+    "compared with boundary elements (SurfaceRolling) on layers ten times stiffer and softer than what carries them, "
+    "of a thirtieth to three times the contact radius, Poisson's ratios from 0 to 0.5, and on power laws"
+)
 
 
 class EllipseDistances(NamedTuple):

@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.materials.elastic import Elastic
-from winkler.media.halfspace import HalfSpace
-from winkler.media.medium import Medium
+from winkler.errors import OutsideValidity
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.values import value, words
 
 __all__ = ["CreepCoefficients", "RollingPair", "creep_coefficients", "rolling_pair"]
 
+DIGITS = 15
+"""Of Poisson's ratio after the point: 0.5 stays within the table."""
 SLENDERNESS = np.arange(1, 11) / 10.0
 """Ratio of the smaller to the larger semi-axis, the rows of the table."""
 POISSON = np.array([0.0, 0.25, 0.5])
@@ -79,41 +79,35 @@ class RollingPair:
     Parameters
     ----------
     shear : float
-        G [Pa], 2/G = sum of 1/G of both bodies; twice its own modulus of one body on a rigid one.
+        G [Pa], of isotropic bodies 2/G = sum of 1/G of both; twice its own modulus of one body on a rigid one.
     poisson : float
-        nu [-], 2 nu/G = sum of nu/G.
+        nu [-], of isotropic bodies 2 nu/G = sum of nu/G.
     """
 
     shear: float
     poisson: float
 
 
-def rolling_pair(medium: Medium) -> RollingPair:
+def rolling_pair(medium: HomogeneousMedium) -> RollingPair:
     """Return the combined modulus and Poisson's ratio of a pair of half-spaces.
+
+    Tractions move their surfaces by two moduli, across waves and along them: G = 2 G_t, and nu = 2 - 2 G / G*.  Those
+    of transversely isotropic bodies are an isotropic pair's, as far as tractions go.
 
     Parameters
     ----------
-    medium : HalfSpace
-
-    Raises
-    ------
-    InvalidInput
-        If the medium is another one: Kalker's coefficients are those of homogeneous, isotropic half-spaces.
+    medium : HomogeneousMedium
 
     Examples
     --------
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> steel = Elastic(young=208e9, poisson=0.25)
     >>> rolling_pair(HalfSpace.between(steel, steel))
     RollingPair(shear=83200000000.0, poisson=0.25)
     """
-    if not isinstance(medium, HalfSpace):
-        raise InvalidInput(
-            f"Kalker's creep coefficients are not known for a {type(medium).__name__}; give a HalfSpace of isotropic "
-            "bodies, or use Rolling(..., calibration=Uncalibrated()) on any homogeneous medium."
-        )
-    bodies = [body for body in (medium.first, medium.second) if isinstance(body, Elastic)]
-    softness = sum(1.0 / body.shear for body in bodies)
-    return RollingPair(2.0 / softness, sum(body.poisson / body.shear for body in bodies) / softness)
+    shear = 2.0 * medium.torsional_modulus
+    return RollingPair(shear, round(2.0 - 2.0 * shear / medium.shear_modulus, DIGITS))
 
 
 def creep_coefficients(ratio: float, poisson: float) -> CreepCoefficients:

@@ -11,13 +11,16 @@ summed in closed form over the pieces.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import towards
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values import value, words
@@ -28,6 +31,9 @@ SAMPLES = 256
 """Springs on half of the line by which sliding is noticed, evenly spaced."""
 EDGE_HALVINGS = 40
 """And how often more of them halve the distance from the edge."""
+PLACES, STRIPS, NODES = 96, 129, 32
+"""Places of the pressure on a radius, strips of half a contact whose load is summed, and nodes across each."""
+TINY = 1e-12
 BLOCK = 256
 """How many creepages are computed together."""
 
@@ -51,9 +57,76 @@ class StickZones(NamedTuple):
     load: Array
 
 
+class SpringLoad(NamedTuple):
+    """q_z = c_N (d - g) of springs on a homogeneous medium."""
+
+    contact: IndentationSolution[float]
+
+    def load(self, x: Array) -> Array:
+        """Return q_z [N/m] at 0 <= x <= a."""
+        bed, pressed, a = self.contact.problem.bed, self.contact.pressed, float(self.contact.radius)
+        rim = float(bed.normal_stiffness(np.array([a]))[0] * max(pressed.edge, 0.0))
+        return np.asarray(np.where(x >= a, rim, bed.normal_stiffness(x) * np.maximum(pressed.value(x), 0.0)))
+
+    def before(self, x: Array) -> Array:
+        """Return its integral from 0 to x [N]."""
+        bed = self.contact.problem.bed
+        return np.asarray(0.5 * (bed.stiffness(x) * float(self.contact.depth) - bed.gap_load(x)))
+
+    def slope(self, x: Array) -> Array:
+        """Return q_z' [Pa]."""
+        bed = self.contact.problem.bed
+        return np.asarray(-bed.normal_stiffness(x) * bed.gap_slope(x))
+
+
+class StripLoad(NamedTuple):
+    """q_z of strips across the rolling, of a pressure: splines over the angle, x = a sin(angle)."""
+
+    radius: float
+    loads: Any
+    sums: Any
+
+    def _angle(self, x: Array) -> Array:
+        return np.asarray(np.arcsin(np.minimum(x / self.radius, 1.0)))
+
+    def load(self, x: Array) -> Array:
+        """Return q_z [N/m] at 0 <= x <= a."""
+        return np.asarray(np.maximum(self.loads(self._angle(x)), 0.0))
+
+    def before(self, x: Array) -> Array:
+        """Return its integral from 0 to x [N]."""
+        return np.asarray(self.sums(self._angle(x)))
+
+    def slope(self, x: Array) -> Array:
+        """Return q_z' [Pa], for x < a."""
+        angle = self._angle(x)
+        return np.asarray(self.loads(angle, 1) / (self.radius * np.maximum(np.cos(angle), TINY)))
+
+
+def strip_load(contact: IndentationSolution[float]) -> StripLoad:
+    """Return what strips of a contact bear, on any medium: the integral of its pressure across the rolling.
+
+    Over the angle of r = a sin(angle), p cos(angle) is smooth and even about both ends, whether the edge is.
+    """
+    from scipy.interpolate import CubicSpline
+
+    a, medium = float(contact.radius), contact.problem.bed.medium
+    angle = 0.5 * np.pi * (np.arange(PLACES) + 0.5) / PLACES
+    even = medium.pressure(contact.pressed, a * np.sin(angle)) * np.cos(angle)
+    pressure = CubicSpline(
+        np.concatenate([-angle[::-1], angle, np.pi - angle[::-1]]), np.concatenate([even[::-1], even, even[::-1]])
+    )
+    angle = np.linspace(0.0, 0.5 * np.pi, STRIPS)
+    aside, weight = gauss_legendre(NODES)
+    share = np.cos(angle)[:, None] * np.cos(0.5 * np.pi * aside)
+    load = np.pi * a * (pressure(np.arccos(share)) @ weight)
+    sums = CubicSpline(angle, load * a * np.cos(angle)).antiderivative()
+    return StripLoad(a, CubicSpline(angle, load, bc_type=("not-a-knot", "clamped")), sums)
+
+
 @value
 class RollingLine:
-    """The springs of one pressed contact on a homogeneous medium, rolling along +x.
+    """The springs of one pressed contact, rolling along +x.
 
     Parameters
     ----------
@@ -66,7 +139,7 @@ class RollingLine:
     __words__ = words(most=(r"\mu F_N", "N", "shear force from which all springs slide"))
 
     coefficient: float
-    contact: IndentationSolution
+    contact: IndentationSolution[float]
 
     @property
     def radius(self) -> float:
@@ -78,23 +151,18 @@ class RollingLine:
         """The sliding force mu F_N [N]."""
         return self.coefficient * float(self.contact.force)
 
-    def bound(self, x: Array) -> Array:
-        """Return mu c_N (d - g) [N/m] at places within the contact [m]."""
-        bed, place = self.contact.problem.bed, np.abs(x)
-        pressed = self.contact.pressed
-        load = bed.normal_stiffness(place) * np.maximum(pressed.value(place), 0.0)
-        return np.asarray(self.coefficient * np.where(place >= self.radius, self._rim, load))
+    @functools.cached_property
+    def _load(self) -> SpringLoad | StripLoad:
+        homogeneous = isinstance(self.contact.problem.bed.medium, HomogeneousMedium)
+        return SpringLoad(self.contact) if homogeneous else strip_load(self.contact)
 
-    @property
-    def _rim(self) -> float:
-        bed = self.contact.problem.bed
-        return float(bed.normal_stiffness(np.array([self.radius]))[0] * max(self.contact.pressed.edge, 0.0))
+    def bound(self, x: Array) -> Array:
+        """Return mu q_z [N/m] at places within the contact [m]."""
+        return np.asarray(self.coefficient * self._load.load(np.abs(x)))
 
     def _bound_before(self, x: Array) -> Array:
         """Return the force that springs between the axis and x can bear [N], odd in x."""
-        bed, place = self.contact.problem.bed, np.abs(x)
-        half = 0.5 * self.coefficient * (bed.stiffness(place) * float(self.contact.depth) - bed.gap_load(place))
-        return np.asarray(np.sign(x) * half)
+        return np.asarray(self.coefficient * np.sign(x) * self._load.before(np.abs(x)))
 
     def bearing(self, inner: Array, outer: Array) -> Array:
         """Return the force that springs between two places [m] can bear [N], either side of the axis."""
@@ -145,9 +213,8 @@ class RollingLine:
             ahead, behind = x[front[inner] - 1], x[front[inner] + 1]
 
             def falls(place: Array, index: Array) -> Array:
-                slope = self.contact.problem.bed.gap_slope(np.abs(place)) * np.sign(place)
-                stiffness = self.coefficient * self.contact.problem.bed.normal_stiffness(np.abs(place))
-                return np.asarray(kappa[inner[index]] - stiffness * slope)
+                slope = self.coefficient * np.sign(place) * self._load.slope(np.abs(place))
+                return np.asarray(kappa[inner[index]] + slope)
 
             every = np.arange(inner.size)
             turns = falls(ahead, every) * falls(behind, every) < 0.0

@@ -53,7 +53,7 @@ class OscillatingRolling:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) on a homogeneous medium.
+        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     amplitude : float
@@ -72,7 +72,7 @@ class OscillatingRolling:
     Raises
     ------
     InvalidInput
-        If a number is outside its range, friction not Coulomb's, or the medium not homogeneous.
+        If a number is outside its range, friction not Coulomb's, or the response of the medium not known.
 
     References
     ----------
@@ -115,7 +115,7 @@ class OscillatingRolling:
     needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
-        check_rolling("OscillatingRolling", self.bed, Creepage())
+        check_rolling("OscillatingRolling", self.bed, Creepage(), self.calibration)
 
     @property
     def shakedown_force(self) -> float:
@@ -144,7 +144,7 @@ class OscillatingRolling:
                 f"{self.shear_force:.6g} N; give less."
             )
         sampled, count = springs("OscillatingRolling", line, self.amplitude, 1, self.count)
-        stiffness = self.calibration.stiffness(self.bed)[0]
+        stiffness = self.calibration.stiffness(self.bed, line.radius)[0]
         load, shift = np.zeros(sampled.x.size), 0.0
         strokes = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))
         for cycle in range(self.cycles + 1):

@@ -16,7 +16,7 @@ include it alternate between stick and slip the more, the finer they are.
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
@@ -25,7 +25,8 @@ from winkler.checks.number_checks import Advice, NonNegative, Whole
 from winkler.errors import InvalidInput
 from winkler.laws.varying_friction import FallingFriction, Rolled, greatest_coefficient
 from winkler.loading import Force
-from winkler.media.halfspace import HalfSpace
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Medium
 from winkler.numerics.springs.fastsim import mapped, rolled
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.coupling import sticking_note
@@ -46,7 +47,7 @@ HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
 
-ISOTROPIC = Advice("Kalker's coefficients are those of homogeneous, isotropic bodies")
+HERTZIAN = Advice("on layers and gradings a contact is no ellipse under Hertz' pressure; ProfilePairRolling takes them")
 ONE_FORCE = Condition(
     lambda load: np.ndim(load.force) == 0 and float(load.force) > 0.0, "give Force(F) with one positive number"
 )
@@ -60,7 +61,7 @@ class SimplifiedRolling(PerLoad[Q]):
     ----------
     footprint : ContactEllipse, CurvedBodies or CurvedPair
         The contact, or the curvatures it comes from.
-    medium : HalfSpace
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
         The pair of bodies.
     friction : Coulomb or FallingFriction
         A coefficient that is positive and finite, or one that falls with the velocity at which the bodies, were they
@@ -78,7 +79,7 @@ class SimplifiedRolling(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the load is no positive number, the medium no HalfSpace, or friction falls and no speed is given.
+        If the load is no positive number, the medium not homogeneous, or friction falls and no speed is given.
 
     References
     ----------
@@ -92,6 +93,7 @@ class SimplifiedRolling(PerLoad[Q]):
 
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
     >>> steel = Elastic(young=208e9, poisson=0.25)
     >>> contact = ContactEllipse(longitudinal_semi_axis=6e-3, lateral_semi_axis=6e-3)
     >>> spun = SimplifiedRolling(
@@ -106,7 +108,7 @@ class SimplifiedRolling(PerLoad[Q]):
     )
 
     footprint: ContactEllipse | CurvedBodies | CurvedPair
-    medium: Annotated[HalfSpace, ISOTROPIC]
+    medium: Annotated[HomogeneousMedium, HERTZIAN]
     friction: Rolled
     creepage: Creepage[Q]
     load: Annotated[Force[Q], ONE_FORCE]
@@ -244,7 +246,7 @@ class SimplifiedRollingSolution(CreepageSolution[Q]):
         moments = (moment_note(self.coefficients, *axes),) if aside else ()
         distances = distance_notes(creep, axes[0] / axes[1], rolling_pair(problem.medium).poisson)
         law, most = problem.friction, greatest_coefficient(problem.friction)
-        coupled = sticking_note(problem.medium, most)
+        coupled = sticking_note(cast(Medium, problem.medium), most)
         yielding = ellipse_yield_notes(problem.medium, axes, problem.load.force, most)
         falling = (self._falling_note(law),) if isinstance(law, FallingFriction) else ()
         idle = idle_speed_notes(law, problem.speed)

@@ -52,7 +52,7 @@ class RollingStart:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) on a homogeneous medium.
+        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     creepage : Creepage
@@ -117,7 +117,7 @@ class RollingStart:
     needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
-        check_rolling("RollingStart", self.bed, self.creepage)
+        check_rolling("RollingStart", self.bed, self.creepage, self.calibration)
         if self.creepage.shape != ():
             raise InvalidInput("RollingStart: the creepage is an array; give one number each, and sweep over several.")
 
@@ -140,7 +140,7 @@ class RollingStart:
             If the bodies do not touch, or friction does not bear the shear force at rest.
         """
         line = RollingLine(self.friction.coefficient, touching("RollingStart", self.bed, self.load))
-        along, across = self.calibration.stiffness(self.bed)
+        along, across = self.calibration.stiffness(self.bed, line.radius)
         drive = np.array([along * float(self.creepage.longitudinal), across * float(self.creepage.lateral)])
         rate = float(np.hypot(*drive))
         sampled, count = springs("RollingStart", line, self.distance, self.points, self.count)

@@ -21,6 +21,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Sliding
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.offers import PowerOfDepth, PushedWaves, offers
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sticking_note
@@ -46,7 +47,7 @@ class Rolling(PerLoad[Q]):
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) on a homogeneous medium.
+        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     creepage : Creepage
@@ -59,10 +60,10 @@ class Rolling(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If friction is not Coulomb's with a positive, finite coefficient, the load an array, or the medium not
-        homogeneous.
+        If friction is not Coulomb's with a positive, finite coefficient, the load an array, or the response of the
+        medium to tractions not known.
     OutsideValidity
-        If there is spin: it has no counterpart on a line.
+        If there is spin, which has no counterpart on a line, or a layer slides.
 
     References
     ----------
@@ -98,7 +99,7 @@ class Rolling(PerLoad[Q]):
     needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
-        check_rolling("Rolling", self.bed, self.creepage)
+        check_rolling("Rolling", self.bed, self.creepage, self.calibration)
 
     def solve(self) -> RollingSolution[Q]:
         """Return the creep forces.
@@ -111,12 +112,11 @@ class Rolling(PerLoad[Q]):
         ------
         OutsideValidity
             If the bodies do not touch, or Poisson's ratio lies outside Kalker's table.
-        InvalidInput
-            If Kalker's coefficients are not known for the medium.
         """
         contact = touching("Rolling", self.bed, self.load)
         along, across, _ = self.creepage.broadcast()
-        drive = np.stack([along, across]) * np.array(self.calibration.stiffness(self.bed))[:, None]
+        stiffness = self.calibration.stiffness(self.bed, float(contact.radius))
+        drive = np.stack([along, across]) * np.array(stiffness)[:, None]
         rate = np.hypot(*drive)
         line = RollingLine(self.friction.coefficient, contact)
         pieces = line.sticking(rate)
@@ -174,7 +174,7 @@ class RollingSolution(CreepageSolution[Q]):
         if self.problem.creepage.shape != ():
             raise InvalidInput("RollingSolution.shear_load: the creepage is an array; solve for one creepage.")
         along, across, _ = self.problem.creepage.broadcast()
-        stiffness = self.problem.calibration.stiffness(self.problem.bed)
+        stiffness = self.problem.calibration.stiffness(self.problem.bed, float(self.contact.radius))
         rate = math.hypot(along[0] * stiffness[0], across[0] * stiffness[1])
         return self._line.shear_load(rate, np.asarray(x, dtype=float))
 
@@ -203,7 +203,7 @@ STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "The line gives forces, not where on the surface they act: the zone of stick of a round contact is no strip "
-    "between parallels; use SimplifiedRolling for a map.",
+    "between parallels; use SurfaceRolling for a map.",
     VERMEULEN,
 )
 
@@ -218,23 +218,31 @@ def rolling_notes(
     return (*contact.notes_with(rubbing), sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
 
 
-def check_rolling(owner: str, bed: Bed, creepage: Creepage) -> None:
+def check_rolling(owner: str, bed: Bed, creepage: Creepage, calibration: Kalker | Uncalibrated) -> None:
     """Refuse what does not roll on a line.
 
     Raises
     ------
     InvalidInput, OutsideValidity
     """
-    if not isinstance(bed.medium, HomogeneousMedium):
-        raise InvalidInput(
-            f"{owner}: the medium is a {type(bed.medium).__name__}; give a homogeneous one: a spring that rolls "
-            "through the contact keeps its stiffness, and on layers and gradings springs differ between middle and "
-            "edge; SurfaceRolling takes layers."
-        )
+    medium = bed.medium
+    if not isinstance(medium, HomogeneousMedium):
+        name = type(medium).__name__
+        if not (offers(medium, PushedWaves) or offers(medium, PowerOfDepth)):
+            raise InvalidInput(
+                f"{owner}: how tractions move the surface of a {name} is not known; give homogeneous bodies, layers, "
+                "or a grading."
+            )
+        if isinstance(calibration, Uncalibrated):
+            raise InvalidInput(
+                f"{owner}: the springs of a {name} differ between middle and edge, and one that rolls through the "
+                "contact keeps its stiffness; leave out Uncalibrated()."
+            )
+        _ = medium.shear_modulus  # refuses layers that slide, and Gibson's solid
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
             f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
-            "use SimplifiedRolling."
+            "use SimplifiedRolling, on layers and gradings SurfaceRolling."
         )
 
 

@@ -14,9 +14,7 @@ from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
-from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
-from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.surface_states import SurfaceState
@@ -32,7 +30,6 @@ ALLOWED_MISFIT = 2e-3
 GREATEST_DEGREE = 2
 LEAST_POWER = -0.5
 """Of the ratio over k: K_x must rise with k."""
-NONE = Compliance(1.0, 0.0)
 ISOTROPIC = 1e-12
 """Part of the compliance that depends on the direction, of bodies where it is rounding."""
 
@@ -43,14 +40,14 @@ class StuckContacts:
     Parameters
     ----------
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
-        Both bodies; of a power of the depth the ratio is that of a disc in all directions.
+        Both bodies.
     pixel : tuple of float
         Sides of a pixel [m].
     """
 
     def __init__(self, medium: MappedMedium, pixel: tuple[float, float]) -> None:
         self.medium, self.pixel = medium, pixel
-        self.compliance = NONE if offers(medium, PowerOfDepth) else compliance_of(medium)
+        self.compliance = compliance_of(medium)
         self.depths: list[float] = []
         self.rows: list[tuple[float, float, float]] = []
         """Normal stiffness [N/m], K_x/k and K_y/k."""
