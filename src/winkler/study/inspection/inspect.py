@@ -285,6 +285,7 @@ def _tip(file: Path) -> Inspection:
 def _curve(file: Path, *, brief: bool) -> Inspection:
     """Return the first force curve of a file, and how many there are; without one the reason."""
     begun, count, unread = time.monotonic(), 0, 0
+    stopped: tuple[str, ...] = ()
     first, reason = None, ""
     for placed in itertools.islice(try_curves(file, rigid=False), 1 if brief else MOST_CURVES_COUNTED):
         if isinstance(placed, UnreadCurve):
@@ -294,12 +295,13 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
             first = placed.curve
         count += 1
         if time.monotonic() - begun > LONGEST_COUNT and first is not None:
+            stopped = (f"curves were counted for {LONGEST_COUNT:g} s; there may be more",) * (not brief)
             break
     if first is None:
         return Inspection(str(file), "", reason or f"{file}: the file holds no curve; give another one.")
     hard = _is_nanoindentation(first)
     kind = "nanoindentation" if hard else "force curve"
-    done = () if brief else tuple(_done(first, nano=hard))
+    done = () if brief else (*_done(first, nano=hard), *stopped)
     flags = examined(first) if np.any(first.direction != 0.0) else ()
     doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
     if not np.any(first.direction != 0.0):
