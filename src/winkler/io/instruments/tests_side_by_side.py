@@ -22,6 +22,7 @@ from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import is_row, rows_of
 from winkler.io.tables.given_units import GivenFacts
+from winkler.io.tables.header import NAME_LETTER
 from winkler.io.tables.table_cells import is_number, like_number
 from winkler.io.tables.table_lines import table_head, table_lines, table_sheets
 from winkler.io.workbooks.workbook_cells import is_workbook
@@ -90,6 +91,8 @@ def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Itera
 def _tests_of_part(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
     head = table_head(path, "a force curve")
     for index, line in enumerate(head[:-1]):
+        if not NAME_LETTER.search(line):
+            continue
         for separator in SEPARATORS:
             if line.count(separator) < FEWEST_COLUMNS - 1:
                 continue

@@ -9,7 +9,6 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.height_matrix import MapContents, refuse_many
-from winkler.io.instruments.instrument_test import measures
 from winkler.io.text_file import content_of
 from winkler.limits import FILE_BYTES
 from winkler.units import scale
@@ -52,16 +51,24 @@ def simple_field_map(path: Path) -> MapContents:
     if len(numbers) < 4 * columns * rows:
         raise InvalidInput(f"{path}: the file ends before its {columns} x {rows} heights; save it anew.")
     along, heights = settings.get("XYUnits", ""), settings.get("ZUnits", "")
-    if heights and not measures(heights, "m"):
+    if heights and not _is_length(heights):
         raise InvalidInput(f"{path}: it holds no height map, but numbers in '{heights[:20]}'; give another file.")
     sides = [_side(settings.get(key, "")) for key in ("XReal", "YReal")]
-    if along and not measures(along, "m"):
+    if along and not _is_length(along):
         sides = [math.nan, math.nan]
     elif along and heights:
         sides = [side * scale(along, heights) for side in sides]
     # the second direction of a map runs along the rows of the file
     values = np.frombuffer(numbers, dtype="<f4").reshape(rows, columns).astype(float)
     return MapContents(values, np.array(sides[::-1]), heights, length_unit="" if heights else along)
+
+
+def _is_length(unit: str) -> bool:
+    try:
+        scale(unit, "m")
+    except InvalidInput:
+        return False
+    return True
 
 
 def _count(settings: dict[str, str], key: str, path: Path) -> int:

@@ -94,7 +94,12 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
     InvalidInput
         If the file cannot be read.
     """
-    return [line for line in table_head(path, needs_of(columns), columns) if NO_NUMBERS.search(line)]
+    return list(_without_numbers(tuple(table_head(path, needs_of(columns), columns))))
+
+
+@functools.lru_cache(maxsize=4)  # each kind of table that is tried asks for it
+def _without_numbers(lines: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(line for line in lines if NO_NUMBERS.search(line))
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
