@@ -11,8 +11,8 @@ from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.height_matrix import MapContents, array_map, point_map, text_map
 from winkler.io.instrument_map import instrument_map
-from winkler.io.surfaces.simple_field import is_simple_field, simple_field_map
-from winkler.io.surfaces.triangle_mesh import mesh_map
+from winkler.io.maps.simple_field import is_simple_field, simple_field_map
+from winkler.io.maps.triangle_mesh import mesh_map
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import content_of, existing
