@@ -84,7 +84,18 @@ FORCE_NAMES = (
     "力",
 )
 TIME_NAMES = (
-    *("time", "t", "time on sample", "time in contact", "test time", "zeit", "prüfzeit", "temps", "temps d'essai"),
+    *(
+        "time",
+        "t",
+        "time on sample",
+        "time in contact",
+        "test time",
+        "step time",
+        "zeit",
+        "prüfzeit",
+        "temps",
+        "temps d'essai",
+    ),
     *("tiempo", "tiempo de ensayo", "tempo", "tempo di prova", "时间"),
 )
 STIFFNESS_NAMES = (

@@ -73,17 +73,22 @@ def signs(position: Array, force: Array) -> tuple[float, float, str]:
     position, force : ndarray, (n,)
         As they were read [m], [N].
     """
-    if not is_reversed(position, force):
+    against = _correlation(position, force) if position.size > FEWEST else 1.0
+    if not against < 0.0:
         return 1.0, 1.0, ""
     low, span = float(position.min()), float(np.ptp(position))
     ends = position <= low + END_PART * span, position >= low + (1.0 - END_PART) * span
+    if min(map(np.count_nonzero, ends)) < FEWEST:  # a quarter of the points in place of one of the travel
+        quarters = np.quantile(position, (END_PART, 1.0 - END_PART))
+        ends = position <= quarters[0], position >= quarters[1]
     if min(map(np.count_nonzero, ends)) < FEWEST:
         return 1.0, 1.0, ""
     at_low, at_high = (float(np.ptp(np.quantile(force[end], (0.02, 0.98)))) for end in ends)
-    if at_low > STEEP_END * at_high:
+    push = float(np.mean(force[position <= low + DEEPEST * span]) - np.median(force[ends[1]]))
+    if at_low > STEEP_END * at_high and (against < AGAINST or push > LEAST_PULL * float(np.ptp(force))):
         return -1.0, 1.0, "the force rises as the position falls, whose sign is changed"
     pull = float(np.median(force[ends[0]]) - np.mean(force[position >= low + (1.0 - DEEPEST) * span]))
-    if at_high > STEEP_END * at_low and pull > LEAST_PULL * float(np.ptp(force)):
+    if at_high > STEEP_END * at_low and against < AGAINST and pull > LEAST_PULL * float(np.ptp(force)):
         return 1.0, -1.0, "the contact is pressed by negative forces, whose sign is changed"
     return 1.0, 1.0, ""
 

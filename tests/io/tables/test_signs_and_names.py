@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from winkler.fitting.curves.directions import found_directions
 from winkler.io.curves import read_curve, read_curves
 from winkler.io.swapped_columns import signs
 
@@ -51,6 +52,23 @@ def test_a_drift_of_the_baseline_is_no_wrong_sign():
     rng = np.random.default_rng(3)
     assert signs(TRAVEL, -0.01 * TRAVEL + rng.normal(size=TRAVEL.size))[:2] == (1.0, 1.0)
     assert signs(TRAVEL[:9], -FORCE[:9])[:2] == (1.0, 1.0)
+
+
+def test_a_first_row_far_from_the_others_leaves_the_sign_to_be_found(tmp_path):
+    """A program wrote where it began, then the test: a quarter of the travel held one point."""
+    place, load = np.r_[5000.0, -TRAVEL], np.r_[0.0, FORCE]
+    curve = read_curve(_file(tmp_path, "z [nm], force [nN]", place, load), spring_constant=1.0)
+    assert curve.position[-1] == pytest.approx(2e-6)
+    assert "rises as the position falls" in curve.reading
+
+
+def test_a_stretch_that_differs_by_rounding_alone_is_read():
+    """The histogram of one refused: too many bins for data range; found among strokes to and fro of few points."""
+    rng = np.random.default_rng(2288)
+    ways = [np.linspace(number % 2, 1 - number % 2, 6)[::-1] for number in range(rng.integers(2, 8))]
+    place = np.round(np.concatenate([*ways, np.linspace(0.0, 1.0, 300)]), 2)
+    force = np.round(0.02 * rng.normal(size=place.size) + np.maximum(place - 0.7, 0.0), 2)
+    assert set(found_directions(place, force)) <= {-1.0, 0.0, 1.0}
 
 
 def test_rows_that_are_numbered_have_an_empty_name(tmp_path):

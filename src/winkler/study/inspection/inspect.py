@@ -50,6 +50,9 @@ __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
+NO_HEADER = "without a header above them"
+BARE_CURVE = 'give columns = { position = 1, force = 2 } and units = { position = "mm", force = "N" }'
+OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
 ARRAYS = {".npy", ".npz"}
@@ -171,6 +174,8 @@ def _listed(path: Path) -> Inspection:
 def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     """Return why a file cannot be read: by its header if that names a kind, else as the reader that lacks least."""
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
+    if not named and NO_HEADER in last:
+        return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
@@ -204,7 +209,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         return reasons
     of_curve = ("force curve", curve.reason)
     if is_curve:  # its header names one: no reader of surfaces, which take long to refuse a table, is tried
-        return Inspection(str(file), "", _reason(file, curve.reason, [of_curve, *reasons]))
+        of_moduli = [one for one in reasons if one[0] in OF_MODULI]  # a sweep names a force and a gap, too
+        return Inspection(str(file), "", _reason(file, curve.reason, [*of_moduli, of_curve, *reasons]))
     return [*reasons, of_curve]
 
 
