@@ -208,6 +208,19 @@ def test_a_jump_of_the_position_is_doubted(tmp_path):
     assert any("a jump of 900 nm behind row 100" in one for one in found.doubts)
 
 
+def test_bounces_begin_a_search_for_a_relaxation_time(tmp_path):
+    """The study sweeps what takes the energy; its speed is that of the first flight, and it runs as it stands."""
+    from winkler.study.language.reading import read_study
+
+    times = _bounces(np.full(13, 0.85))
+    (tmp_path / "log.csv").write_text("\n".join(["bounce [s]", *(f"{one:.9g}" for one in times)]) + "\n")
+    study = inspect_file(tmp_path / "log.csv").study
+    assert "whose times give e = 0.85 ±" in study
+    assert f'velocity = "{0.5 * 9.81 * (times[1] - times[0]):.4g} m/s"' in study
+    (tmp_path / "study.toml").write_text(study)
+    assert read_study(tmp_path / "study.toml")
+
+
 def _bounces(restitution):
     """Times of bounces whose coefficients follow each other."""
     return np.concatenate([[0.0], np.cumsum(0.6 * np.cumprod(np.concatenate([[1.0], restitution])))])
