@@ -95,8 +95,10 @@ def _speed(inspection: Inspection) -> str:
     return f"{0.5 * GRAVITY * float(times[1] - times[0]):.4g} m/s"
 
 
-OPTIONS: dict[str, Callable[[Inspection], str]] = {"<down>": _down, "<poisson>": _poisson, "<longest>": _longest,
-                                                      "<arc>": _arc, "<restitution>": _restitution, "<speed>": _speed}  # fmt: skip
+OPTIONS: dict[str, Callable[[Inspection], str]] = {
+    "<down>": _down, "<poisson>": _poisson, "<longest>": _longest, "<arc>": _arc, "<restitution>": _restitution,
+    "<speed>": _speed,
+}  # fmt: skip
 """Marks of a study, and what is written there."""
 
 
