@@ -7,8 +7,6 @@ import re
 from pathlib import Path
 
 import numpy as np
-from scipy.interpolate import LinearNDInterpolator
-from scipy.spatial import KDTree
 
 from winkler.errors import InvalidInput
 from winkler.io.height_matrix import MapContents, points_on_grid, refuse_many
@@ -50,6 +48,9 @@ def mesh_map(path: Path) -> MapContents:
 
 def _sampled(points: Array) -> MapContents:
     """Return heights between points on a grid whose pixels have the mean area of a point."""
+    from scipy.interpolate import LinearNDInterpolator
+    from scipy.spatial import KDTree
+
     low, sides = points[:, :2].min(axis=0), np.ptp(points[:, :2], axis=0)
     step = math.sqrt(float(np.prod(sides)) / len(points))
     counts = np.maximum(np.rint(sides / step).astype(int), 1)
