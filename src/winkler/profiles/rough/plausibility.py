@@ -76,7 +76,7 @@ def doubts_of_surface(heights: Array, slope: float, lengths: tuple[float, ...]) 
     there = heights[np.isfinite(heights)]
     if 0.0 < (whole := float(np.ptp(there))) < FLATTEST:
         doubts.append(
-            f"Doubtful: all heights lie within {with_unit(whole, 'm', 2)}, less than an atom; their unit may be a "
+            f"Doubtful: the heights range over {with_unit(whole, 'm', 2)}, smaller than an atom; their unit may be a "
             "greater one."
         )
     if max(lengths) < SHORTEST:
