@@ -146,7 +146,6 @@ def test_what_is_no_matrix(file, content, sentence):
 @pytest.mark.parametrize(
     ("names", "sentence"),
     [
-        (("land/main.xml", "land/bindata/data.bin"), "stands in a folder of the archive; pack what is in the folder"),
         (("main.xml", "md5checksum.hex"), "heights stand in its main.xml; save it anew with binary data"),
     ],
 )

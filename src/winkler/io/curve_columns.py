@@ -28,6 +28,7 @@ POSITION_NAMES = (
     "course standard",
     "recorrido estándar",
     "corsa standard",
+    "allongement",
     "位移",
 )
 """Travel of a machine whose cantilever bends."""
@@ -82,7 +83,21 @@ FORCE_NAMES = (
     "载荷",
     "力",
 )
-TIME_NAMES = ("time", "t", "time on sample", "time in contact", "test time", "zeit", "temps", "tiempo", "tempo", "时间")
+TIME_NAMES = (
+    *(
+        "time",
+        "t",
+        "time on sample",
+        "time in contact",
+        "test time",
+        "step time",
+        "zeit",
+        "prüfzeit",
+        "temps",
+        "temps d'essai",
+    ),
+    *("tiempo", "tiempo de ensayo", "tempo", "tempo di prova", "时间"),
+)
 STIFFNESS_NAMES = (
     "stiffness",
     "harmonic contact stiffness",

@@ -45,6 +45,7 @@ ARCHIVE_ENDINGS = (".jpk", ARCHIVE)
 HIDDEN, MOST_MEMBERS = "__MACOSX", 10_000
 """Folder of another system's own files, and most files of an archive."""
 IMAGE_HINT = "; an image without curves is read by read_topography; else export its curves as text"
+JPK_WAYS = ("extend", "retract")
 HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
 
@@ -310,6 +311,12 @@ def _paused(path: Path, overrides: dict[str, float]) -> list[_PausedCurve]:
     class Reader(JPKReader):  # type: ignore[misc]
         def get_imaging_mode(self) -> str:
             return "force-distance"
+
+        def get_metadata_jpk_secondary(self, index: int, segment: int) -> dict[str, Any]:
+            found: dict[str, Any] = super().get_metadata_jpk_secondary(index, segment)
+            if found.get("curve type") not in JPK_WAYS:  # such as an oscillation at rest
+                found["curve type"] = "pause"
+            return found
 
     try:
         reader = Reader(path)

@@ -18,7 +18,7 @@ from winkler.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.units import quantity
 
-__all__ = ["MapContents", "array_map", "point_map", "refuse_many", "text_map"]
+__all__ = ["MapContents", "array_map", "point_map", "points_on_grid", "refuse_many", "text_map"]
 
 LEAST_ROWS = 4
 """Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
@@ -51,6 +51,8 @@ class MapContents(NamedTuple):
         Whether the file states that the map is periodic.
     tip_radius, tip_unit
         Radius of the tip that has measured it, and its unit; zero where the file does not state it.
+    length_unit
+        Of lengths, where the file states it and not that of heights.
     """
 
     heights: Array
@@ -59,6 +61,7 @@ class MapContents(NamedTuple):
     periodic: bool = False
     tip_radius: float = 0.0
     tip_unit: str = ""
+    length_unit: str = ""
 
 
 def text_map(path: Path) -> MapContents:
@@ -76,7 +79,7 @@ def text_map(path: Path) -> MapContents:
         raise InvalidInput(f"{path}: there are no heights; give a matrix, one row in a line.")
     separator = next((mark for mark in ("\t", ";", ",") if mark in numbered[0][1].strip()), None)
     heights = _rows(path, numbered, separator)
-    if heights.shape[1] == POINT_CELLS and (grid := _grid(heights)) is not None:
+    if heights.shape[1] == POINT_CELLS and (grid := points_on_grid(heights)) is not None:
         return grid
     if min(heights.shape) < LEAST_ROWS:
         rows, columns = heights.shape
@@ -105,7 +108,7 @@ def point_map(path: Path, points: Array) -> MapContents:
     InvalidInput
         If they are on no regular grid.
     """
-    grid = _grid(points)
+    grid = points_on_grid(points)
     if grid is None:
         raise InvalidInput(
             f"{path}: its {len(points)} points are on no full, even grid of at least {LEAST_ROWS} x {LEAST_ROWS}; "
@@ -114,8 +117,8 @@ def point_map(path: Path, points: Array) -> MapContents:
     return grid._replace(unit="m")
 
 
-def _grid(points: Array) -> MapContents | None:
-    """Return the map of a list of points x, y, z, in any order; None if they are on no full, even grid."""
+def points_on_grid(points: Array) -> MapContents | None:
+    """Return the map of a list of points x, y, z ``(n, 3)``, in any order; None if they are on no full, even grid."""
     x, y, z = points.T
     along_x, along_y = _axis(x), _axis(y)
     if along_x is None or along_y is None or points.shape[0] != along_x[0] * along_y[0]:

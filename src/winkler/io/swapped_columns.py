@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["is_list", "is_reversed", "swap_note"]
+__all__ = ["is_list", "is_reversed", "signs", "swap_note"]
 
 CONCAVE = 0.58
 """Force at half of the depth over the greatest: 0.5 for a punch, 0.35 for a ball, 0.25 for a cone; swapped 0.5 to 1."""
@@ -21,6 +21,12 @@ FOLLOWS = 0.8
 """Least correlation of a number with the one of the next row in a curve."""
 AGAINST = -0.2
 """Greatest correlation of force and position where one of them has the wrong sign."""
+STEEP_END, END_PART = 3.0, 0.25
+"""Least ratio of the changes of force at the end with the contact and at the other one, and the part of the travel that
+is an end."""
+DEEPEST, LEAST_PULL = 0.02, 0.5
+"""Part of the travel at whose force the contact is deepest, and the least part of all forces by which that force lies
+below those out of contact, where the force has the wrong sign: the tension of a sticky contact is least there."""
 
 
 def swap_note(position: Array, force: Array) -> str:
@@ -54,6 +60,37 @@ def is_list(position: Array, force: Array) -> bool:
     if position.size < 2 * FEWEST:
         return False
     return all(_correlation(numbers[1:], numbers[:-1]) < FOLLOWS for numbers in (position, force))
+
+
+def signs(position: Array, force: Array) -> tuple[float, float, str]:
+    """Return the signs by which position and force grow as a contact is pressed, and what was changed, as a phrase.
+
+    Programs write the height of a piezo, which falls as the tip approaches, or compression as a negative force.  Both
+    give a force that falls with the position; the end of the travel where the force changes is that of the contact.
+
+    Parameters
+    ----------
+    position, force : ndarray, (n,)
+        As they were read [m], [N].
+    """
+    against = _correlation(position, force) if position.size > FEWEST else 1.0
+    if not against < 0.0:
+        return 1.0, 1.0, ""
+    low, span = float(position.min()), float(np.ptp(position))
+    ends = position <= low + END_PART * span, position >= low + (1.0 - END_PART) * span
+    if min(map(np.count_nonzero, ends)) < FEWEST:  # a quarter of the points in place of one of the travel
+        quarters = np.quantile(position, (END_PART, 1.0 - END_PART))
+        ends = position <= quarters[0], position >= quarters[1]
+    if min(map(np.count_nonzero, ends)) < FEWEST:
+        return 1.0, 1.0, ""
+    at_low, at_high = (float(np.ptp(np.quantile(force[end], (0.02, 0.98)))) for end in ends)
+    push = float(np.mean(force[position <= low + DEEPEST * span]) - np.median(force[ends[1]]))
+    if at_low > STEEP_END * at_high and (against < AGAINST or push > LEAST_PULL * float(np.ptp(force))):
+        return -1.0, 1.0, "the force rises as the position falls, whose sign is changed"
+    pull = float(np.median(force[ends[0]]) - np.mean(force[position >= low + (1.0 - DEEPEST) * span]))
+    if at_high > STEEP_END * at_low and against < AGAINST and pull > LEAST_PULL * float(np.ptp(force)):
+        return 1.0, -1.0, "the contact is pressed by negative forces, whose sign is changed"
+    return 1.0, 1.0, ""
 
 
 def is_reversed(position: Array, force: Array) -> bool:

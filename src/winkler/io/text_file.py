@@ -48,6 +48,8 @@ OTHER_PROGRAMS = (
     (b"MATLAB 5.0 MAT-file", "a workspace of MATLAB without a map of heights; save its columns as text (CSV)"),
 )
 """How files of programs begin that nothing here reads, and what to do with them."""
+SETTINGS, SETTINGS_LINES = ("\\", '"\\'), 4 * HEADER_LINES
+"""How the settings begin that NanoScope writes above the numbers of its texts, and most lines of them."""
 OTHER_ENDS = re.compile(rb"[\x0b\x0c]")
 """Where a text is cut into lines, and bytes are not."""
 HIGH_RUN = re.compile(rb"[\x80-\xff]++")
@@ -193,7 +195,7 @@ def headed(lines: list[str], where: str) -> list[str]:
     InvalidInput
         If one of them is too long for a header.
     """
-    first = lines[:HEADER_LINES]
+    first = lines[: SETTINGS_LINES if lines and lines[0].startswith(SETTINGS) else HEADER_LINES]
     sizes = list(map(len, first))
     if sizes and max(sizes) <= LINE_LETTERS and sum(sizes) + len(sizes) <= HEADER_LETTERS:
         return first

@@ -11,6 +11,8 @@ from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.height_matrix import MapContents, array_map, point_map, text_map
 from winkler.io.instrument_map import instrument_map
+from winkler.io.maps.simple_field import is_simple_field, simple_field_map
+from winkler.io.maps.triangle_mesh import mesh_map
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import content_of, existing
@@ -23,7 +25,7 @@ from winkler.units import scale
 __all__ = ["read_topography"]
 
 ARRAY_ENDINGS = {".npy", ".npz"}
-MESH_ENDINGS = {".stl", ".ply", ".obj"}
+MESH_ENDING, OTHER_MESHES = ".stl", {".ply", ".obj"}
 POINT_COLUMNS = (
     Column("x", ("x",), "m", "um"),
     Column("y", ("y",), "m", "um"),
@@ -55,10 +57,11 @@ def read_topography(
         A matrix of heights as text (tabs, semicolons, commas or spaces between; every line runs along the second
         direction; nan, nothing, or a number that instruments write for it (-25400, -9999, 1e10 ...), far from others,
         where heights are missing; header lines of Gwyddion above a matrix are read); a list of points x, y, z on a
-        grid, with or without a header; an NPY file; an NPZ file with ``heights`` and, if they are known, ``lengths``,
-        ``unit`` and ``periodic``; or a file that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf,
-        Zygo, Gwyddion, X3P and some forty others; or a container (zip) that contact.engineering has published, whose
-        maps come as its authors prepared them.
+        grid, with or without a header; triangles in an STL, each place with one height, whose pixels are as many as
+        corners; a simple field of Gwyddion (.gsf); an NPY file; an NPZ file with ``heights`` and, if they are known,
+        ``lengths``, ``unit`` and ``periodic``; or a file that SurfaceTopography reads (extra ``topography``): Bruker,
+        Digital Surf (compressed, too), Zygo, Gwyddion, X3P and some forty others; or a container (zip) that
+        contact.engineering has published, whose maps come as its authors prepared them.
     lengths : tuple of float, optional
         Lengths [m] of the map; needed where the file does not state them; they replace those of the file.
     unit : str, optional
@@ -87,10 +90,12 @@ def read_topography(
         raise InvalidInput(f"{file}: an array has no channels; leave channel {channel!r} out.")
     if suffix in ARRAY_ENDINGS:
         contents = array_map(file)
-    elif suffix in MESH_ENDINGS:
-        raise InvalidInput(
-            f"{file}: a surface of triangles has no pixels; save its heights on a grid, as a matrix or as rows x, y, z."
-        )
+    elif suffix == MESH_ENDING:
+        contents = mesh_map(file)
+    elif suffix in OTHER_MESHES:
+        raise InvalidInput(f"{file}: of surfaces of triangles those in .stl are read; save it so, or as rows x, y, z.")
+    elif is_simple_field(file):
+        contents = simple_field_map(file)
     elif (suffix in TEXT_ENDINGS or is_workbook(file)) and not channel:
         try:
             contents = text_map(file)
@@ -103,7 +108,7 @@ def read_topography(
     if not (contents.unit or unit):
         raise InvalidInput(f"{file}: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'.")
     of_lengths, _, of_heights = (part.strip() for part in unit.partition(","))
-    per_metre = _per_metre(contents.unit or of_lengths, f"{file}, unit")
+    per_metre = _per_metre(contents.unit or contents.length_unit or of_lengths, f"{file}, unit")
     per_height = _per_metre(contents.unit or of_heights or of_lengths, f"{file}, unit")
     if contents.unit and any(_per_metre(one, "unit") != per_metre for one in (of_lengths, of_heights) if one):
         raise InvalidInput(f"{file}: the file states its unit, {contents.unit}, and {unit} was given; leave it out.")

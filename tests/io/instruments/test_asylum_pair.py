@@ -31,6 +31,37 @@ def wave(numbers, *, unit=b"m", step=1e-3, note=b"", size=None):
     return head[:2] + struct.pack("<H", total) + head[4:] + body + data + note
 
 
+def columns(names, numbers, *, note=b"SpringConstant: 0.25\rInvOLS: 1e-07\r"):
+    """A wave with named columns, whose names stand at the end of the file."""
+    content = wave(np.asarray(numbers).T.ravel(), note=note)
+    labels = b"".join(name.ljust(32, b"\0") for name in (b"", *names))
+    head = bytearray(content[:384])
+    head[2:4] = bytes(2)
+    struct.pack_into("<i", head, 40, len(labels))  # of the second of four directions
+    struct.pack_into("<2i", head, 64 + 68, len(numbers), len(names))
+    total = -int(np.frombuffer(bytes(head), dtype="<i2").sum(dtype=np.int64)) & 0xFFFF
+    struct.pack_into("<H", head, 2, total)
+    return bytes(head) + content[384:] + labels
+
+
+@pytest.mark.parametrize("place", [b"ZSnsr", b"LVDT", b"Raw", b"ZSensor"])
+def test_position_and_deflection_are_columns_of_one_wave(tmp_path, place):
+    """A file without a date was refused: afmformats cannot read this file (KeyError: 'Date')."""
+    file = tmp_path / "curve.ibw"
+    names = (b"Other", b"Defl", place)
+    file.write_bytes(columns(names, np.c_[0.0 * POSITION, DEFLECTION, POSITION]))
+    curve = wk.read_curve(file)
+    assert curve.force == pytest.approx(0.25 * DEFLECTION, rel=1e-6, abs=1e-20)
+    assert curve.position == pytest.approx(POSITION, rel=1e-6)
+    assert curve.time == pytest.approx(1e-3 * np.arange(2 * STEPS))
+    assert f"deflection from 'Defl', position from '{place.decode()}'" in curve.reading
+    given = wk.read_curve(file, spring_constant=0.5, sensitivity=2e-7)
+    assert given.force == pytest.approx(4.0 * curve.force, rel=1e-6)
+    file.write_bytes(columns(names, np.c_[0.0 * POSITION, DEFLECTION, POSITION], note=b"SpringConstant: 0.25\r"))
+    with pytest.raises(wk.InvalidInput, match="states no sensitivity by which its force could be turned"):
+        wk.read_curve(file, sensitivity=2e-7)
+
+
 def pair(folder, place="ZSnsr", **changes):
     (folder / f"Line0Point1{place}.ibw").write_bytes(wave(POSITION, **changes))
     file = folder / "Line0Point1Defl.ibw"
@@ -120,5 +151,12 @@ def test_a_pause_at_constant_height_is_read_as_any_other(tmp_path, shared_data):
     assert found.force == pytest.approx(expected.force, rel=1e-15)
     assert found.position == pytest.approx(expected.position, rel=1e-15)
     assert found.machine_stiffness == expected.machine_stiffness
+    oscillating = tmp_path / "oscillating.jpk-force"
+    with zipfile.ZipFile(other) as given, zipfile.ZipFile(oscillating, "w") as made:
+        contents = {name: given.read(name) for name in given.namelist()}
+        assert any(b"style=pause" in content for content in contents.values())
+        for name, content in contents.items():
+            made.writestr(name, content.replace(b"style=pause", b"style=modulation"))
+    assert wk.read_curve(oscillating).force == pytest.approx(expected.force, rel=1e-15)
     softer = wk.read_curve(other, spring_constant=2.0 * expected.machine_stiffness)
     assert softer.force == pytest.approx(2.0 * expected.force, rel=1e-12)

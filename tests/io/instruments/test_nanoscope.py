@@ -99,6 +99,22 @@ def test_a_curve_is_read_from_its_head(tmp_path, size):
     assert "position from the ramp" in curve.reading
 
 
+def test_a_trigger_ends_the_extension_early(tmp_path):
+    """The program's own text of such a file has one step of the ramp in both ways; extension was stretched to it."""
+    file = _file(tmp_path)
+    head = rf"\Samps/line: {BACK} {THERE}".encode()
+    early, whole = THERE - 40, THERE
+    kept = file.read_bytes().replace(head, rf"\Samps/line: {whole} {early}".encode())
+    kept = kept.replace(b"Reverse vel.: 300.0", b"Reverse vel.: 150.0")
+    kept = kept.replace(b"Data length: 600", f"Data length: {2 * (early + whole)}".encode())
+    file.write_bytes(kept + bytes(2 * (early + whole - THERE - BACK)))
+    curve = read_curve(file)
+    assert np.diff(curve.position[:early]) == pytest.approx(TRAVEL / whole, rel=1e-9)
+    assert np.diff(curve.position[early:]) == pytest.approx(-TRAVEL / whole, rel=1e-9)
+    assert curve.position[early - 1] == pytest.approx(curve.position[early], rel=1e-12) == pytest.approx(TRAVEL)
+    assert np.diff(curve.time[:early]) == pytest.approx(RAMP / SPEED / whole, rel=1e-9)
+
+
 @pytest.mark.parametrize("sensor", [False, True])
 def test_older_versions_keep_room_for_the_longer_way_in_both(tmp_path, sensor):
     """'Deflection' has 4096 bytes for 1 curve of 1972 points."""

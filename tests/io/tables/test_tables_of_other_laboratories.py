@@ -231,12 +231,6 @@ def test_points_on_no_full_grid_are_refused(tmp_path, fault):
         read_topography(_file(tmp_path, ["X (um),Y (um),Z (nm)"], [x, y, z]))
 
 
-def test_triangles_are_refused_with_what_to_do(tmp_path):
-    (tmp_path / "rock.stl").write_text("solid rock\nendsolid rock\n")
-    with pytest.raises(InvalidInput, match="a surface of triangles has no pixels; save its heights on a grid"):
-        read_topography(tmp_path / "rock.stl", unit="um")
-
-
 @pytest.mark.parametrize("unit", ["C", "deg C", "°C", "degC"])
 def test_a_temperature_in_c_is_in_degrees_celsius(tmp_path, unit):
     header = [f"f (Hz),T ({unit}),G' (Pa),G'' (Pa)"]

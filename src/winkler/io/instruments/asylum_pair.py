@@ -1,7 +1,7 @@
-"""Curves of older microscopes of Asylum Research: a wave of Igor for the deflection, and one for the position.
+"""Curves of microscopes of Asylum Research: waves of Igor with columns, or one for deflections and one for positions.
 
 ``Line0000Point0000Defl.ibw`` lies beside ``Line0000Point0000ZSnsr.ibw`` (or ``LVDT``, ``Raw``), each with one number
-for each point of time.  The sensor's position grows towards the sample.
+for each point of time; or one file has columns of these names.  The sensor's position grows towards the sample.
 """
 
 from __future__ import annotations
@@ -21,10 +21,11 @@ from winkler.io.memory import limited_memory
 from winkler.io.tables.given_units import GivenFacts
 from winkler.units import scale
 
-__all__ = ["is_asylum_half", "tests_of_asylum_pair"]
+__all__ = ["ENDING", "is_asylum_half", "tests_of_asylum_columns", "tests_of_asylum_pair"]
 
 ENDING, DEFLECTION, POSITIONS = ".ibw", "Defl", ("ZSnsr", "LVDT", "Raw")
-NOTE = re.compile(r"(?:\A|[\r\n])\s*(SpringConstant|XLVDT|YLVDT)\s*:\s*([-+0-9.eE]{1,40})\s*(?=[\r\n]|\Z)")
+OTHER_DEFLECTIONS, OTHER_POSITIONS = ("Deflection",), ("ZSensor", "Height")
+NOTE = re.compile(r"(?:\A|[\r\n])\s*(SpringConstant|InvOLS|XLVDT|YLVDT)\s*:\s*([-+0-9.eE]{1,40})\s*(?=[\r\n]|\Z)")
 """Lines of the note of a wave."""
 
 
@@ -59,23 +60,64 @@ def tests_of_asylum_pair(path: Path, given: GivenFacts) -> Iterator[InstrumentTe
             f"{path}: it has {deflection.size} deflections, and '{other.name}' {position.size} positions; give "
             "waves of one curve."
         )
-    note = dict(NOTE.findall(load["note"].decode("latin-1", "replace")))
+    column = InstrumentColumn("position", _unit(place, other, given, "position"), position)
+    fact = f"deflection from '{path.name}', position from '{other.name}'"
+    yield _test("Asylum Research, a pair of waves", path, load, deflection, column, fact, given)
+
+
+def tests_of_asylum_columns(path: Path, given: GivenFacts) -> Iterator[InstrumentTest] | None:
+    """Return the curve of a wave with columns for deflection and position; None of other waves.
+
+    Raises
+    ------
+    InvalidInput
+        If the wave cannot be read, a unit is missing, or the spring constant is.
+    """
+    wave = _wave(path)
+    names = [_text(name) for name in wave.get("labels", [[], []])[1]]
+    names = names[1:] if names[:1] == [""] else names
+    place = next((names.index(word) for word in (*POSITIONS, *OTHER_POSITIONS) if word in names), -1)
+    load = next((names.index(word) for word in (DEFLECTION, *OTHER_DEFLECTIONS) if word in names), -1)
+    numbers = np.asarray(wave["wData"])
+    if place < 0 or load < 0 or numbers.ndim != 2 or numbers.shape[1] != len(names) or numbers.dtype.kind not in "fiu":
+        return None
+    deflection, position = numbers[:, load].astype(float), numbers[:, place].astype(float)
+    column = InstrumentColumn("position", _unit(wave, path, given, "position"), position)
+    fact = f"deflection from '{names[load]}', position from '{names[place]}'"
+    return iter([_test("Asylum Research, a wave with columns", path, wave, deflection, column, fact, given)])
+
+
+def _test(
+    maker: str, path: Path, wave: Any, deflection: np.ndarray, position: InstrumentColumn, fact: str, given: GivenFacts
+) -> InstrumentTest:
+    """Return a curve from its deflections and positions, and what the wave of the deflections states."""
+    note = dict(NOTE.findall(wave["note"].decode("latin-1", "replace")))
     stated = _number(note.get("SpringConstant", ""))
     spring = given.spring_constant or (stated if stated > 0.0 else None)
     if spring is None:
         raise InvalidInput(f"{path}: the file does not state the spring constant; give spring_constant in N/m.")
-    per_metre = scale(_unit(load, path, given, "deflection"), "m")
-    step = float(load["wave_header"]["sfA"][0])
-    timed = measures(_text(load["wave_header"]["dimUnits"][0]), "s") and step > 0.0
-    yield InstrumentTest(
-        "Asylum Research, a pair of waves",
+    factor = spring * scale(_unit(wave, path, given, "deflection"), "m")
+    facts: tuple[str, ...] = (fact,)
+    if given.sensitivity:
+        made_by = _number(note.get("InvOLS", ""))
+        if not made_by > 0.0:
+            raise InvalidInput(
+                f"{path}: the file states no sensitivity by which its force could be turned into another; leave "
+                "sensitivity out."
+            )
+        factor *= given.sensitivity / made_by
+        facts = (fact, f"sensitivity {given.sensitivity:g} m/V given, in place of {made_by:g} m/V")
+    step = float(wave["wave_header"]["sfA"][0])
+    timed = measures(_text(wave["wave_header"]["dimUnits"][0]), "s") and step > 0.0
+    return InstrumentTest(
+        maker,
         path.name,
         (
-            InstrumentColumn("position", _unit(place, other, given, "position"), position),
-            InstrumentColumn("force", "N", deflection * per_metre * spring),
+            position,
+            InstrumentColumn("force", "N", deflection * factor),
             *([InstrumentColumn("time", "s", step * np.arange(deflection.size))] if timed else []),
         ),
-        (f"deflection from '{path.name}', position from '{other.name}'",),
+        facts,
         _number(note.get("XLVDT", "")),
         _number(note.get("YLVDT", "")),
         spring_constant=spring,

@@ -7,7 +7,12 @@ from pathlib import Path
 
 from winkler.errors import InvalidInput
 from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
-from winkler.io.instruments.asylum_pair import is_asylum_half, tests_of_asylum_pair
+from winkler.io.instruments.asylum_pair import (
+    ENDING,
+    is_asylum_half,
+    tests_of_asylum_columns,
+    tests_of_asylum_pair,
+)
 from winkler.io.instruments.femtotools import is_femtotools, tests_of_femtotools
 from winkler.io.instruments.fischerscope import is_fischerscope, tests_of_fischerscope
 from winkler.io.instruments.hysitron import is_hld, is_nano_dma, tests_of_hld, tests_of_nano_dma
@@ -27,12 +32,15 @@ __all__ = ["instrument_tests", "states_curves"]
 
 UNREAD = (".tdm", ".tdx")
 """Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
+JPK_CURVES = (".jpk-force", ".jpk-qi-data")
+"""How the endings of JPK's files of curves begin."""
 Tests = Iterator[InstrumentTest]
 
 
 def states_curves(path: Path) -> bool:
     """Return whether the first bytes of a file say that an instrument wrote force curves to it."""
-    return is_nanosurf_nid(path) or is_nanoscope(path, images=False)
+    ending = path.suffix.lower()
+    return is_nanosurf_nid(path) or is_nanoscope(path, images=False) or ending.startswith(JPK_CURVES)
 
 
 def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests | None:
@@ -67,6 +75,8 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
         return tests_of_nanosurf_nid(path, given)
     if is_asylum_half(path):
         return tests_of_asylum_pair(path, given)
+    if path.suffix.lower() == ENDING:
+        return tests_of_asylum_columns(path, given)
     if not is_text:
         return None
     head = head_of(path, "a force curve")

@@ -86,9 +86,10 @@ def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest
         if sensor is not None and _counts_of(sensor, path) == passes
         else None
     )
-    steps = [ramp * np.arange(1, count + 1) / count for count in passes]
+    whole = _whole_ramp(passes, head)
+    steps = [ramp * (1.0 - np.arange(count - 1, -1, -1) / full) for count, full in zip(passes, whole, strict=True)]
     driven = np.concatenate([steps[0], steps[1][::-1]])
-    time = _time(passes, ramp, speed, head)
+    time = _time(passes, whole, ramp, speed, head)
     facts = (
         f"deflection from '{deflection.name}', position from "
         + ("'Height Sensor'" if place is not None else "the ramp, its size and number of points"),
@@ -251,15 +252,27 @@ def _ramp(channel: _Channel, head: _Head, path: Path) -> tuple[float, float]:
     return float(match["hard"]) * per_volt, (_number(head.settings, "Forward vel.") or 0.0) * per_volt
 
 
-def _time(passes: tuple[int, int], ramp: float, speed: float, head: _Head) -> Array:
+def _whole_ramp(passes: tuple[int, int], head: _Head) -> tuple[float, float]:
+    """Return how many points extension and retraction would have over the whole ramp.
+
+    A trigger ends the extension early, at a point from which the whole ramp is retracted.  Both have one number of
+    points over the ramp, or one in a second.
+    """
+    there, back = passes
+    there_speed, back_speed = _number(head.settings, "Forward vel."), _number(head.settings, "Reverse vel.")
+    in_time = back * back_speed / there_speed if there_speed and back_speed else back
+    return min((full for full in (float(back), in_time) if full >= there), default=float(there)), float(back)
+
+
+def _time(passes: tuple[int, int], whole: tuple[float, float], ramp: float, speed: float, head: _Head) -> Array:
     """Return the times of all points [s]; none where a speed is missing."""
     per_volt_free = _number(head.settings, "Reverse vel."), _number(head.settings, "Forward vel.")
     if not speed > 0.0 or not per_volt_free[0] or not per_volt_free[1]:
         return np.zeros(0)
     back = speed * per_volt_free[0] / per_volt_free[1]
     there, retracts = (
-        ramp / speed * np.arange(1, passes[0] + 1) / passes[0],
-        ramp / back * np.arange(1, passes[1] + 1) / passes[1],
+        ramp / way * np.arange(1, count + 1) / full
+        for way, count, full in zip((speed, back), passes, whole, strict=True)
     )
     return np.concatenate([there, there[-1] + (_number(head.settings, "Ramp delay") or 0.0) + retracts])
 

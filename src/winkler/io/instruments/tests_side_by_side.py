@@ -18,23 +18,34 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES, TIME_NAMES
+from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.instruments.number_block import is_row, rows_of
 from winkler.io.tables.given_units import GivenFacts
-from winkler.io.tables.table_cells import like_number
+from winkler.io.tables.header import NAME_LETTER
+from winkler.io.tables.table_cells import is_number, like_number
 from winkler.io.tables.table_lines import table_head, table_lines, table_sheets
 from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.numerics.types import Array
 
 __all__ = ["tests_side_by_side"]
 
+DEFLECTION_NAMES = ("defl", "deflection")
 QUANTITIES = (
-    ("force", (*FORCE_NAMES, "defl", "deflection"), "N"),
+    ("force", (*FORCE_NAMES, *DEFLECTION_NAMES), "N"),
+    ("deflection", DEFLECTION_NAMES, "m"),
+    ("deflection", DEFLECTION_NAMES, "V"),
     ("depth", DEPTH_NAMES, "m"),
     ("position", POSITION_NAMES, "m"),
     ("time", TIME_NAMES, "s"),
 )
 """Quantities, the names that may stand for each, and the unit that tells them apart from others of the name."""
+LOADS, PLACES = {"force", "deflection"}, {"depth", "position"}
+STATED = {
+    "spring constant": re.compile(r'"?\\Spring Constant: ([-+.\deE]{1,30})\s*+"?'),
+    "sensitivity": re.compile(r'"?\\@Sens\. DeflSens: V ([-+.\deE]{1,30}) nm/V"?'),
+}
+"""Lines of the settings that NanoScope writes above its numbers: spring constant [N/m], sensitivity [nm/V]."""
 WAYS = {"ex": IN, "rt": OUT}
 AXES = frozenset({"x", "y"})
 UNIT = re.compile(r"[\[(]\s*([^\])]{1,20}?)\s*[\])]")
@@ -56,6 +67,14 @@ class _Named(NamedTuple):
     label: tuple[str, ...]
 
 
+class _Cantilever(NamedTuple):
+    """Spring constant [N/m] and deflection per volt [m/V], where they are known, and where the latter is from."""
+
+    spring: float | None
+    sensitivity: float | None
+    origin: str
+
+
 def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
     """Return the tests of a table with several groups of columns; None if it is no such table.
 
@@ -72,6 +91,8 @@ def tests_side_by_side(path: str | os.PathLike[str], given: GivenFacts) -> Itera
 def _tests_of_part(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[InstrumentTest] | None:
     head = table_head(path, "a force curve")
     for index, line in enumerate(head[:-1]):
+        if not NAME_LETTER.search(line):
+            continue
         for separator in SEPARATORS:
             if line.count(separator) < FEWEST_COLUMNS - 1:
                 continue
@@ -82,14 +103,29 @@ def _tests_of_part(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[
             has_units = len(below) == len(cells) and not any(like_number(cell) for cell in below if cell)
             groups = _groups(cells, below if has_units else [""] * len(cells))
             if groups and is_row(_first_row(head, index + 1 + has_units), len(cells), separator):
-                bends = given.spring_constant is None and not given.rigid
+                cantilever = _cantilever(head[:index], given)
+                bends = cantilever.spring is None and not given.rigid
                 if bends and not all("depth" in group for group in groups.values()):
                     raise InvalidInput(
                         f"{path}: the table holds a position, and so the depth needs the bending of the cantilever; "
                         "give spring_constant in N/m, infinite where the position is the travel of the tip itself."
                     )
-                return _tests(path, groups, index + 1 + has_units, len(cells), separator)
+                return _tests(path, groups, index + 1 + has_units, len(cells), separator, cantilever)
     return None
+
+
+def _cantilever(above: Sequence[str], given: GivenFacts) -> _Cantilever:
+    """Return what makes a force of a deflection, as it is given or as NanoScope states it above the numbers."""
+    found: dict[str, float] = {}
+    for line in above:
+        for what, pattern in STATED.items():
+            if what not in found and (match := pattern.fullmatch(line.strip())) and is_number(match[1]):
+                found[what] = float(match[1])
+    spring = given.spring_constant or found.get("spring constant") or None
+    if given.sensitivity:
+        return _Cantilever(spring, given.sensitivity, "given")
+    stated = found.get("sensitivity", 0.0)
+    return _Cantilever(spring, stated * 1e-9 if stated > 0.0 else None, "from the file")
 
 
 def _first_row(head: Sequence[str], start: int) -> str:
@@ -109,7 +145,7 @@ def _groups(cells: Sequence[str], units: Sequence[str]) -> dict[tuple[str, ...],
             number = seen[one.quantity, label] = seen.get((one.quantity, label), 0) + 1
             label = (str(number),)
         groups.setdefault(label, {}).setdefault(one.quantity, []).append(one)
-    whole = {label: group for label, group in groups.items() if "force" in group and {"depth", "position"} & set(group)}
+    whole = {label: group for label, group in groups.items() if LOADS & set(group) and PLACES & set(group)}
     shapes = {tuple("#" if word.isdigit() else word for word in label) for label in whole}
     ways = set(whole) == {(way,) for way in WAYS}
     differ_in_numbers = len(shapes) == 1 and "#" in next(iter(shapes))
@@ -150,20 +186,38 @@ def _tests(
     first: int,
     count: int,
     separator: str,
+    cantilever: _Cantilever,
 ) -> Iterator[InstrumentTest]:
     rows = rows_of(table_lines(path, "a force curve"), first, count, path, separator=separator)
     path = Path(path)
     tests = [
-        (label, {quantity: _columns(rows, columns, path) for quantity, columns in group.items()})
+        (
+            label,
+            *_with_force({what: _columns(rows, columns, path) for what, columns in group.items()}, cantilever, path),
+        )
         for label, group in groups.items()
     ]
-    if all(label[0] in WAYS for label, _ in tests):
-        origin = tuple(_origin(groups[label]) for label, _ in tests)
-        yield _both_ways(path, {label[0]: columns for label, columns in tests}, origin)
+    if all(label[0] in WAYS for label, *_ in tests):
+        origin = tuple(_origin(groups[label]) for label, *_ in tests)
+        both = _both_ways(path, {label[0]: columns for label, columns, _ in tests}, origin)
+        yield both._replace(notes=(*both.notes, *tests[0][2]), spring_constant=cantilever.spring)
         return
-    for label, columns in tests:
+    for label, columns, facts in tests:
         name = f"{path.name}, test {' '.join(label)}"
-        yield InstrumentTest("text table, tests side by side", name, tuple(columns.values()), (_origin(groups[label]),))
+        maker, notes = "text table, tests side by side", (_origin(groups[label]), *facts)
+        spring = None if "depth" in columns else cantilever.spring
+        yield InstrumentTest(maker, name, tuple(columns.values()), notes, spring_constant=spring)
+
+
+def _with_force(
+    columns: dict[str, InstrumentColumn], cantilever: _Cantilever, path: Path
+) -> tuple[dict[str, InstrumentColumn], tuple[str, ...]]:
+    """Return the columns of a test with the force of its deflection, where there is no other, and what made it."""
+    bent = columns.pop("deflection", None)
+    if bent is None or "force" in columns:
+        return columns, ()
+    factor, facts = force_factor(bent.unit, cantilever.spring, cantilever.sensitivity, cantilever.origin, path)
+    return {**columns, "force": InstrumentColumn("force", "N", factor * bent.values)}, facts
 
 
 def _columns(rows: Array, columns: Sequence[_Named], path: Path) -> InstrumentColumn:
@@ -189,6 +243,11 @@ def _both_ways(path: Path, ways: dict[str, dict[str, InstrumentColumn]], origin:
     end = there[place].values[np.isfinite(there[place].values)][-1]
     x = back[place].values[np.isfinite(back[place].values)]
     turn = slice(None, None, -1) if abs(x[-1] - end) < abs(x[0] - end) else slice(None)
+    x = x[turn]
+    # the rows that a trigger saves are missing at the end of the extension, which goes to where retraction begins
+    late = bool(np.isnan(there[place].values[-1])) and abs(x[0] - end) > 0.0
+    if late:
+        there = {**there, place: there[place]._replace(values=there[place].values + (x[0] - end))}
     columns = tuple(
         InstrumentColumn(name, column.unit, np.concatenate([column.values, back[name].values[turn]]))
         for name, column in there.items()
@@ -198,5 +257,6 @@ def _both_ways(path: Path, ways: dict[str, dict[str, InstrumentColumn]], origin:
     notes = (
         *origin,
         "extension and retraction side by side" + ", retraction turned round" * (turn.step == -1),
+        *(["extension moved to end where retraction begins"] if late else []),
     )
     return InstrumentTest("text table", path.name, columns, notes, direction=direction)

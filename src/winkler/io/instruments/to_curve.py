@@ -28,7 +28,7 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
-from winkler.io.swapped_columns import is_list
+from winkler.io.swapped_columns import is_list, signs
 from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
@@ -83,6 +83,8 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
     if np.count_nonzero(usable) < 2:
         raise InvalidInput(f"{where}: {np.count_nonzero(usable)} rows hold depth and force; it needs at least 2.")
     depth, force = numbers["depth"][usable], numbers["force"][usable]
+    of_depth, of_force, turned = signs(depth, force)
+    depth, force = of_depth * depth, of_force * force
     time = numbers["time"][usable] if "time" in numbers else np.zeros(0)
     averaged = any(column.name.lower().startswith("standard deviation") for column in test.columns)
     if falling := averaged and bool(np.any(np.diff(time) < 0.0)):
@@ -105,6 +107,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
                 continuous = loading_stiffness(at, load, stiffness, clock, name)
         facts = [
             ", ".join(f"{role} from {_named(chosen[role], role, units)}" for role in chosen if role != "stiffness"),
+            turned,
             stiffness_fact(_named(chosen["stiffness"], "stiffness", units), continuous)
             if "stiffness" in chosen
             else "",

@@ -80,10 +80,11 @@ def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> Instrumen
     header = _header_row(sheet)
     if header is None or header + 1 >= len(sheet.rows):
         return None
-    cells = [str(cell) for cell in sheet.rows[header]]
+    cells = [cell if isinstance(cell, str) else "" for cell in sheet.rows[header]]
     below = sheet.rows[header + 1]
-    texts_below = all(isinstance(cell, str) for cell in below) and any(below)
-    units = [str(cell) for cell in below] if texts_below else [""] * len(cells)
+    named = [cell for name, cell in zip(cells, below, strict=False) if name]  # another table may stand beside it
+    texts_below = all(isinstance(cell, str) for cell in named) and any(named)
+    units = [cell if isinstance(cell, str) else "" for cell in below] if texts_below else [""] * len(cells)
     both = [
         (cell, unit) if unit else split_unit(cell)
         for cell, unit in zip(cells, [*units, *[""] * len(cells)], strict=False)

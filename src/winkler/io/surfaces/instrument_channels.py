@@ -17,6 +17,7 @@ from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
+from winkler.io.surfaces.repacked import X3P_HEAD, readable_copy
 from winkler.io.surfaces.surface_container import contained_surface, is_container
 from winkler.io.text_file import UTF16_MARKS, content_of, of_other_program, refuse_large
 from winkler.limits import FILE_BYTES
@@ -36,7 +37,6 @@ PLAIN_NUMBER = re.compile(rb"[-+0-9.,eE]{1,40}|nan", re.IGNORECASE)
 """A cell of a log."""
 SDF = b"aISO-"
 """How a text of ISO 25178-71 begins, which holds a map in rows of any length."""
-X3P_HEAD = "main.xml"
 UNMARKED = "HGTReader"
 """It takes any file of 2 n^2 bytes for a map of n x n heights."""
 
@@ -77,7 +77,7 @@ def channel_contents(
             f"{path}: files of instruments are read by SurfaceTopography; install it by "
             'pip install "winkler[topography]".'
         ) from None
-    with quiet(), sentence_of(path, wrong, remedy), limited_memory(path):
+    with quiet(), sentence_of(path, wrong, remedy), limited_memory(path), readable_copy(path) as copy:
         if is_archive(path):
             refuse_large_archive(path, "save the map as an NPY file")
         if is_container(path):
@@ -87,7 +87,7 @@ def channel_contents(
         refuse_other_files(path)
         _refuse_cut_array(path)
         try:
-            file = open_topography(str(path))
+            file = open_topography(str(copy))
             opened = file.channels
         except CannotDetectFileFormat:  # its message lists what each of its formats missed, in words of NumPy
             other = of_other_program(content_of(path, FILE_BYTES, start=HEAD_BYTES)) or _of_x3p(path)
@@ -174,8 +174,6 @@ def _of_x3p(path: Path) -> str:
         return ""
     with zipfile.ZipFile(path) as archive:
         names = archive.namelist()
-    if X3P_HEAD not in names and any(name.endswith(f"/{X3P_HEAD}") for name in names):
-        return f"an X3P whose {X3P_HEAD} stands in a folder of the archive; pack what is in the folder, without it"
     if X3P_HEAD in names and not any(name.endswith(".bin") for name in names):
         return f"an X3P whose heights stand in its {X3P_HEAD}; save it anew with binary data, or as text"
     return ""

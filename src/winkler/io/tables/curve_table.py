@@ -37,7 +37,7 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
 from winkler.io.segments import directions, segment_fact
-from winkler.io.swapped_columns import is_list, is_reversed
+from winkler.io.swapped_columns import is_list, is_reversed, signs
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
 from winkler.io.tables.place_lines import place_in
@@ -51,7 +51,10 @@ __all__ = ["is_curve_table", "read_curve_tables"]
 
 POSITION = Column("position", POSITION_NAMES, "m", "nm")
 DEPTH = Column("depth", DEPTH_NAMES, "m", "nm")
-GAP = Column("gap", ("gap", "spalt"), "m", "mm")
+GAP = Column(
+    "gap", ("gap", "spalt", "tool separation", "werkzeugabstand", "ecartement entre outils", "écartement entre outils"),
+    "m", "mm",
+)  # fmt: skip
 """Distance of the plates of a rheometer: it falls as they approach."""
 FORCE = Column("force", FORCE_NAMES, "N", "nN")
 DEFLECTION = Column("deflection", ("deflection", "cantilever", "defl"), "m", "nm")
@@ -151,6 +154,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
         if load is VOLTAGE and sensitivity is None:
             raise InvalidInput(f"{path}: the deflection is a voltage; give sensitivity, deflection per volt in m/V.")
         force = force * stiffness * (sensitivity if load is VOLTAGE and sensitivity is not None else 1.0)
+    of_place, of_load, turned = signs(position, force)
+    position, force = of_place * position, of_load * force
     travels = place in (POSITION, GAP)
     needs_spring = travels or load is not FORCE
     rigid = travels and stiffness is None and given.rigid
@@ -181,6 +186,7 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
                 + ", its sign changed" * (place is GAP)
                 + f", {load.word} from '{read_as['load']}'"
                 + (f", time from '{read_as['time']}'" if "time" in found else ""),
+                turned,
                 stiffness_fact(f"'{read_as['stiffness']}'", continuous) if measured else "",
                 segment_fact(at, load_at, segment, read_as.get("segment", "")),
                 _origin_of_spring(stiffness, spring_constant) if needs_spring and not rigid else "",

@@ -94,7 +94,12 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
     InvalidInput
         If the file cannot be read.
     """
-    return [line for line in table_head(path, needs_of(columns), columns) if NO_NUMBERS.search(line)]
+    return list(_without_numbers(tuple(table_head(path, needs_of(columns), columns))))
+
+
+@functools.lru_cache(maxsize=4)  # each kind of table that is tried asks for it
+def _without_numbers(lines: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(line for line in lines if NO_NUMBERS.search(line))
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -118,7 +123,7 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
     for index, line in sorted(enumerate(lines), key=lambda numbered: numbered[1].lstrip()[:1] in ("#", "%")):
         if not NAME_LETTER.search(line) or not _may_name(line.lower(), columns):
             continue
-        text = line.lstrip(COMMENT_MARKS).rstrip()
+        text = _names_of(line, lines[index + 1 :])
         for separator in SEPARATORS_TRIED:
             cells = cells_of(text, separator)
             candidates = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
@@ -144,6 +149,15 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
             header = Header(index + 1, separator, tuple(cells), tuple(places[0] for places in candidates), units)
             return _with_units(header, lines, columns, file, given)
     raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
+
+
+def _names_of(line: str, below: Sequence[str]) -> str:
+    """Return a header without its comment mark; with an empty first name, as of numbered rows, where rows have one."""
+    if line.startswith("\t"):
+        first = next((one for one in below if one.strip() and not NAME_LETTER.search(one)), "")
+        if first.count("\t") >= line.rstrip().count("\t"):
+            return line.rstrip()
+    return line.lstrip(COMMENT_MARKS).rstrip()
 
 
 def placed_header(

@@ -18,6 +18,8 @@ FAR = 10.0
 """Least distance of a mark from the other heights, in parts of their range."""
 STEEPEST, LONGEST = 3.0, 1.0
 """Root mean square slope [-], and length [m], above which units are doubted."""
+FLATTEST, SHORTEST = 1e-11, 1e-9
+"""Range of heights [m], a tenth of the size of an atom, and length [m], below which they are doubted."""
 
 
 def without_marks(heights: Array) -> tuple[Array, Array]:
@@ -72,6 +74,16 @@ def doubts_of_surface(heights: Array, slope: float, lengths: tuple[float, ...]) 
             "smaller one."
         )
     there = heights[np.isfinite(heights)]
+    if 0.0 < (whole := float(np.ptp(there))) < FLATTEST:
+        doubts.append(
+            f"Doubtful: the heights range over {with_unit(whole, 'm', 2)}, smaller than an atom; their unit may be a "
+            "greater one."
+        )
+    if max(lengths) < SHORTEST:
+        doubts.append(
+            f"Doubtful: the surface is {with_unit(max(lengths), 'm', 3)} long, a few atoms; the unit of the lengths "
+            "may be a greater one."
+        )
     for end in (float(there.min()), float(there.max())):
         rest = there[there != end]
         count = there.size - rest.size

@@ -156,7 +156,7 @@ SPECIFIC = (
         "measured_constriction",
     ),
     TableKind("path", _headers(((path_table.TIME,),), NORMALS, LATERALS), path_table.read_path, "path"),
-    TableKind("bounces by their times", ((logs.BOUNCE,),), logs.read_bounces, ""),
+    TableKind("bounces by their times", ((logs.BOUNCE,),), logs.read_bounces, "bounces"),
     TableKind(
         "log of a pin on a disc", ((logs.DISTANCE, logs.FRICTION), (logs.DISTANCE, logs.LOSS)), logs.read_pin, ""
     ),

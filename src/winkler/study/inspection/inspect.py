@@ -50,6 +50,9 @@ __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
+NO_HEADER = "without a header above them"
+BARE_CURVE = 'give columns = { position = 1, force = 2 } and units = { position = "mm", force = "N" }'
+OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
 ARRAYS = {".npy", ".npz"}
@@ -171,6 +174,8 @@ def _listed(path: Path) -> Inspection:
 def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     """Return why a file cannot be read: by its header if that names a kind, else as the reader that lacks least."""
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
+    if not named and NO_HEADER in last:
+        return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
@@ -204,7 +209,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         return reasons
     of_curve = ("force curve", curve.reason)
     if is_curve:  # its header names one: no reader of surfaces, which take long to refuse a table, is tried
-        return Inspection(str(file), "", _reason(file, curve.reason, [of_curve, *reasons]))
+        of_moduli = [one for one in reasons if one[0] in OF_MODULI]  # a sweep names a force and a gap, too
+        return Inspection(str(file), "", _reason(file, curve.reason, [*of_moduli, of_curve, *reasons]))
     return [*reasons, of_curve]
 
 
@@ -285,6 +291,7 @@ def _tip(file: Path) -> Inspection:
 def _curve(file: Path, *, brief: bool) -> Inspection:
     """Return the first force curve of a file, and how many there are; without one the reason."""
     begun, count, unread = time.monotonic(), 0, 0
+    stopped: tuple[str, ...] = ()
     first, reason = None, ""
     for placed in itertools.islice(try_curves(file, rigid=False), 1 if brief else MOST_CURVES_COUNTED):
         if isinstance(placed, UnreadCurve):
@@ -294,12 +301,13 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
             first = placed.curve
         count += 1
         if time.monotonic() - begun > LONGEST_COUNT and first is not None:
+            stopped = (f"curves were counted for {LONGEST_COUNT:g} s; there may be more",) * (not brief)
             break
     if first is None:
         return Inspection(str(file), "", reason or f"{file}: the file holds no curve; give another one.")
     hard = _is_nanoindentation(first)
     kind = "nanoindentation" if hard else "force curve"
-    done = () if brief else tuple(_done(first, nano=hard))
+    done = () if brief else (*_done(first, nano=hard), *stopped)
     flags = examined(first) if np.any(first.direction != 0.0) else ()
     doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
     if not np.any(first.direction != 0.0):

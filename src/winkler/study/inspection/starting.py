@@ -21,6 +21,8 @@ __all__ = ["placed_study", "starting_study"]
 
 PLACE = re.compile(r"<(\w+)\.(\w+)(?:\*([\d.e-]+))?>")
 FILE = "<file>"
+GRAVITY = 9.81
+"""Acceleration of a body in flight [m/s^2]."""
 
 
 @functools.cache
@@ -81,8 +83,22 @@ def _arc(inspection: Inspection) -> str:
     return "y = [{}], z = [{}]".format(*lists)
 
 
-OPTIONS: dict[str, Callable[[Inspection], str]] = {"<down>": _down, "<poisson>": _poisson, "<longest>": _longest,
-                                                      "<arc>": _arc}  # fmt: skip
+def _restitution(inspection: Inspection) -> str:
+    """Return the coefficient of restitution of bounces with its standard error."""
+    found = inspection.content.restitution
+    return f"{found.value:.4g} ± {found.error:.2g}"
+
+
+def _speed(inspection: Inspection) -> str:
+    """Return the speed after the first bounce, by which the body flies as long as to the second."""
+    times = inspection.column("bounce").values
+    return f"{0.5 * GRAVITY * float(times[1] - times[0]):.4g} m/s"
+
+
+OPTIONS: dict[str, Callable[[Inspection], str]] = {
+    "<down>": _down, "<poisson>": _poisson, "<longest>": _longest, "<arc>": _arc, "<restitution>": _restitution,
+    "<speed>": _speed,
+}  # fmt: skip
 """Marks of a study, and what is written there."""
 
 
