@@ -348,13 +348,16 @@ def test_a_row_of_heights_without_places_is_neither_a_map_nor_a_scan(tmp_path, s
         read_topography(tmp_path / "profile.mat", unit="um", lengths=(1e-3, 1e-3))
 
 
-def test_a_log_is_told_before_the_readers_of_texts_are_tried(tmp_path, monkeypatch):
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_a_log_is_told_before_the_readers_of_texts_are_tried(encoding, tmp_path, monkeypatch):
     """One of them reads a text anew below each line: 9,000 rows of a tribometer took 299 s to be refused."""
     library = pytest.importorskip("SurfaceTopography.IO")
     monkeypatch.setattr(library, "open_topography", lambda path: pytest.fail("the readers were tried"))
     rows = [f"4,{0.1 * n:.1f},9.0,nan,{437.0 + n % 7:g},0,-115.4" for n in range(2000)]
     path = tmp_path / "log.csv"
-    path.write_text("\n".join(["Recipe, Averaging", "Rotary,100", "Step, Timestamp, Fz, COF, rpm, X, Y", *rows]))
+    path.write_text(
+        "\n".join(["Recipe, Averaging", "Rotary,100", "Step, Timestamp, Fz, COF, rpm, X, Y", *rows]), encoding
+    )
     with pytest.raises(InvalidInput, match=r"log\.csv"):
         read_topography(path)
 

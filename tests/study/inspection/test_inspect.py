@@ -8,6 +8,7 @@ from made_files import DATA, made_files, table
 
 from winkler.cli import main
 from winkler.errors import InvalidInput
+from winkler.study.inspection import inspect
 from winkler.study.inspection.inspect import inspect_file, inspect_files
 
 
@@ -110,6 +111,16 @@ def test_a_file_that_cannot_be_read_says_what_its_reader_needs(tmp_path):
     assert "unit" in inspect_file(scan).reason
     with pytest.raises(InvalidInput, match="there is no such file"):
         inspect_file(tmp_path / "absent.csv")
+
+
+def test_what_its_header_calls_a_curve_is_given_to_no_reader_of_surfaces(tmp_path, monkeypatch):
+    """They took 3 s to load, and 40 ms to refuse each of the curves of a folder."""
+    monkeypatch.setattr(inspect, "read_surface_file", lambda *_: pytest.fail("a reader of surfaces was tried"))
+    path = table(tmp_path / "piezo.csv", "piezo [nm], force [nN]", np.arange(20.0), np.arange(20.0))
+    found = inspect_file(path)
+    assert not found.is_read
+    assert found.reason.startswith(f"{path}: read as force curve: ")
+    assert "give spring_constant in N/m" in found.reason
 
 
 def test_files_in_toml_are_calibrated_indenters_or_studies(tmp_path):

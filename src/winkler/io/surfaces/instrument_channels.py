@@ -17,7 +17,7 @@ from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.surfaces.surface_container import contained_surface, is_container
-from winkler.io.text_file import content_of, refuse_large
+from winkler.io.text_file import UTF16_MARKS, content_of, refuse_large
 from winkler.limits import FILE_BYTES
 
 __all__ = ["channel_contents", "tip_radius_of"]
@@ -62,6 +62,11 @@ def channel_contents(
     InvalidInput
         If SurfaceTopography is not installed or cannot read the file, or there is no such channel.
     """
+    refuse_large(path, FILE_BYTES)
+    what, _ = CONTENTS[directions]
+    wrong, remedy = "SurfaceTopography cannot read this file", REMEDIES[directions]
+    if not is_archive(path) and not is_container(path) and _is_log(path):  # it loads for seconds
+        raise InvalidInput(f"{path}: {wrong} (its rows are those of a log, no {what}); {remedy}.")
     try:
         with quiet():  # it warns where the library for many processes is not installed
             from SurfaceTopography.IO import CannotDetectFileFormat, open_topography
@@ -70,9 +75,6 @@ def channel_contents(
             f"{path}: files of instruments are read by SurfaceTopography; install it by "
             'pip install "winkler[topography]".'
         ) from None
-    refuse_large(path, FILE_BYTES)
-    what, _ = CONTENTS[directions]
-    wrong, remedy = "SurfaceTopography cannot read this file", REMEDIES[directions]
     with quiet(), sentence_of(path, wrong, remedy), limited_memory(path):
         if is_archive(path):
             refuse_large_archive(path, "save the map as an NPY file")
@@ -82,8 +84,6 @@ def channel_contents(
             return contents(surface)
         refuse_other_files(path)
         _refuse_cut_array(path)
-        if _is_log(path):
-            raise InvalidInput(f"{path}: {wrong} (its rows are those of a log, no {what}); {remedy}.")
         try:
             file = open_topography(str(path))
             opened = file.channels
@@ -145,11 +145,14 @@ def _is_log(path: Path) -> bool:
     """
     with path.open("rb") as file:
         head = file.read(HEAD_BYTES)
-    if not head or b"\x00" in head or head.startswith(SDF):
+    is_wide = head.startswith(UTF16_MARKS)
+    if not head or (b"\x00" in head and not is_wide) or head.startswith(SDF):
         return False
     if head.count(b"\n") * path.stat().st_size < LOG_LINES * len(head):
         return False
-    lines = [line.rstrip() for line in content_of(path, FILE_BYTES).splitlines()]
+    content = content_of(path, FILE_BYTES)
+    content = content.decode("utf-16", "replace").encode() if is_wide else content
+    lines = [line.rstrip() for line in content.splitlines()]
     marks = (b",", b";", b"\t", None)
     mark = max(marks, key=lambda one: sum(len(line.split(one)) for line in lines[LOG_LINES // 2 : LOG_LINES // 2 + 20]))
     row = lines[LOG_LINES // 2].split(mark)

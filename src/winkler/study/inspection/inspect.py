@@ -188,7 +188,9 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
     of_curve = ("force curve", curve.reason)
-    return [of_curve, *reasons] if is_curve else [*reasons, of_curve]
+    if is_curve:  # its header names one: no reader of surfaces, which take long to refuse a table, is tried
+        return Inspection(str(file), "", _reason(file, curve.reason, [of_curve, *reasons]))
+    return [*reasons, of_curve]
 
 
 def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple[str, str]]) -> Inspection | None:
