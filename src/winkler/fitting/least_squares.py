@@ -120,14 +120,16 @@ def _stepped(
         further = here - (vectors @ (along / values)) / length
         if np.any(further <= low) or np.any(further >= high):
             return here, None
-        small = np.linalg.norm(further - here) < settled * (settled + np.linalg.norm(here))
-        if small or expected < NEGLIGIBLE_GAIN * settled * squares:
+        if expected < NEGLIGIBLE_GAIN * settled * squares:
             return here, squares
+        is_small = np.linalg.norm(further - here) < settled * (settled + np.linalg.norm(here))
         residuals = misfit(further)
         reached = float(residuals @ residuals)
-        if not squares - reached >= LEAST_GAIN * expected:
-            return here, squares if expected < settled * squares else None
         gained = squares - reached
+        if is_small or (gained < LEAST_GAIN * expected and expected < settled * squares):
+            return (further, reached) if gained > 0.0 else (here, squares)
+        if not gained >= LEAST_GAIN * expected:
+            return here, None
         here, squares = further, reached
         if gained < settled * squares:
             return here, squares
