@@ -59,9 +59,7 @@ def bench_modulus_point_and_baseline(benchmark, count, curves):
     bed = wk.Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace.between(wk.Elastic(3e4, 0.5)))
     model, measured = wk.Indentation(bed, wk.Depth(0.0)), [pressed(count, seed) for seed in range(curves)]
     free = [PATH, "contact_point", "baseline"]
-    found = benchmark.pedantic(
-        lambda: [fit(curve, model, free=free) for curve in measured], rounds=3, warmup_rounds=1
-    )
+    found = benchmark.pedantic(lambda: [fit(curve, model, free=free) for curve in measured], rounds=3, warmup_rounds=1)
     assert all(abs(one.value(PATH) - YOUNG) < 5.0 * one.error(PATH) for one in found)
 
 
