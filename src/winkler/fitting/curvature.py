@@ -51,8 +51,8 @@ def stretches_of(task: FitTask, coordinates: Array, covariance: Array, noise: No
     if _is_linear(task.coarse, coordinates, covariance):
         return stretches
     whole = task._replace(whitening=whitening_of(noise))
-    fitted = whole.predicted(coordinates).fitted
-    jacobian = whole.decorrelated(whole.slopes(coordinates))
+    fitted = whole.prediction(coordinates).fitted
+    jacobian = whole.decorrelated(whole.jacobian(coordinates, whole.prediction(coordinates)))
     for index in range(coordinates.size):
         basis = np.linalg.qr(np.delete(jacobian, index, axis=1))[0] if coordinates.size > 1 else jacobian[:, :0]
         direction = covariance[:, index] / np.sqrt(covariance[index, index])
@@ -73,9 +73,9 @@ def stretches_of(task: FitTask, coordinates: Array, covariance: Array, noise: No
 
 def _is_linear(task: FitTask, coordinates: Array, covariance: Array) -> bool:
     """Return whether a common step of all numbers changes the prediction as the derivatives say, either way."""
-    prediction = task.predicted(coordinates)
+    prediction = task.prediction(coordinates)
     together = REFERENCE_WIDTH * (covariance / np.sqrt(np.diag(covariance))).mean(axis=1)
-    along = task.slopes(coordinates) @ together
+    along = task.jacobian(coordinates, prediction) @ together
     limit = LEAST_CURVATURE * float(np.linalg.norm(along))
     for sign in (-1.0, 1.0):
         moved = _change(task, coordinates, prediction.fitted, sign * together)

@@ -68,9 +68,11 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
         search.check()
         return task.decorrelated(task.slopes(at) / size)
 
-    begun, squares = _stepped(misfit, slopes, inside, low, high, settled)
-    if squares is not None:
-        return begun, squares * size**2
+    begun = inside
+    if task.has_one_optimum:
+        begun, squares = _stepped(misfit, slopes, inside, low, high, settled)
+        if squares is not None:
+            return begun, squares * size**2
     from scipy.optimize import least_squares
 
     result = least_squares(

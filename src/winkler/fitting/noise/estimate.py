@@ -131,10 +131,10 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array, *, white: b
         Whether the noise is known to be white, and nothing else disturbs: then there is one candidate.
     """
     count, p = jacobian.shape
+    disturbances = disturbances[:, :0] if white else _own(disturbances, jacobian)
     unit, size = float(np.sqrt(np.mean(residuals**2))) or 1.0, np.linalg.norm(jacobian, axis=0)
     table = candidates(count).only_white if white else candidates(count)
     basis, triangle = np.linalg.qr(jacobian / size)
-    disturbances = disturbances[:, :0] if white else _own(disturbances, basis)
     back = np.linalg.inv(triangle)
     products = _products(table, np.concatenate([basis, disturbances, (residuals / unit)[:, None]], axis=1))
     levels, level_weights = amplitudes_of(disturbances.shape[1])
@@ -166,9 +166,9 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array, *, white: b
     )
 
 
-def _own(disturbances: Array, basis: Array) -> Array:
+def _own(disturbances: Array, jacobian: Array) -> Array:
     """Return the disturbances that no combination of fitted numbers, or of those before, stands for."""
-    chosen = []
+    basis, chosen = np.linalg.qr(jacobian)[0], []
     for index, course in enumerate(disturbances.T):
         left = course - basis @ (basis.T @ course)
         length = float(np.linalg.norm(left))
@@ -183,10 +183,10 @@ def _products(table: Candidates, columns: Array) -> Array:
     spectra = transformed(columns)
     rows, cols = np.triu_indices(columns.shape[1])
     binned = np.stack(
-        [np.add.reduceat(spectra[:, i] * spectra[:, j], table.starts) for i, j in zip(rows, cols, strict=True)]
+        [np.add.reduceat(spectra[:, i] * spectra[:, j], table.starts) for i, j in zip(rows, cols, strict=True)], axis=1
     )
     products = np.empty((columns.shape[1], columns.shape[1], table.priors.size))
-    products[rows, cols] = binned @ table.precisions.T
+    products[rows, cols] = (binned.T) @ (1.0 / table.spectra).T
     products[cols, rows] = products[rows, cols]
     return products
 
