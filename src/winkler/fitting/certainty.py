@@ -76,7 +76,7 @@ def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest:
         raise OutsideValidity(
             f"fit: the curve does not depend on {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
         )
-    _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
+    _, values, rows = np.linalg.svd(np.linalg.qr(jacobian / size, mode="r"))
     if values[-1] <= SINGULAR_RATIO * values[0]:
         combined = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
         raise OutsideValidity(
