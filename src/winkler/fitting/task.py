@@ -145,16 +145,22 @@ class FitTask(_TaskFields):
         """Return the weighted derivatives ``(n, p)`` of the prediction at coordinates; the last ones are kept."""
         return self._kept("slopes", coordinates, lambda: self.jacobian(coordinates, self.predicted(coordinates)))
 
+    @property
+    def resolution(self) -> int:
+        """What predictions depend on beside the coordinates: it grows where a contact needs wider cells."""
+        return 0
+
     def _kept(self, name: str, coordinates: Array, compute: Callable[[], T]) -> T:
-        key = coordinates.tobytes()
         known = self._last.get(name)
-        if known is None or known[0] != key:
-            known = self._last[name] = (key, compute())
-        found: T = known[1]
-        return found
+        if known is None or known[0] != (coordinates.tobytes(), self.resolution):
+            found = compute()
+            self._last[name] = ((coordinates.tobytes(), self.resolution), found)
+            return found
+        kept: T = known[1]
+        return kept
 
     @functools.cached_property
-    def _last(self) -> dict[str, tuple[bytes, Any]]:
+    def _last(self) -> dict[str, tuple[tuple[bytes, int], Any]]:
         return {}
 
     def quiet(self, prediction: Prediction) -> Array:
