@@ -10,7 +10,7 @@ from noisy_worlds import coloured
 from synthetic import noise
 
 from winkler.fitting.noise.disturbances import disturbances_of
-from winkler.fitting.noise.estimate import _orthonormal, amplitudes_of, noise_of
+from winkler.fitting.noise.estimate import amplitudes_of, noise_of, orthonormal
 from winkler.fitting.noise.mixture import SIGMAS, Mixture
 from winkler.fitting.noise.spectra import EXPONENTS, candidates
 from winkler.fitting.noise.whitening import whitening_of
@@ -178,12 +178,12 @@ def test_half_widths_hold_their_part_of_a_mixture(narrow):
 
 
 @pytest.mark.parametrize("apart", [1.0, 1e-4, 2e-5, 1e-7, 1e-12])
-def test_a_basis_of_nearly_dependent_columns_is_orthonormal(apart):
+def test_a_basis_of_nearly_dependent_columns_isorthonormal(apart):
     """Where Cholesky's factors would lose digits, reflections are taken."""
     columns = np.random.default_rng(3).standard_normal((500, 3))
     columns[:, 2] = columns[:, 0] + apart * columns[:, 2]
     columns /= np.linalg.norm(columns, axis=0)
-    basis, triangle = _orthonormal(columns)
+    basis, triangle = orthonormal(columns)
     np.testing.assert_allclose(basis.T @ basis, np.eye(3), atol=1e-14)
     np.testing.assert_allclose(basis @ triangle, columns, atol=1e-14)
     assert np.array_equal(triangle, np.triu(triangle))

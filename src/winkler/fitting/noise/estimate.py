@@ -32,7 +32,7 @@ from winkler.fitting.noise.mixture import Mixture
 from winkler.fitting.noise.spectra import Candidates, candidates, transformed
 from winkler.numerics.types import Array
 
-__all__ = ["NoiseEstimate", "noise_of"]
+__all__ = ["NoiseEstimate", "noise_of", "orthonormal"]
 
 ABSENT, FAINT, PRESENT = 1e-6, 0.05, 3.0
 """Standard deviations s of disturbances, in parts of that of the noise."""
@@ -101,7 +101,7 @@ class NoiseEstimate(NamedTuple):
 class _Solutions(NamedTuple):
     """Of l levels and m candidates: logarithms of restricted and plain likelihood, estimates, variances, factors.
 
-    `factors` ``(l, m, u, p)`` are roots of the covariances in parts of the variance.
+    `factors` ``(u, p, l, m)`` are roots of the covariances in parts of the variance.
     """
 
     restricted: Array
@@ -138,7 +138,7 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array, *, white: b
     count, p = jacobian.shape
     unit, size = float(np.sqrt(np.mean(residuals**2))) or 1.0, np.linalg.norm(jacobian, axis=0)
     table = candidates(count).only_white if white else candidates(count)
-    basis, triangle = _orthonormal(jacobian / size)
+    basis, triangle = orthonormal(jacobian / size)
     disturbances = disturbances[:, :0] if white else _own(disturbances, basis)
     back = np.linalg.inv(triangle)
     products = _products(table, np.concatenate([basis, disturbances, (residuals / unit)[:, None]], axis=1))
@@ -150,11 +150,12 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array, *, white: b
     variance = float(by_candidate.sum())
     mean = np.einsum("lm,lmi->i", weights, found.estimates)
     likely = weights > LEAST_SHARE * weights.max()
-    shares, roots = weights[likely] / weights[likely].sum(), found.factors[likely]
-    losses = np.linalg.slogdet(roots.transpose(0, 2, 1) @ roots)[1]
-    steps, roots = found.estimates[likely][:, :p] @ back.T, roots @ back.T
-    covariances = found.variances[likely][:, None, None] * (roots.transpose(0, 2, 1) @ roots)
-    mixture = Mixture(shares, steps * unit / size, covariances * unit**2 / np.outer(size, size))
+    shares, roots = weights[likely] / weights[likely].sum(), found.factors[:, :, likely]
+    squares = np.einsum("uim,ujm->ijm", roots, roots)
+    losses = 2.0 * np.log(_cholesky(squares)[0][range(p), range(p)]).sum(axis=0)
+    outward = back * unit / size[:, None]
+    covariances = (np.kron(outward, outward) @ (found.variances[likely] * squares.reshape(p * p, -1))).T
+    mixture = Mixture(shares, found.estimates[likely][:, :p] @ outward.T, covariances.reshape(-1, p, p))
     return NoiseEstimate(
         step=mixture.mean,
         covariance=mixture.covariance,
@@ -171,11 +172,16 @@ def noise_of(residuals: Array, jacobian: Array, disturbances: Array, *, white: b
     )
 
 
-def _orthonormal(columns: Array) -> tuple[Array, Array]:
+def orthonormal(columns: Array) -> tuple[Array, Array]:
     """Return orthonormal columns ``(n, p)`` of the same span, and the triangle ``(p, p)`` that leads back.
 
     Two rounds of Cholesky factors, where the columns are far from dependent, are as accurate as Householder's
     reflections and need a fraction of their time.
+
+    Parameters
+    ----------
+    columns : ndarray, (n, p)
+        Of unit length.
     """
     basis, triangle = columns, np.eye(columns.shape[1])
     for _ in range(2):
@@ -228,26 +234,31 @@ def _solved(products: Array, p: int, levels: Array, count: int) -> _Solutions:
 
     One Cholesky factor of the products of fitted numbers, disturbances and residuals, in this order, has everything:
     determinants in its diagonal, the least sum of squares in the last place, the estimates in the last row of its
-    inverse.
+    inverse.  Its first p columns are the same for all amplitudes.
     """
-    size, used = products.shape[0], products.shape[0] - 1
-    whole = np.repeat(products[:, :, None, :], len(levels), axis=2)
-    whole[used, used] += LEAST_SQUARES_SHARE * whole[used, used] + np.finfo(float).tiny
-    for place in range(p, used):
-        whole[place, place] += levels[:, place - p, None] ** -2
+    used = products.shape[0] - 1
+    products[used, used] += LEAST_SQUARES_SHARE * products[used, used] + np.finfo(float).tiny
+    first, first_inverse = _cholesky(products[:p, :p])
+    across = np.einsum("ikm,jkm->ijm", products[p:, :p], first_inverse)
+    left = products[p:, p:] - np.einsum("ikm,jkm->ijm", across, across)
+    whole = np.repeat(left[:, :, None, :], len(levels), axis=2)
+    for place in range(used - p):
+        whole[place, place] += levels[:, place, None] ** -2
     factor, inverse = _cholesky(whole)
-    logarithms = np.log(factor[range(size), range(size)])
-    last = inverse[used, used]
+    last = inverse[-1, -1]
     squares = last**-2
     prior = -np.log(levels).sum(axis=1)[:, None] if used > p else np.zeros((1, 1))
-    of_disturbances, of_model = prior - logarithms[p:used].sum(axis=0), logarithms[:p].sum(axis=0)
-    inner = inverse[:used, :p]
+    of_disturbances = prior - np.log(factor[range(used - p), range(used - p)]).sum(axis=0)
+    of_model = np.log(first[range(p), range(p)]).sum(axis=0)
+    down = np.einsum("iklm,kjm->ijlm", inverse, -np.einsum("ikm,kjm->ijm", across, first_inverse))
+    inner = np.concatenate([np.broadcast_to(first_inverse[:, :, None, :], (p, p, *last.shape)), down[:-1]])
+    rows = np.concatenate([down[-1], inverse[-1, :-1]])
     return _Solutions(
         restricted=of_disturbances - of_model - 0.5 * (count - p) * np.log(squares),
         plain=of_disturbances - 0.5 * count * np.log(squares),
-        estimates=np.moveaxis(-inverse[used, :used] / last, 0, -1),
+        estimates=np.moveaxis(-rows / last, 0, -1),
         variances=squares / max(count - p - 2, 1),
-        factors=inner.transpose(2, 3, 0, 1),
+        factors=inner,
     )
 
 
