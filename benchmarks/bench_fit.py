@@ -1,4 +1,5 @@
-"""Fits: 2,000 points and four free numbers, and one curve of a batch that begins near the answer.
+"""Fits: 2,000 points and four free numbers, one curve of a batch that begins near the answer, and modulus, contact
+point and baseline of different curves without adhesion.
 
 Run it:  pytest benchmarks/bench_fit.py -m bench -n 0 --benchmark-only
 """
@@ -43,6 +44,23 @@ def there_and_back(count: int) -> ForceCurve:
 def check(found) -> None:
     assert abs(found.value(PATH) - YOUNG) < 5.0 * found.error(PATH)
     assert abs(found.value("law.work") - WORK) < 5.0 * found.error("law.work")
+
+
+def pressed(count: int, seed: int) -> ForceCurve:
+    """A paraboloid pressed into a soft half-space, with noise."""
+    depth = np.linspace(-1e-6, 1e-6, count)
+    force = 4.0 / 3.0 * YOUNG / 0.75 * np.sqrt(RADIUS) * np.maximum(depth, 0.0) ** 1.5
+    return ForceCurve(depth + 3e-6, force + 1e-10 + NOISE * np.random.default_rng(seed).standard_normal(count))
+
+
+@pytest.mark.parametrize(("count", "curves"), [(2000, 20), (64_000, 3)])
+def bench_modulus_point_and_baseline(benchmark, count, curves):
+    """Different curves in a row, so that no fit finds what the one before kept of its curve."""
+    bed = wk.Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace.between(wk.Elastic(3e4, 0.5)))
+    model, measured = wk.Indentation(bed, wk.Depth(0.0)), [pressed(count, seed) for seed in range(curves)]
+    free = [PATH, "contact_point", "baseline"]
+    found = benchmark.pedantic(lambda: [fit(curve, model, free=free) for curve in measured], rounds=3, warmup_rounds=1)
+    assert all(abs(one.value(PATH) - YOUNG) < 5.0 * one.error(PATH) for one in found)
 
 
 def bench_two_thousand_points(benchmark, below):

@@ -30,7 +30,7 @@ def on_film(young: float, thickness: float, poisson: float = 0.45, depth=0.0) ->
 
 @pytest.mark.parametrize("spring", [np.inf, 0.05, 5.0])
 def test_one_table_for_all_moduli_gives_hertz(spring):
-    tables = HomogeneousTables()
+    tables, name = HomogeneousTables(on_half_space(3e4).bed), "bed.medium.first.young"
     for young, deepest in ((1e4, 1e-6), (3e2, 5e-7), (7e5, 1e-6), (2e4, 4e-6)):
         depth = np.linspace(0.0, deepest, 50)[1:]
         force = 4.0 / 3.0 * young / 0.75 * np.sqrt(R) * depth**1.5
@@ -41,9 +41,10 @@ def test_one_table_for_all_moduli_gives_hertz(spring):
         assert found.radius == pytest.approx(np.sqrt(R * depth), rel=1e-8)
         slope = 1.5 * force / depth
         assert found.slope == pytest.approx(slope / (1.0 + slope / spring), rel=1e-6)
-        changed = tables.differences(response, states_for(on_half_space(1.001 * young)), 1.0 / spring, found)
-        assert changed[1] == pytest.approx(1e-3 * force, rel=1e-6)
-        assert changed[0] == pytest.approx(1e-3 * force / spring, rel=1e-6, abs=1e-25)
+        known = tables.known({name: young}, 1.0 / spring, float(place[-1]))
+        assert known.closing(place).force == pytest.approx(force, rel=1e-8)
+        stiffer = tables.known({name: 1.001 * young}, 1.0 / spring, float(place[-1]))
+        assert known.change(stiffer, found) == pytest.approx(1e-3 * force / (1.0 + slope / spring), rel=1e-6)
 
 
 @pytest.mark.parametrize("spring", [np.inf, 0.02])
@@ -57,7 +58,7 @@ def test_forces_over_the_depth_are_those_of_the_radii(profile, spring):
     depth = profile.gap(radius)
     force = 2.0 * modulus * (radius * depth - profile.gap_integral(radius))
     position = depth + force / spring
-    response = HomogeneousTables().response(states_for(model), 1.0 / spring, float(position[-1]))
+    response = HomogeneousTables(model.bed).response(states_for(model), 1.0 / spring, float(position[-1]))
     assert isinstance(response, HomogeneousResponse)
     found = response.opening(position, np.inf)
     assert found.force == pytest.approx(force, rel=1e-7, abs=1e-11 * force[-1])
@@ -69,7 +70,9 @@ def test_forces_over_the_depth_are_those_of_the_radii(profile, spring):
 @pytest.mark.parametrize("profile", [wk.FlatPunch(R), wk.TruncatedCone(0.3, 1e-6)], ids=repr)
 def test_a_profile_with_an_edge_keeps_its_table_of_radii(profile):
     model = wk.Indentation(wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(1e4, 0.5))), wk.Depth(0.0))
-    assert not isinstance(HomogeneousTables().response(states_for(model), 0.0, 1e-6), HomogeneousResponse)
+    tables = HomogeneousTables(model.bed)
+    assert not isinstance(tables.response(states_for(model), 0.0, 1e-6), HomogeneousResponse)
+    assert tables.known({}, 0.0, 1e-6) is None
 
 
 SLOW = pytest.mark.slow

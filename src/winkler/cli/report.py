@@ -34,7 +34,6 @@ def report(
 
     Example: winkler report examples/studies/normal/hertz.toml --interactive
     """
-    from winkler.calculators.read_off import with_reading
     from winkler.cli import terminal
     from winkler.cli.run import exit_code
     from winkler.errors import InvalidInput, WinklerError
@@ -60,6 +59,10 @@ def report(
         raise named(error, study.name) from None
     shown = figures_of(outcome)
     text = page(outcome, shown)
-    write_whole({path: (with_reading(text, shown) if interactive else text).encode("utf-8")})
+    if interactive:
+        from winkler.calculators.read_off import with_reading
+
+        text = with_reading(text, shown)
+    write_whole({path: text.encode("utf-8")})
     write_line(f"Written {path}")
     return exit_code(outcome)

@@ -15,6 +15,7 @@ from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.misfit import Misfit
+from winkler.fitting.noise.estimate import orthonormal
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 from winkler.readable import with_unit
@@ -76,7 +77,7 @@ def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest:
         raise OutsideValidity(
             f"fit: the curve does not depend on {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
         )
-    _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
+    _, values, rows = np.linalg.svd(orthonormal(jacobian / size)[1])
     if values[-1] <= SINGULAR_RATIO * values[0]:
         combined = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
         raise OutsideValidity(

@@ -50,9 +50,8 @@ def stretches_of(task: FitTask, coordinates: Array, covariance: Array, noise: No
     stretches = np.ones((coordinates.size, 2))
     if _is_linear(task.coarse, coordinates, covariance):
         return stretches
-    whole = task._replace(whitening=whitening_of(noise))
-    fitted = whole.prediction(coordinates).fitted
-    jacobian = whole.decorrelated(whole.jacobian(coordinates, whole.prediction(coordinates)))
+    whitening = whitening_of(noise)
+    jacobian = whitening.of(task.slopes(coordinates))
     for index in range(coordinates.size):
         basis = np.linalg.qr(np.delete(jacobian, index, axis=1))[0] if coordinates.size > 1 else jacobian[:, :0]
         direction = covariance[:, index] / np.sqrt(covariance[index, index])
@@ -60,10 +59,10 @@ def stretches_of(task: FitTask, coordinates: Array, covariance: Array, noise: No
         for side, sign in enumerate((-1.0, 1.0)):
             stretch = 1.0
             for _ in range(MOST_CORRECTIONS):
-                moved = _change(whole, coordinates, fitted, sign * REFERENCE_WIDTH * stretch * direction)
+                moved = _change(task, coordinates, sign * REFERENCE_WIDTH * stretch * direction)
                 if moved is None or not unit > 0.0:
                     break
-                reached = _length(moved, basis) / (REFERENCE_WIDTH * unit)
+                reached = _length(whitening.of(moved), basis) / (REFERENCE_WIDTH * unit)
                 if abs(reached - 1.0) <= CORRECTED or not reached > 0.0:
                     break
                 stretch = float(np.clip(stretch / reached, LEAST_STRETCH, GREATEST_STRETCH))
@@ -73,25 +72,28 @@ def stretches_of(task: FitTask, coordinates: Array, covariance: Array, noise: No
 
 def _is_linear(task: FitTask, coordinates: Array, covariance: Array) -> bool:
     """Return whether a common step of all numbers changes the prediction as the derivatives say, either way."""
-    prediction = task.prediction(coordinates)
     together = REFERENCE_WIDTH * (covariance / np.sqrt(np.diag(covariance))).mean(axis=1)
-    along = task.jacobian(coordinates, prediction) @ together
+    along = task.slopes(coordinates) @ together
     limit = LEAST_CURVATURE * float(np.linalg.norm(along))
     for sign in (-1.0, 1.0):
-        moved = _change(task, coordinates, prediction.fitted, sign * together)
+        moved = _change(task, coordinates, sign * together)
         if moved is None or np.linalg.norm(moved - sign * along) > limit:
             return False
     return True
 
 
-def _change(task: FitTask, coordinates: Array, fitted: Array, step: Array) -> Array | None:
-    """Return the weighted change of the prediction by a step, None beyond bounds or validity."""
+def _change(task: FitTask, coordinates: Array, step: Array) -> Array | None:
+    """Return the weighted change of the prediction by a step, None beyond bounds or validity.
+
+    The prediction before the step is read after that behind it, as both need the same cells (`FitTask.resolution`).
+    """
     low, high = bounds(task.parameters, coordinates)
     place = coordinates + step
     if np.any(place <= low) or np.any(place >= high):
         return None
     try:
-        return task.decorrelated((task.prediction(place).fitted - fitted) * task.weights)
+        ahead = task.prediction(place).fitted
+        return np.asarray((ahead - task.predicted(coordinates).fitted) * task.weights)
     except OutsideValidity:
         return None
 

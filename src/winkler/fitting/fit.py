@@ -235,10 +235,9 @@ def _best(
             break
         task = reweighed
         coordinates, _ = solved(task, coordinates, search)
-    prediction = task.prediction(coordinates)
-    if not prediction.touched.any():
+    if not task.predicted(coordinates).touched.any():
         raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
-    refuse_singular(task.parameters, task.jacobian(coordinates, prediction), task.size)
+    refuse_singular(task.parameters, task.slopes(coordinates), task.size)
     best = generalised(task, task.final(coordinates), noise, search)
     return _with_errors(task, likeliest(task, best, noise, search), noise, flags)
 

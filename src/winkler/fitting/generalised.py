@@ -196,7 +196,7 @@ def _is_near(here: Generalised, known: Generalised) -> bool:
 
 
 def _at(task: FitTask, coordinates: Array) -> Generalised:
-    prediction = task.prediction(coordinates)
+    prediction = task.predicted(coordinates)
     jacobian = task.instrument(coordinates, prediction)
     residuals = (task.measured - prediction.fitted) * task.weights
     return Generalised(coordinates, prediction, residuals, task.noise_of(residuals, jacobian))

@@ -65,7 +65,7 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     fitted = np.array([p.inward(n) for p, n in zip(task.parameters, found.values.tolist(), strict=True)])
     task = _decorrelated(task, fitted)
     best, least = solved(task, fitted, Search())
-    jacobian = task.decorrelated(task.jacobian(best, task.prediction(best)))
+    jacobian = task.decorrelated(task.slopes(best))
     plain = float(np.linalg.inv(jacobian.T @ jacobian)[index, index])
     error = found.error(name) / abs(parameter.change(found.value(name)))
     width = found.quantile(confidence, name)
@@ -81,10 +81,8 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
 
 def _decorrelated(task: ElasticTask, coordinates: Array) -> ElasticTask:
     """Return the task whose least squares are generalised ones, under the noise of its residuals."""
-    prediction = task.prediction(coordinates)
-    residuals = (task.measured - prediction.fitted) * task.weights
-    jacobian = task.jacobian(coordinates, prediction)
-    noise = task.noise_of(residuals, jacobian)
+    residuals = (task.measured - task.predicted(coordinates).fitted) * task.weights
+    noise = task.noise_of(residuals, task.slopes(coordinates))
     return task._replace(whitening=whitening_of(noise))
 
 

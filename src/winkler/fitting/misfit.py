@@ -34,7 +34,8 @@ LOCAL_LIMIT = 8.0
 class Misfit(NamedTuple):
     """Squared misfits over the noise, on the whole and in contact, and the limit in contact.
 
-    `local` is the greatest median residual in a row of points over the usual noise, and `place` the middle of the row.
+    Where the misfits are within the limits of white noise, `limit` and `local` are those of white noise.  `local` is
+    the greatest median residual in a row of points over the usual noise, and `place` the middle of the row.
     """
 
     whole: float
@@ -71,28 +72,50 @@ def misfit_of(residuals: Array, touched: Array, counted: Array, freedoms: tuple[
     noise : float
         Standard deviation, in the residuals' unit; that out of contact, where it is less.
     """
+    free = ~touched & counted
+    count, own = int(np.count_nonzero(free)), residuals[free]
+    has_free = count >= FEWEST_FREE_POINTS
+    if has_free:
+        own = own - own.mean()
+        noise = min(noise, float(np.sqrt(np.mean(own**2)))) or noise
+    level = max(noise, 1e-12 * float(np.abs(residuals).max()), np.finfo(float).tiny)
+    whole, contact = (float(np.sum((r / level) ** 2)) for r in (residuals[counted], residuals[touched & counted]))
+    local, place = 0.0, 0
+    if has_free:
+        usual = MAD_TO_SIGMA * float(np.median(np.abs(own - np.median(own)))) or level
+        local, place = _greatest_row(residuals[counted])
+        local, place = local / max(usual, level * LEAST_USUAL), int(np.flatnonzero(counted)[place])
+    found = Misfit(whole / freedoms[0], contact / freedoms[1], MISFIT_LIMIT, local, place)
+    if found.explained:  # slow noise only raises the limits
+        return found
+    inside = int(np.count_nonzero(touched & counted))
+    limit, growth = _slow_limit(own if has_free else own[:0], inside, freedoms[1])
+    return found._replace(limit=limit, local=local / float(np.sqrt(growth)))
+
+
+def _slow_limit(own: Array, inside: int, freedom: float) -> tuple[float, float]:
+    """Return the limit of the misfit of points in contact, and how slow noise grows with their number.
+
+    Parameters
+    ----------
+    own : ndarray, (m,)
+        Residuals out of contact without their mean; none: the noise is taken for white.
+    inside : int
+        Number of points in contact.
+    freedom : float
+        Their degrees of freedom.
+    """
     from scipy.special import gammaincinv
 
-    free, share, growth = ~touched & counted, 1.0, 1.0
-    count = int(np.count_nonzero(free))
-    if count >= FEWEST_FREE_POINTS:
-        own = residuals[free] - residuals[free].mean()
-        noise = min(noise, float(np.sqrt(np.mean(own**2)))) or noise
+    share, growth, count = 1.0, 1.0, own.size
+    if count:
         spectrum = noise_of(own, np.ones((count, 1)), np.zeros((count, 0))).spectrum[1:]
-        inside = max(int(np.count_nonzero(touched & counted)), 2)
+        inside = max(inside, 2)
         along = np.interp(np.arange(1, inside) / inside, np.arange(1, count) / count, spectrum)
         share = float(along.sum() ** 2 / (along @ along)) / along.size
         growth = max(float(along.mean() / spectrum.mean()), 1.0)
-    level = max(noise, 1e-12 * float(np.abs(residuals).max()), np.finfo(float).tiny)
-    whole, contact = (float(np.sum((r / level) ** 2)) for r in (residuals[counted], residuals[touched & counted]))
-    half = 0.5 * max(freedoms[1] * share, 1.0)
-    limit = growth * max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half)
-    if count < FEWEST_FREE_POINTS:
-        return Misfit(whole / freedoms[0], contact / freedoms[1], limit, 0.0, 0)
-    usual = MAD_TO_SIGMA * float(np.median(np.abs(own - np.median(own)))) or level
-    local, place = _greatest_row(residuals[counted])
-    local /= max(usual, level * LEAST_USUAL) * float(np.sqrt(growth))
-    return Misfit(whole / freedoms[0], contact / freedoms[1], limit, local, int(np.flatnonzero(counted)[place]))
+    half = 0.5 * max(freedom * share, 1.0)
+    return growth * max(MISFIT_LIMIT, float(gammaincinv(half, MISFIT_CONFIDENCE)) / half), growth
 
 
 def _greatest_row(residuals: Array) -> tuple[float, int]:

@@ -12,8 +12,8 @@ with the contact point :math:`D_0`, the baseline :math:`F_0`, its tilt t and the
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterable
-from typing import Any, ClassVar, NamedTuple, Self
+from collections.abc import Callable, Iterable
+from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["DIFFERENCE_STEP", "FitTask", "Prediction", "even_weights", "moved"]
 
+T = TypeVar("T")
 DIFFERENCE_STEP = 1e-5
 MOST_RECENT = 8
 """Models that a task keeps."""
@@ -136,6 +137,32 @@ class FitTask(_TaskFields):
         """Return the prediction of the model at coordinates."""
         raise NotImplementedError
 
+    def predicted(self, coordinates: Array) -> Prediction:
+        """Return the prediction at coordinates; the last one is kept."""
+        return self._kept("prediction", coordinates, lambda: self.prediction(coordinates))
+
+    def slopes(self, coordinates: Array) -> Array:
+        """Return the weighted derivatives ``(n, p)`` of the prediction at coordinates; the last ones are kept."""
+        return self._kept("slopes", coordinates, lambda: self.jacobian(coordinates, self.predicted(coordinates)))
+
+    @property
+    def resolution(self) -> int:
+        """What predictions depend on beside the coordinates: it grows where a contact needs wider cells."""
+        return 0
+
+    def _kept(self, name: str, coordinates: Array, compute: Callable[[], T]) -> T:
+        known = self._last.get(name)
+        if known is None or known[0] != (coordinates.tobytes(), self.resolution):
+            found = compute()
+            self._last[name] = ((coordinates.tobytes(), self.resolution), found)
+            return found
+        kept: T = known[1]
+        return kept
+
+    @functools.cached_property
+    def _last(self) -> dict[str, tuple[tuple[bytes, int], Any]]:
+        return {}
+
     def quiet(self, prediction: Prediction) -> Array:
         """Return the points whose residuals are noise alone ``(n,)``: out of contact."""
         return ~prediction.touched
@@ -234,7 +261,7 @@ class FitTask(_TaskFields):
 
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
-        return self.residuals_of(self.prediction(coordinates))
+        return self.residuals_of(self.predicted(coordinates))
 
     def residuals_of(self, prediction: Prediction) -> Array:
         """Return the weighted misfit of a prediction.
@@ -266,7 +293,8 @@ class FitTask(_TaskFields):
 
     def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the weighted derivatives ``(n, p)`` to which residuals are made orthogonal at the end."""
-        return self.jacobian(coordinates, prediction)
+        del prediction
+        return self.slopes(coordinates)
 
     def jacobian(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the weighted derivatives ``(n, p)`` of the prediction at coordinates."""
@@ -278,7 +306,7 @@ class FitTask(_TaskFields):
                 columns.append(self.difference(coordinates, index, prediction))
             else:
                 columns.append(column * parameter.scale)
-        return np.stack(columns, axis=1) * self.weights[:, None]
+        return (np.array(columns) * self.weights).T
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
         """Return the derivative with respect to a number in closed form ``(n,)``, else None."""

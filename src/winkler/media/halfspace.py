@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -180,7 +181,15 @@ class HalfSpace(HomogeneousMedium):
     @functools.cached_property
     def modulus(self) -> float:
         """E* [Pa], 1/E* = sum of (1 - nu^2) / E."""
-        return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in self._elastic)
+        return self.modulus_with({})
+
+    def modulus_with(self, numbers: Mapping[str, float]) -> float:
+        """Return E* [Pa] with other numbers of the bodies, as "first.young", without a new medium."""
+        return 1.0 / sum(
+            (1.0 - numbers.get(f"{name}.poisson", body.poisson) ** 2) / numbers.get(f"{name}.young", body.young)
+            for name, body in (("first", self.first), ("second", self.second))
+            if isinstance(body, Elastic)
+        )
 
     @functools.cached_property
     def shear_modulus(self) -> float:

@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.plot.adhesion.cycles import intensity_note
 from winkler.plot.adhesion.equilibria import around_panel
 from winkler.plot.extent import around
 from winkler.plot.friction.curves import RestorableSprings
@@ -33,6 +32,7 @@ from winkler.plot.normal.curves import (
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Panel, Sheet, note
+from winkler.plot.series import with_unit
 from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
@@ -74,9 +74,17 @@ def line_load(solution: Contact, to: float) -> Panel:
 def pressure(solution: Contact, to: float) -> Panel:
     """Return p(r) of a contact, with its mean, or with the stress intensity at its edge."""
     if isinstance(solution, AdhesiveSolution):
-        return pressure_panel(solution, to, remark=intensity_note(solution))
+        return pressure_panel(solution, to, remark=_intensity(solution))
     radius = float(solution.pressed.radius)
     return pressure_panel(solution, to, float(solution.force) / (np.pi * radius**2) if radius > 0.0 else None)
+
+
+def _intensity(solution: AdhesiveSolution) -> str:
+    """Return the stress intensity factor at the edge as text; empty if the law has none."""
+    try:
+        return f"\n$K_I$ = {with_unit(float(solution.stress_intensity), 'Pa', 3)} m$^{{1/2}}$"
+    except OutsideValidity:
+        return ""
 
 
 def stress(solution: Contact, to: float, *, scale: float | None = None) -> Panel:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from noisy_worlds import coloured
 from synthetic import noise
 
 from winkler.fitting.noise.disturbances import disturbances_of
-from winkler.fitting.noise.estimate import amplitudes_of, noise_of
+from winkler.fitting.noise.estimate import amplitudes_of, noise_of, orthonormal
+from winkler.fitting.noise.mixture import SIGMAS, Mixture
 from winkler.fitting.noise.spectra import EXPONENTS, candidates
 from winkler.fitting.noise.whitening import whitening_of
 
@@ -158,3 +161,29 @@ def test_the_disturbances_of_a_curve():
     np.testing.assert_allclose(found.T @ found / 50, np.eye(3), atol=1e-12)
     drag = np.where(inward, 1.0, -1.0)
     np.testing.assert_allclose(found @ np.linalg.lstsq(found, drag, rcond=None)[0], drag, atol=1e-9)
+
+
+@pytest.mark.parametrize("narrow", [1.0, 0.3, 1e-3, 1e-9])
+def test_half_widths_hold_their_part_of_a_mixture(narrow):
+    """The part held is counted anew, by the error function of Python; one candidate alone has normal half-widths."""
+    alone = Mixture(np.ones(1), np.zeros((1, 1)), np.full((1, 1, 1), 4.0))
+    assert alone.reaches[0] == pytest.approx(SIGMAS, abs=1e-6)
+    shares, steps, errors = np.array([0.5, 0.3, 0.2]), np.array([0.0, 0.4, -1.0]), np.array([narrow, 1.0, 3.0])
+    found = Mixture(shares, steps[:, None], (errors**2)[:, None, None])
+    deviation = float(np.sqrt(found.covariance[0, 0]))
+    for sigma, reach in zip(SIGMAS, found.reaches[0].tolist(), strict=True):
+        ends = (np.array([[-1.0], [1.0]]) * reach * deviation + found.mean[0] - steps) / errors
+        low, high = (np.array([math.erf(end / math.sqrt(2.0)) for end in row.tolist()]) for row in ends)
+        assert shares @ (0.5 * (high - low)) == pytest.approx(math.erf(sigma / math.sqrt(2.0)), abs=2e-5)
+
+
+@pytest.mark.parametrize("apart", [1.0, 1e-4, 2e-5, 1e-7, 1e-12])
+def test_a_basis_of_nearly_dependent_columns_isorthonormal(apart):
+    """Where Cholesky's factors would lose digits, reflections are taken."""
+    columns = np.random.default_rng(3).standard_normal((500, 3))
+    columns[:, 2] = columns[:, 0] + apart * columns[:, 2]
+    columns /= np.linalg.norm(columns, axis=0)
+    basis, triangle = orthonormal(columns)
+    np.testing.assert_allclose(basis.T @ basis, np.eye(3), atol=1e-14)
+    np.testing.assert_allclose(basis @ triangle, columns, atol=1e-14)
+    assert np.array_equal(triangle, np.triu(triangle))

@@ -16,7 +16,7 @@ from winkler.io.software import software
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
-from winkler.study.report import archive
+from winkler.study.report import archive, archive_maps
 from winkler.study.report.writing import write_files
 from winkler.vocabulary import GLOSSARY, Word
 
@@ -49,6 +49,11 @@ def reopened(folder):
             return data.load()
 
     return reopen
+
+
+def test_solutions_with_maps_are_named_as_their_classes():
+    for name in archive_maps.SOLUTIONS_WITH_MAPS:
+        assert getattr(wk, name).__name__ == name
 
 
 def rows(path):

@@ -105,13 +105,14 @@ def _first_slope(positions: bytes, forces: bytes) -> float:
     if splits[0] < BASELINE_POINTS or not span > 0.0:
         return 0.0
     along, level = 2.0 * (position - position[0]) / span - 1.0, force - force.mean()
-    powers = along[:, None] ** np.arange(2 * BEHIND_DEGREE + 1)
-    sums = np.concatenate([np.zeros((1, powers.shape[1])), np.cumsum(powers, axis=0)])
-    right = np.concatenate(
-        [np.zeros((1, BEHIND_DEGREE + 1)), np.cumsum(powers[:, : BEHIND_DEGREE + 1] * level[:, None], 0)]
-    )
-    before = _explained(sums[splits], right[splits], 1)
-    behind = _explained(sums[-1] - sums[splits], right[-1] - right[splits], BEHIND_DEGREE)
+    powers = [np.ones(count)]
+    for _ in range(2 * BEHIND_DEGREE):
+        powers.append(powers[-1] * along)
+    products = [power * level for power in powers[: BEHIND_DEGREE + 1]]
+    starts = np.append(0, splits)
+    sums, right = (np.cumsum([np.add.reduceat(row, starts) for row in rows], axis=1).T for rows in (powers, products))
+    before = _explained(sums[:-1], right[:-1], 1)
+    behind = _explained(sums[-1] - sums[:-1], right[-1] - right[:-1], BEHIND_DEGREE)
     split = int(splits[np.argmax(before + behind)])
     if split < LEAST_FREE_SHARE * count:
         return 0.0

@@ -31,6 +31,7 @@ __all__ = [
     "attached",
     "comparable",
     "held_contact",
+    "highest_of",
     "moved_force",
     "runs_of",
     "states_for",
@@ -106,6 +107,11 @@ def states_for(model: Model) -> EdgeStates:
             )
 
 
+def highest_of(position: Array) -> float:
+    """Return the position [m] up to which a response is needed."""
+    return max(float(position.max()), 1e-3 * float(np.ptp(position)))
+
+
 def held_contact(
     model: Model,
     compliance: float,
@@ -130,7 +136,7 @@ def held_contact(
     tables : ModelTables, optional
         What models that differ in the free numbers share; nothing unless given.
     """
-    highest = max(float(position.max()), 1e-3 * float(np.ptp(position)))
+    highest = highest_of(position)
     receding = tables.response(states_for(model), compliance, highest)
     advancing: Response = receding
     law = cast(Any, model).law if isinstance(model, AdhesiveIndentation) else None

@@ -90,6 +90,13 @@ class HomogeneousResponse(NamedTuple):
     stiffness: float
     compliance: float
 
+    def change(self, other: HomogeneousResponse, values: ResponseValues) -> Array:
+        """Return by how much the forces of another modulus differ at the same positions, to first order [N].
+
+        At the depth of this one the force differs by a part of itself, and the machine yields to it.
+        """
+        return np.asarray((other.share / self.share - 1.0) * values.force * (1.0 - self.compliance * values.slope))
+
     def least(self) -> float:
         """Return the least force [N]: nothing pulls."""
         return 0.0

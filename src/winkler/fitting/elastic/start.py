@@ -13,10 +13,10 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.elastic.contact import states_for
+from winkler.fitting.elastic.model_tables import ModelTables
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.start import contact_points
 from winkler.fitting.task import FitTask
-from winkler.fitting.validity import Model
 from winkler.fitting.varied import CURVE_PARAMETERS
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -61,16 +61,18 @@ def _sized(task: FitTask, rough_outline: CurveOutline, origin: float, numbers: d
     return numbers
 
 
-def _possible(task: FitTask, numbers: dict[str, float], works: list[str], depth: float) -> tuple[Model, float, float]:
-    """Return the model, its force at a depth and its pull-off force, the works reduced until the theory is valid."""
+def _possible(task: FitTask, numbers: dict[str, float], works: list[str], depth: float) -> tuple[float, float]:
+    """Return the force at a depth and the pull-off force, the works reduced until the theory is valid."""
+    tables: ModelTables = task.tables
+    known = tables.known(numbers, 0.0, depth)
+    if known is not None:
+        return float(known.closing(np.array([depth])).force[0]), 0.0
     for _ in range(MOST_ROUNDS if works else 0):
-        model = task.with_numbers(numbers)
         try:
-            return model, *task.tables.rough(states_for(model), depth)
+            return tables.rough(states_for(task.with_numbers(numbers)), depth)
         except OutsideValidity:
             numbers.update({name: 0.05 * numbers[name] for name in works})
-    model = task.with_numbers(numbers)
-    return model, *task.tables.rough(states_for(model), depth)
+    return tables.rough(states_for(task.with_numbers(numbers)), depth)
 
 
 def _named(task: FitTask, stated: set[str], unit: str, without: tuple[str, ...]) -> list[str]:
@@ -95,13 +97,13 @@ def _scale(
     depth = depth if depth > 1e-3 * abs(travel) else 1e-3 * abs(travel) + 1e-9 * float(np.ptp(task.curve.position))
     for _ in range(MOST_ROUNDS):
         worst = 1.0
-        model, force, loss = _possible(task, numbers, works, depth)
+        force, loss = _possible(task, numbers, works, depth)
         if moduli:
             pull = -min(0.0, loss)
             share = float(np.clip((top + pull) / max(force + pull, 1e-6 * top), 1e-3, 1e3))
             worst = max(worst, share, 1.0 / share)
             numbers.update({name: numbers[name] * share for name in moduli})
-        if works and isinstance(model, AdhesiveIndentation):
+        if works and isinstance(task.model, AdhesiveIndentation):
             target = max(rough_outline.pull, 2.0 * rough_outline.noise, 1e-4 * top)
             pull = -loss
             share = float(np.clip(target / max(pull, 1e-6 * target), 1e-3, 1e3))

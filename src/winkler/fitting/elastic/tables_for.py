@@ -28,7 +28,7 @@ def tables_for(model: Model, parameters: tuple[Parameter, ...]) -> ModelTables:
         return EACH_ANEW
     medium, profile = model.bed.medium, model.bed.profile
     if isinstance(medium, HomogeneousMedium):
-        return HomogeneousTables()
+        return HomogeneousTables(model.bed)
     film = offers(medium, LayerStack)
     if film and len(own) == 1 and own[0].name.endswith(".young") and not profile.kinks:
         return FilmTables(model, own[0].name)

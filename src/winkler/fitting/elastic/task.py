@@ -23,6 +23,7 @@ from winkler.fitting.elastic.contact import (
     attached,
     comparable,
     held_contact,
+    highest_of,
     moved_force,
     runs_of,
     states_for,
@@ -134,9 +135,13 @@ class ElasticTask(FitTask):
 
     def held(self, numbers: dict[str, float]) -> HeldContact:
         """Return the contact continued to all points."""
+        place, compliance = self.place(numbers), self.curve.compliance
+        known = self.tables.known(numbers, compliance, highest_of(place))
+        if known is not None:
+            force, slope, radius, balanced = known.closing(place)
+            return HeldContact(force, slope, radius, balanced > 0.0, known, adhesive=False)
         origin = numbers.get("contact_point", 0.0)
-        model, compliance = self.with_numbers(numbers), self.curve.compliance
-        return held_contact(model, compliance, self.place(numbers), self.runs, origin, self.tables)
+        return held_contact(self.with_numbers(numbers), compliance, place, self.runs, origin, self.tables)
 
     def prediction(self, coordinates: Array) -> Prediction:
         """Return the forces [N] at coordinates."""
@@ -159,6 +164,9 @@ class ElasticTask(FitTask):
         """Return the derivative with respect to a coordinate, where possible at the same contact radii."""
         step = self.step(coordinates, index)
         numbers, holds, held = self.numbers(moved(coordinates, index, step)), prediction.touched, prediction.contact
+        known = self.tables.known(numbers, self.curve.compliance, 0.0)
+        if known is not None:
+            return np.asarray(held.response.change(known, held) / step)
         other = self.with_numbers(numbers)
         column = np.zeros(self.curve.count)
         if np.all(held.balanced[holds]) and comparable(self.with_numbers(self.numbers(coordinates)), other):

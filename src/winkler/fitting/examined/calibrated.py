@@ -132,7 +132,7 @@ def calibration_shares(
     for name, error in (("spring_constant_error", spring_constant_error), ("sensitivity_error", sensitivity_error)):
         checked(NON_NEGATIVE, "calibration_shares", name, error, "")
     task, coordinates, _ = same_task(found)
-    prediction = task.prediction(coordinates)
+    prediction = task.predicted(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
     jacobian = task.instrument(coordinates, prediction)
     whitening = whitening_of(task.noise_of(residuals, jacobian))

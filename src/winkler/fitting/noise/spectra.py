@@ -58,6 +58,8 @@ class Candidates(NamedTuple):
         First index and number of the frequencies in each bin.
     spectra : ndarray, (m, b)
         Variances S, with the mean 1 over all frequencies but the first.
+    precisions : ndarray, (m, b)
+        Their inverses.
     logarithms : ndarray, (m,)
         Sum of ln S over all frequencies.
     priors : ndarray, (m,)
@@ -69,6 +71,7 @@ class Candidates(NamedTuple):
     starts: Array
     sizes: Array
     spectra: Array
+    precisions: Array
     logarithms: Array
     priors: Array
     slow: Array
@@ -77,7 +80,11 @@ class Candidates(NamedTuple):
     def only_white(self) -> Candidates:
         """White noise alone."""
         return self._replace(
-            spectra=self.spectra[:1], logarithms=self.logarithms[:1], priors=np.ones(1), slow=self.slow[:1]
+            spectra=self.spectra[:1],
+            precisions=self.precisions[:1],
+            logarithms=self.logarithms[:1],
+            priors=np.ones(1),
+            slow=self.slow[:1],
         )
 
 
@@ -85,7 +92,7 @@ def transformed(columns: Array) -> Array:
     """Return the cosine transform ``(n, q)`` of columns ``(n, q)`` along the points; it keeps their norms."""
     from scipy.fft import dct
 
-    return np.asarray(dct(columns, type=2, norm="ortho", axis=0))
+    return np.asarray(dct(np.ascontiguousarray(columns.T), type=2, norm="ortho")).T
 
 
 @functools.lru_cache(maxsize=32)
@@ -114,9 +121,8 @@ def candidates(count: int) -> Candidates:
     rows = (1.0 - slow)[:, None] + slow[:, None] * shapes[:, None, :]
     spectra = np.concatenate([np.ones((1, starts.size)), rows.reshape(-1, starts.size)])
     priors = np.concatenate([[WHITE_WEIGHT], np.outer(weights, shares / shares.sum()).ravel()])
-    return Candidates(
-        starts, sizes, spectra, np.log(spectra) @ sizes, priors, np.concatenate([[0.0], np.tile(slow, len(shapes))])
-    )
+    of_slow = np.concatenate([[0.0], np.tile(slow, len(shapes))])
+    return Candidates(starts, sizes, spectra, 1.0 / spectra, np.log(spectra) @ sizes, priors, of_slow)
 
 
 def _bins(count: int) -> tuple[Array, Array]:

@@ -82,7 +82,7 @@ def joined(begun: Sequence[SameTask], names: Sequence[str], search: Search) -> J
         moved = [np.clip(at + factor * s, *limit) for at, s, limit in zip(coordinates, steps, limits, strict=True)]
         try:
             for task, at in zip(tasks, moved, strict=True):
-                task.prediction(at)
+                task.predicted(at)
         except OutsideValidity:
             break
         coordinates = moved
@@ -102,9 +102,8 @@ def _plain(tasks: list[FitTask], places: list[Array], coordinates: list[Array], 
         search.check()
         blocks = []
         for task, at, place, total, count in zip(tasks, coordinates, places, sums, counts, strict=True):
-            prediction = task.prediction(at)
-            jacobian = task.jacobian(at, prediction)
-            residuals = (task.measured - prediction.fitted) * task.weights
+            jacobian = task.slopes(at)
+            residuals = (task.measured - task.predicted(at).fitted) * task.weights
             variance = max(total / count, np.finfo(float).tiny)
             blocks.append(CurveBlock(jacobian.T @ jacobian / variance, jacobian.T @ residuals / variance, place))
         while damping < GREATEST_DAMPING:
@@ -140,7 +139,7 @@ def _damped(block: CurveBlock, damping: float) -> CurveBlock:
 
 def _block(task: FitTask, coordinates: Array, place: Array) -> tuple[Generalised, CurveBlock]:
     """Return a curve at its coordinates, and its information under its own noise."""
-    prediction = task.prediction(coordinates)
+    prediction = task.predicted(coordinates)
     jacobian = task.instrument(coordinates, prediction)
     residuals = (task.measured - prediction.fitted) * task.weights
     size = np.maximum(np.linalg.norm(jacobian, axis=0), 1e-12 * float(np.linalg.norm(jacobian)))

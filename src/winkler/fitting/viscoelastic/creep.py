@@ -86,7 +86,7 @@ class UnderForce(RelaxingTask):
     def instrument(self, coordinates: Array, prediction: Prediction) -> Array:
         """Return the derivatives along the smoothed curve, which the noise of the input does not bias."""
         del prediction
-        return self._steady.jacobian(coordinates, self._steady.prediction(coordinates))
+        return self._steady.slopes(coordinates)
 
     def quiet(self, prediction: Prediction) -> Array:
         """Return the points at which positions are fitted ``(n,)``."""
@@ -203,10 +203,9 @@ class UnderForce(RelaxingTask):
         low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
         high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
         for _ in range(BIAS_STEPS):
-            instrument = self._steady.jacobian(coordinates, self._steady.prediction(coordinates))
-            here = self.prediction(coordinates)
-            inner = instrument.T @ self.jacobian(coordinates, here)
-            right_side = instrument.T @ ((self.measured - here.fitted) * self.weights)
+            instrument = self._steady.slopes(coordinates)
+            inner = instrument.T @ self.slopes(coordinates)
+            right_side = instrument.T @ ((self.measured - self.predicted(coordinates).fitted) * self.weights)
             size = np.sqrt(np.maximum(np.abs(np.diag(inner)), np.finfo(float).tiny))
             step = np.linalg.lstsq(inner / np.outer(size, size), right_side / size, rcond=None)[0] / size
             coordinates = np.clip(coordinates + step, low, high)

@@ -87,6 +87,11 @@ class _LayeredFit(FitTask):
         """The cells."""
         return _CellReach(CELLS)
 
+    @property
+    def resolution(self) -> int:
+        """The power of the reach of the cells."""
+        return self.grid.power
+
     @functools.cached_property
     def coarse(self) -> Self:
         """The task on a part of the points, with fewer cells."""
@@ -127,14 +132,14 @@ class _LayeredFit(FitTask):
         )
 
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
-        """Return the derivative with respect to a coordinate."""
+        """Return the derivative with respect to a coordinate, of predictions by the same cells."""
+        del prediction
+        self.predicted(coordinates)
         name, power = self.parameters[index].name, self.grid.power
         if name.startswith("bed.medium."):
             step = self.step(coordinates, index, SOLID_STEP)
             ahead = self.prediction(moved(coordinates, index, step)).fitted
-            if self.grid.power != power:  # other cells
-                prediction = self.prediction(coordinates)
-            return np.asarray((ahead - prediction.fitted) / step)
+            return np.asarray((ahead - self.predicted(coordinates).fitted) / step)
         step = abs(self.step(coordinates, index, PLACE_STEP if name == "contact_point" else RATE_STEP))
         ends = [self.prediction(moved(coordinates, index, sign * step)).fitted for sign in (-1.0, 1.0)]
         if self.grid.power != power:
@@ -172,6 +177,14 @@ class LayeredMotion(_LayeredFit, UnderMotion):  # type: ignore[misc]
 
 class LayeredForce(_LayeredFit, UnderForce):  # type: ignore[misc]
     """Positions fitted under measured forces, on layers."""
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return the positions [m], before and behind the end of the approach by the same cells."""
+        while True:
+            power = self.grid.power
+            found = super().prediction(coordinates)
+            if self.grid.power == power:
+                return found
 
     def moved(self, numbers: dict[str, float], time: Array, place: Array) -> ContactHistory:
         """Return the response to a motion [m] that only goes in."""

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -22,7 +21,7 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveS
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 
-__all__ = ["contact_of", "cycle_panels", "intensity_note", "sheared_panels"]
+__all__ = ["contact_of", "cycle_panels", "sheared_panels"]
 
 CYCLE_STATES, STATES_AT_JUMP = 300, 201
 """Number of states along a drawn cycle, and of additional states around each jump."""
@@ -32,14 +31,6 @@ SEPARATED_SHARE = 0.3
 """Part of the drawn range in which the bodies are separated, relative to the range in contact."""
 MOST_MARKED_POINTS = 40
 """Points of a path are marked individually up to this number."""
-
-
-def intensity_note(solution: AdhesiveSolution) -> str:
-    """Return the stress intensity factor at the edge as text; empty if the law has none."""
-    try:
-        return f"\n$K_I$ = {with_unit(float(solution.stress_intensity), 'Pa', 3)} m$^{{1/2}}$"
-    except OutsideValidity:
-        return ""
 
 
 def contact_of(solution: Any) -> AdhesiveSolution | None:

@@ -2,32 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.problems.pressed_maps.seal import SealSolution
-from winkler.problems.pressed_maps.thermal_joint import ThermalJointSolution
-from winkler.problems.pressed_maps.true_area import TrueAreaSolution
-from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
-from winkler.problems.rough.surface_contact import SurfaceContactSolution
-from winkler.problems.rough.surface_states import SurfaceState
-from winkler.problems.surface_current.constriction import SurfaceConstrictionSolution
-from winkler.problems.surface_wear.states import SurfaceWearState
-from winkler.problems.surface_wear.wear import SurfaceWearSolution
-from winkler.profiles.rough.topography import Topography
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word, word
+
+if TYPE_CHECKING:
+    from winkler.profiles.rough.topography import Topography
 
 __all__ = ["add_maps"]
 
 MOST_MAPS = 256
 """Points of a sweep up to which maps are stored; of longer ones only numbers."""
 SOLUTIONS_WITH_MAPS = (
-    *(SurfaceContactSolution, SurfaceConductionSolution, SealSolution, ThermalJointSolution, TrueAreaSolution),
-    *(SurfaceConstrictionSolution, SurfaceWearSolution),
+    *("SurfaceContactSolution", "SurfaceConductionSolution", "SealSolution", "ThermalJointSolution"),
+    *("TrueAreaSolution", "SurfaceConstrictionSolution", "SurfaceWearSolution"),
 )
+"""By name, as one name means one class: other studies do not load the problems of maps."""
 MAP_QUANTITIES = ("pressure", "separation")
 
 
@@ -37,10 +31,16 @@ def add_maps(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any],
     Places are added where all points have the same pixels; of sweeps over more than 256 points no maps are stored.
     """
     contacts = [
-        (point.index, *_contact(point.solution)) for point in outcome.solved if point.answer_type in SOLUTIONS_WITH_MAPS
+        (point.index, *_contact(point.solution))
+        for point in outcome.solved
+        if point.answer_type.__name__ in SOLUTIONS_WITH_MAPS
     ]
     if not contacts or len(contacts) > MOST_MAPS:
         return
+    from winkler.problems.rough.surface_states import SurfaceState
+    from winkler.problems.surface_wear.states import SurfaceWearState
+    from winkler.profiles.rough.topography import Topography
+
     maps = [item for _, item, _ in contacts]
     size = tuple(int(count) for count in np.max([item.heights.shape for item in maps], axis=0))
     owners = {"heights": Topography, **dict.fromkeys(MAP_QUANTITIES, SurfaceState)}
@@ -61,7 +61,7 @@ def add_maps(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any],
 
 def _contact(solution: Any) -> tuple[Topography, Any]:
     """Return the height map of a solution, before wear, and its last state."""
-    if isinstance(solution, SurfaceWearSolution):
+    if type(solution).__name__ == "SurfaceWearSolution":
         return solution.problem.contact.topography, solution.last
-    contact: SurfaceContactSolution = getattr(solution, "contact", solution)
+    contact = getattr(solution, "contact", solution)
     return contact.problem.topography, contact.last

@@ -11,7 +11,6 @@ import numpy as np
 from winkler.errors import WinklerError
 from winkler.loading import Depth
 from winkler.numerics.types import Array
-from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, name_in_words
@@ -51,6 +50,8 @@ def shown_contact(point: SolvedPoint) -> Contact | None:
     if isinstance(solution, IndentationSolution):
         return solution
     if shows is Shows.EDGE:
+        from winkler.plot.adhesion.cycles import contact_of  # loads the problems of adhesion
+
         return contact_of(solution)
     inside = getattr(solution, "contact", None)
     if isinstance(inside, IndentationSolution):

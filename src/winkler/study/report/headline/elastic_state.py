@@ -18,7 +18,6 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.line import LineFoundation
 from winkler.loading import HalfWidth, LineForce
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import IndentationSolution
@@ -125,6 +124,8 @@ def _strip(solution: Any, problem: Any) -> ElasticState | None:
     forces = widths if force is None else np.resize(force, widths.shape)
     widest = int(np.argmax(forces))
     width = float(widths[widest])
+    from winkler.problems.line.indentation import LineIndentation
+
     given = HalfWidth(width) if force is None else LineForce(float(forces[widest]))
     elastic = LineIndentation(bed, given).solve()
     if not width > 0.0 or not math.isclose(float(elastic.half_width), width, rel_tol=SAME_WIDTH):
