@@ -33,6 +33,7 @@ from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously
 from winkler.study.nanoindentation.expected import verdicts_of
 from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
 from winkler.study.nanoindentation.reading import NanoindentationStudy
+from winkler.validity import Note, worst_of_each
 from winkler.values import value
 
 __all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
@@ -112,6 +113,16 @@ class NanoindentationOutcome:
         for name, doubts in (*own, *((one.name, one.doubts) for one in self.continuous)):
             found[name] = (*found.get(name, ()), *doubts)
         return tuple((name, doubts) for name, doubts in found.items() if doubts)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """Notes on the calibration and on the evaluations of all curves; of statements on one subject the worst."""
+        found: tuple[Any, ...] = (
+            *self.calibration,
+            *(one.solution for one in self.evaluated),
+            *(one.solution for one in self.continuous),
+        )
+        return worst_of_each(note for one in found for note in one.validity)
 
     @property
     def means(self) -> dict[str, RepeatedMean]:
