@@ -205,7 +205,7 @@ def failures(failed: Iterable[tuple[str, str]], what: str, out: Console) -> None
     """
     named: dict[str, list[str]] = {}
     for name, reason in failed:
-        named.setdefault(reason.removeprefix(f"{name}: "), []).append(name)
+        named.setdefault(reason, []).append(name)
     if not named:
         return
     out.print(f"{sum(map(len, named.values()))} {what} have no answer:")

@@ -153,7 +153,7 @@ def test_the_terminal_and_json_state_validity_and_each_reason(tmp_path, capsys):
     assert "How far this can be trusted: " in said
     assert "8 of 9 curves have no answer:" in said
     for one in found["failed"]:
-        assert one["reason"].removeprefix(f"{one['curve']}: ") in said
+        assert one["reason"] in said
     assert "x5.csv and 1 more: " in said
 
 

@@ -141,7 +141,7 @@ def evaluated_files(
             result
             for one in _curves(study, path)
             for result in (
-                (Unevaluated(name, one.reason, InvalidInput.exit_code),)
+                (Unevaluated(name, one.reason.removeprefix(f"{path}: "), InvalidInput.exit_code),)
                 if isinstance(one, UnreadCurve)
                 else _both(study, one, name)
             )
@@ -194,7 +194,7 @@ def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, A
     for path, reference in zip(study.sources, study.references, strict=True):
         for one in _curves(study, path):
             if isinstance(one, UnreadCurve):
-                yield Unevaluated(_name(study, path), one.reason, InvalidInput.exit_code)
+                yield Unevaluated(_name(study, path), one.reason.removeprefix(f"{path}: "), InvalidInput.exit_code)
             else:
                 yield one.curve, reference
 
