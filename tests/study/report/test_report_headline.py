@@ -154,4 +154,36 @@ def test_a_sweep_is_headed_by_a_range():
     assert depth[1] / depth[0] == pytest.approx(4.0, rel=0.01)
     low, high = (f"{1e9 * depth[0]:.4g} nm", f"{1e6 * depth[1]:.4g} µm")
     lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
-    assert lead.endswith(f"Over 2 points the depth is between {low} and {high}.")
+    assert lead.endswith(f"Over 2 points the depth rises from {low} at force = 10 N to {high} at force = 80 N.")
+    outcome = solved("indentation", sweep={"problem.load.force": ["80 N", "10 N", "20 N"]})
+    lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
+    assert lead.endswith(f"Over 3 points the depth is between {low} (force = 10 N) and {high} (force = 80 N).")
+
+
+def test_a_sweep_of_paths_is_headed_by_what_each_has_lost():
+    """A loop begins without a loss: the range is over the points, not along their paths."""
+    outcome = solved("tangential", sweep={"problem.law.coefficient": [0.3, 0.4]})
+    ends = [f"{1e6 * point.answers['dissipation'][-1]:.4g} µJ" for point in outcome.points]
+    lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
+    assert f"the dissipation falls from {ends[0]} at coefficient = 0.3 to {ends[1]} at coefficient = 0.4" in lead
+
+
+def test_a_sweep_without_a_difference_says_so():
+    outcome = solved("impact", sweep={"problem.mass": ["1 g", "2 g"]})
+    assert "1 of its normal speed" in (lead := headline_section(outcome).replace("\xa0", " "))
+    assert " at all 2 points." in lead
+
+
+def test_a_map_touches_on_a_part_of_its_area():
+    """The example of a rough square of a millimetre by a millimetre."""
+    outcome = solved("rough_contact")
+    share = 100.0 * outcome.points[0].answers["area"][-1] / outcome.study.problem.side**2
+    assert f"touch on {share:.3g} % of the area" in headline_section(outcome).replace("\xa0", " ")
+
+
+def test_the_margin_stands_in_the_headline_and_not_where_yield_is_sought():
+    """A ball yields at the cube of strength over stress times its load."""
+    state = elastic_state(shown_point(outcome := ball(steel={"strength": "7000 MPa"})))
+    text = headline_section(outcome).replace("\xa0", " ")
+    assert f"It yields at {(7e9 / state.von_mises) ** 3:.3g} times this load, " in text
+    assert "times this load" not in headline_section(solved("yield_onset"))
