@@ -17,7 +17,14 @@ from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import badge, safe, section
-from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
+from winkler.study.report.tables import (
+    answer_section,
+    contact_section,
+    expected,
+    failures,
+    input_section,
+    question_section,
+)
 
 __all__ = ["page", "report_files"]
 
@@ -57,6 +64,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
         f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}</header>",
         question_section(outcome),
         answer_section(outcome),
+        contact_section(outcome),
         failures(outcome),
         expected(outcome),
         _pictures(outcome, pictures),
