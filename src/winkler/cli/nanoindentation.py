@@ -115,7 +115,8 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         out.print(f"{len(outcome.evaluated)} curves with {unloadings} unloadings were evaluated.", soft_wrap=True)
     print_batch(outcome, out, "quantities.csv")
     terminal.notes(outcome, out)
-    curves = {one.name for one in (*outcome.evaluated, *outcome.continuous, *outcome.unevaluated)}
+    kinds: tuple[tuple[Any, ...], ...] = (outcome.evaluated, outcome.continuous, outcome.unevaluated)
+    curves = {one.name for kind in kinds for one in kind}
     terminal.failures([(one.name, one.reason) for one in outcome.unevaluated], f"of {len(curves)} curves", out)
     out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
 

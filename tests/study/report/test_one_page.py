@@ -33,7 +33,11 @@ def boxes(outcome):
 
 @pytest.mark.parametrize(
     "study",
-    ["normal/hertz.toml", "normal/wheel_rail.toml", pytest.param("rough/stickiness.toml", marks=pytest.mark.slow)],
+    [
+        "normal/hertz.toml",
+        pytest.param("normal/wheel_rail.toml", marks=pytest.mark.slow),
+        pytest.param("rough/stickiness.toml", marks=pytest.mark.slow),
+    ],
 )
 def test_everything_fits_the_page_and_nothing_overlaps(study):
     outcome = run(read_study(STUDIES / study))

@@ -62,7 +62,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
     from winkler.plot.picture import styled
 
     with styled():
-        page = Figure(figsize=A4, layout="none")
+        page = Figure(figsize=A4, layout=None)
         writer = _Writer(page)
         made = outcome.provenance
         writer.write(outcome.study.title or made.source or "A study", LARGE, bold=True)

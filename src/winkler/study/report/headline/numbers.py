@@ -179,7 +179,9 @@ def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
         if not finite.size or (np.isnan(numbers[-1]) and not swept):
             continue
         low, high = float(np.min(finite)), float(np.max(finite))
-        prescribed, places, trend = name_in_words(name) in given, (), ""
+        prescribed = name_in_words(name) in given
+        places: tuple[str, ...] = ()
+        trend = ""
         if study.axes and finite.size == len(outcome.solved):
             places, trend = _places(outcome, numbers)
         found.append(
