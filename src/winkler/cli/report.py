@@ -48,7 +48,7 @@ def report(
     from winkler.study.batch.sweep import solve_points
     from winkler.study.language.reading import read_study
     from winkler.study.report.figures import figures_of
-    from winkler.study.report.one_page import one_page
+    from winkler.study.report.headline.one_page import one_page
     from winkler.study.report.report import page
 
     started = time.perf_counter()

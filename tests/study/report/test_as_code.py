@@ -14,7 +14,7 @@ from winkler.study.batch.run import run
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study, read_study
-from winkler.study.report.as_code import command_text, python_text
+from winkler.study.report.headline.as_code import command_text, python_text
 
 STUDIES = Path(__file__).resolve().parents[3] / "examples" / "studies"
 

@@ -14,7 +14,7 @@ from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study, read_study
 from winkler.study.language.template import template
 from winkler.study.report.figures import figures_of
-from winkler.study.report.one_page import laid_out, one_page
+from winkler.study.report.headline.one_page import laid_out, one_page
 
 STUDIES = Path(__file__).resolve().parents[3] / "examples" / "studies"
 

@@ -14,9 +14,9 @@ from winkler.readable import with_readable_numbers
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Study
-from winkler.study.report.as_code import command_text, python_text
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure, figure_files, svg_element
+from winkler.study.report.headline.as_code import command_text, python_text
 from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.validity import Note, Standing

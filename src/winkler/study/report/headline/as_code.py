@@ -57,7 +57,7 @@ def python_text(study: Study, name: str = "study.toml") -> str:
         Name of its file.
     """
     try:
-        writer = _Writer(study)
+        writer = _ProblemText(study)
         depth = len(writer.variables)
         problem = writer.expression(study.problem, "problem", depth)
         loops = [
@@ -80,7 +80,7 @@ def python_text(study: Study, name: str = "study.toml") -> str:
     return f"{''.join(imports)}\n{body}\n"
 
 
-class _Writer:
+class _ProblemText:
     """Expressions of the values of one study.
 
     Parameters

@@ -63,7 +63,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
 
     with styled():
         page = Figure(figsize=A4, layout=None)
-        writer = _Writer(page)
+        writer = _PageWriter(page)
         made = outcome.provenance
         writer.write(outcome.study.title or made.source or "A study", LARGE, bold=True)
         writer.write(in_words(outcome.study), most=MOST_QUESTION)
@@ -93,7 +93,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
     return page
 
 
-class _Writer:
+class _PageWriter:
     """Writes on a page from its top downwards.
 
     Parameters
