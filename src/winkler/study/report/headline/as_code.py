@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import enum
-import importlib
 import math
 from collections.abc import Mapping
 from pathlib import PurePath
@@ -14,6 +13,7 @@ import numpy as np
 
 from winkler.path_steps import Unchanged
 from winkler.study.chapters.contents import answer_of
+from winkler.study.finding.finding import public_names
 from winkler.study.language.designs import Crossed
 from winkler.study.language.study import Study
 
@@ -168,11 +168,10 @@ class _ProblemText:
             return "np.inf" if number > 0.0 else "-np.inf"
         mantissa, exponent = f"{number:.12e}".split("e")
         short = f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
-        return short if float(short) == number and len(short) < len(repr(number)) else repr(number)
+        return short if float(short) == number and len(short) + 2 < len(repr(number)) else repr(number)
 
     def _name(self, cls: type) -> str:
-        # the names for users are those of the whole package, above this layer
-        if getattr(importlib.import_module("winkler"), cls.__name__, None) is cls:
+        if public_names().get(cls.__name__) == cls.__module__:
             return f"wk.{cls.__name__}"
         self.imports.add(f"from {cls.__module__} import {cls.__name__}\n")
         return cls.__name__
