@@ -22,7 +22,9 @@ POWERS = {"m^2": (2, 1e-2), "m^3": (3, 1e-3)}
 
 WHOLE_BELOW = 1e6
 """Largest number whose rounded digits are written as zeros."""
-RAW_NUMBER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?e[+-]?\d+|0\.0\d+)(?: (m|N|Pa|J|W|s|V|A|K)(?![\w/^*]| [mNJs]\b))?")
+RAW_NUMBER = re.compile(
+    r"(?<![\w.])(\d+(?:\.\d+)?e[+-]?\d+|0\.0\d+)(?: ((?:m|N|Pa|J|W|s|V|A|K)(?:/[msN])?)(?![\w/^*]| [mNJs]\b))?"
+)
 """A number with a power of ten, or with zeros behind the point, and its unit if a prefix fits that."""
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
@@ -142,6 +144,8 @@ def with_readable_numbers(sentence: str) -> str:
     'stretched by 3.55 nm, a strength of 167 MPa, up to 410 %'
     >>> with_readable_numbers("1e+02 per cent of 0.0109 m")
     '100 % of 10.9 mm'
+    >>> with_readable_numbers("a drift of 4e-11 m/s under 2.5e+04 N/m")
+    'a drift of 40 pm/s under 25 kN/m'
     >>> with_readable_numbers("0.000201 m below, with 2e-05 of it; E1e-3 and 1.5 m stay")
     '201 µm below, with 2·10⁻⁵ of it; E1e-3 and 1.5 m stay'
     """

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from winkler.cli.results import batch_json, print_batch
+from winkler.cli.results import batch_json, print_batch, validity_json
 from winkler.cli.streams import until_closed, write_json
 
 if TYPE_CHECKING:
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 __all__ = ["evaluate", "wanted"]
 
-MOST_FAILURES = 5
 NUMBER_MISSED = 1
 
 
@@ -86,7 +85,6 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
         first_yield_rows,
         mean_rows,
     )
-    from winkler.validity import Standing
 
     out = terminal.console()
     out.print(outcome.study.title)
@@ -100,9 +98,6 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
             table.add_row(*line)
     if outcome.calibration or outcome.evaluated:
         out.print(table)
-    for note in (note for item in outcome.calibration for note in item.validity):
-        if note.standing is Standing.APPROXIMATE:
-            out.print(note.statement, soft_wrap=True)
     for name, content in first_yield_rows(outcome):
         out.print(f"{name}: {content}", soft_wrap=True)
     if outcome.verdicts:
@@ -114,15 +109,15 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
             table.add_row(*cells)
         out.print(table)
         depths = sum(one.solution.points.size for one in outcome.continuous)
-        out.print(f"Continuous stiffness: {len(outcome.continuous)} curves, {depths} depths.", soft_wrap=True)
+        out.print(f"Continuous stiffness: {depths} depths of {len(outcome.continuous)} curves.", soft_wrap=True)
     if outcome.evaluated:
         unloadings = sum(one.solution.force.size for one in outcome.evaluated)
         out.print(f"{len(outcome.evaluated)} curves with {unloadings} unloadings were evaluated.", soft_wrap=True)
     print_batch(outcome, out, "quantities.csv")
-    for one in outcome.unevaluated[:MOST_FAILURES]:
-        out.print(f"no answer: {one.name}: {one.reason}", soft_wrap=True)
-    if len(outcome.unevaluated) > MOST_FAILURES:
-        out.print(f"and {len(outcome.unevaluated) - MOST_FAILURES} more without an answer, see the report.")
+    terminal.notes(outcome, out)
+    kinds: tuple[tuple[Any, ...], ...] = (outcome.evaluated, outcome.continuous, outcome.unevaluated)
+    curves = {one.name for kind in kinds for one in kind}
+    terminal.failures([(one.name, one.reason) for one in outcome.unevaluated], f"of {len(curves)} curves", out)
     out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
 
 
@@ -156,7 +151,8 @@ def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
     return {"means": means, "first_yield": first_yield, "continuous": continuous,
             **batch_json(outcome),
             "expect": [verdict_json(verdict) | {"curve": name} for verdict, name in outcome.verdicts],
-            "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder)}  # fmt: skip
+            "calibration": calibration, "failed": failed, "left": outcome.left, "folder": str(folder),
+            "validity": validity_json(outcome)}  # fmt: skip
 
 
 def _known(number: float) -> float | None:

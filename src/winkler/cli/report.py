@@ -17,10 +17,14 @@ __all__ = ["report"]
 def report(
     study: Annotated[Path, typer.Argument(help="A study file (TOML) of a problem.", show_default=False)],
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="The page; NAME.html if not given.", show_default=False)
+        Path | None,
+        typer.Option("--output", "-o", help="The page; NAME.html, or NAME.pdf, if not given.", show_default=False),
     ] = None,
     interactive: Annotated[
         bool, typer.Option("--interactive", help="Let curves be read off, by mouse, finger or arrow keys.")
+    ] = False,
+    one_sheet: Annotated[
+        bool, typer.Option("--page", help="Write one page of A4 (PDF): question, picture, answers, validity, yield.")
     ] = False,
     workers: Annotated[
         int | None, typer.Option("--workers", "-w", help="Processes that solve a sweep; chosen unless given.")
@@ -46,9 +50,12 @@ def report(
     from winkler.study.report.report import page
 
     started = time.perf_counter()
-    path = output or Path(f"{study.stem}.html")
-    if path.suffix.lower() not in (".html", ".htm"):
-        raise InvalidInput(f"report: '{path}' does not end like a page; give .html.")
+    path = output or Path(f"{study.stem}.{'pdf' if one_sheet else 'html'}")
+    allowed = (".pdf",) if one_sheet else (".html", ".htm")
+    if path.suffix.lower() not in allowed:
+        raise InvalidInput(f"report: '{path}' does not end like a page; give {allowed[0]}.")
+    if one_sheet and interactive:
+        raise InvalidInput("report: --page is a sheet of paper, on which nothing is read off; leave --interactive out.")
     refuse_existing(path, overwrite, "report: ")
     content = read_study(study, settings=settings or ())
     solvers = Machine() if workers is None else workers
@@ -58,11 +65,17 @@ def report(
     except WinklerError as error:
         raise named(error, study.name) from None
     shown = figures_of(outcome)
-    text = page(outcome, shown)
-    if interactive:
-        from winkler.calculators.read_off import with_reading
+    if one_sheet:
+        from winkler.study.report.headline.one_page import one_page
 
-        text = with_reading(text, shown)
-    write_whole({path: text.encode("utf-8")})
+        content = one_page(outcome, shown)
+    else:
+        text = page(outcome, shown)
+        if interactive:
+            from winkler.calculators.read_off import with_reading
+
+            text = with_reading(text, shown)
+        content = text.encode("utf-8")
+    write_whole({path: content})
     write_line(f"Written {path}")
     return exit_code(outcome)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from winkler.study.batch.outcome import Outcome
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-__all__ = ["batch_json", "print_batch", "resumed", "write_outcome_json"]
+__all__ = ["batch_json", "print_batch", "resumed", "validity_json", "write_outcome_json"]
 
 MOST_DOUBTFUL = 5
 """Curves with doubts that are printed; the table of curves holds all."""
@@ -125,18 +125,23 @@ def write_outcome_json(outcome: Outcome | FitOutcome, folder: Path | None, colum
                 {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
             ],
             **more,
-            "validity": [
-                {
-                    "assumption": note.assumption.value,
-                    "standing": note.standing.value,
-                    "statement": note.statement,
-                    "source": note.source,
-                    "error": note.error,
-                }
-                for note in outcome.validity
-            ],
+            "validity": validity_json(outcome),
         }
     )
+
+
+def validity_json(outcome: Outcome | FitOutcome | NanoindentationOutcome) -> list[dict[str, Any]]:
+    """Return the notes on the validity of an outcome for JSON."""
+    return [
+        {
+            "assumption": note.assumption.value,
+            "standing": note.standing.value,
+            "statement": note.statement,
+            "source": note.source,
+            "error": note.error,
+        }
+        for note in outcome.validity
+    ]
 
 
 def print_batch(outcome: FitOutcome | NanoindentationOutcome, out: Any, file: str) -> None:

@@ -260,6 +260,7 @@ def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.readable import with_readable_numbers
     from winkler.study.report.headline.questions import questions_of
     from winkler.study.report.headline.section import doubt_of, headline
+    from winkler.study.report.headline.summary import contact_summary
     from winkler.validity import Standing
 
     out = terminal.console()
@@ -270,6 +271,11 @@ def _print(outcome: Outcome, folder: Path) -> None:
         out.print(f"Do not use these numbers: {with_readable_numbers(doubt.statement)} {doubt.advice}", soft_wrap=True)
     elif told := headline(outcome):
         out.print(told, soft_wrap=True)
+    if summary := contact_summary(outcome):
+        shown = terminal.table("elastic contact", "value", "where, and compared with what")
+        for one in summary:
+            shown.add_row(one.name, one.text, one.remark)
+        out.print(shown)
     terminal.indices(outcome, out)
     if outcome.verdicts:
         out.print(verdict_table(outcome.verdicts))
@@ -286,8 +292,10 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
+    from winkler.study.report.headline.summary import contact_summary
 
     more = {
+        "contact": [{"name": one.name, "value": one.number, "unit": one.unit} for one in contact_summary(outcome)],
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Outcome, ResultColumn
+    from winkler.study.nanoindentation.running import NanoindentationOutcome
 
 from winkler.cli.messages import heard, one_line
 from winkler.cli.streams import safe
@@ -177,7 +178,9 @@ def indices(outcome: Outcome, out: Console) -> None:
     out.print(shown)
 
 
-def notes(outcome: Outcome | FitOutcome, out: Console, questions: tuple[str, ...] = ()) -> None:
+def notes(
+    outcome: Outcome | FitOutcome | NanoindentationOutcome, out: Console, questions: tuple[str, ...] = ()
+) -> None:
     """Show questions about unlikely numbers, what may be done with the answer, and the notes, the worst first."""
     for question in questions:
         out.print(question, soft_wrap=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import typing
 
 import pytest
@@ -27,6 +28,18 @@ def test_every_kind_has_a_headline_of_its_answers():
     assert wrong == {}
 
 
+def test_what_a_headline_says_is_made_of_answers():
+    """Each clause belongs to a number of the headline, and names answers of the kind."""
+    wrong = {}
+    for name, record in answers().items():
+        numbers = {*number_names(typing.get_type_hints(kinds()[name].cls.solve)["return"]), "area_share"}
+        named = {word for clause in record.says.values() for word in re.findall(r"{(\w+)", clause)}
+        if not set(record.says) <= set(record.headline) or not named <= numbers:
+            wrong[name] = record.says
+    assert wrong == {}
+    assert sum(bool(record.says) for record in answers().values()) > 30
+
+
 @pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("kind", "sought", "value"),
@@ -44,4 +57,4 @@ def test_the_sought_number_stands_first(kind, sought, value):
     first, second = page.index('class="card sought"'), page.index('class="card"')
     assert first < page.index(value) < second
     assert first < page.index(sought, first) < second
-    assert ("At the end the" in lead) == (kind == "tangential")
+    assert ("After 4 s the" in lead.replace("\xa0", " ")) == (kind == "tangential")

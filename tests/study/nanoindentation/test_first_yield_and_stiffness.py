@@ -130,6 +130,33 @@ def test_continuous_stiffness_of_a_file(tmp_path, capsys):
     assert "mean of 3 curves" in said
 
 
+def test_the_terminal_and_json_state_validity_and_each_reason(tmp_path, capsys):
+    """Seven files without a curve have one reason, an eighth with a table of two rows another."""
+    folder = tmp_path / "curves"
+    folder.mkdir()
+    continuous(folder / "c.csv")
+    for number in range(7):
+        (folder / f"x{number}.csv").write_text("?\n", encoding="utf-8")
+    table(folder / "y.csv", ("depth [nm]", "force [mN]", "time [s]"), *3 * [np.arange(2.0)])
+    assert main(["fit", study(tmp_path), "--output", str(tmp_path / "out"), "--json"]) == 2
+    found = json.loads(capsys.readouterr().out)
+    (evaluated,) = running.gathered(
+        read_nanoindentation_study(tmp_path / "study.toml"),
+        list(running.evaluated_files(read_nanoindentation_study(tmp_path / "study.toml"))),
+        started=0.0,
+    ).continuous
+    told = [(note["standing"], note["statement"]) for note in found["validity"]]
+    assert told == [(note.standing.value, note.statement) for note in evaluated.solution.validity]
+    assert told
+    assert main(["fit", study(tmp_path), "--output", str(tmp_path / "again")]) == 2
+    said = capsys.readouterr().out
+    assert "How far this can be trusted: " in said
+    assert "8 of 9 curves have no answer:" in said
+    for one in found["failed"]:
+        assert one["reason"] in said
+    assert "x5.csv and 1 more: " in said
+
+
 def test_an_instrument_that_says_something_else_is_a_doubt(tmp_path, capsys):
     """Its own E of 220 GPa is no part of what is evaluated, and stands beside it."""
     (tmp_path / "curves").mkdir()

@@ -17,6 +17,8 @@ from winkler.study.report.figures import shown_point
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.section import doubt_line, doubt_of, headline_section
+from winkler.study.report.headline.summary import contact_summary
+from winkler.study.report.tables import contact_section
 from winkler.validity import Assumption, Note, Standing, in_words
 
 MODULUS = 210e9 / (1.0 - 0.3**2)
@@ -154,4 +156,70 @@ def test_a_sweep_is_headed_by_a_range():
     assert depth[1] / depth[0] == pytest.approx(4.0, rel=0.01)
     low, high = (f"{1e9 * depth[0]:.4g} nm", f"{1e6 * depth[1]:.4g} µm")
     lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
-    assert lead.endswith(f"Over 2 points the depth is between {low} and {high}.")
+    assert lead.endswith(f"Over 2 points the depth rises from {low} at force = 10 N to {high} at force = 80 N.")
+    outcome = solved("indentation", sweep={"problem.load.force": ["80 N", "10 N", "20 N"]})
+    lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
+    assert lead.endswith(f"Over 3 points the depth is between {low} (force = 10 N) and {high} (force = 80 N).")
+
+
+def test_a_sweep_of_paths_is_headed_by_what_each_has_lost():
+    """A loop begins without a loss: the range is over the points, not along their paths."""
+    outcome = solved("tangential", sweep={"problem.law.coefficient": [0.3, 0.4]})
+    ends = [f"{1e6 * point.answers['dissipation'][-1]:.4g} µJ" for point in outcome.points]
+    lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
+    assert f"the dissipation falls from {ends[0]} at coefficient = 0.3 to {ends[1]} at coefficient = 0.4" in lead
+
+
+def test_a_sweep_without_a_difference_says_so():
+    outcome = solved("impact", sweep={"problem.mass": ["1 g", "2 g"]})
+    assert "1 of its normal speed" in (lead := headline_section(outcome).replace("\xa0", " "))
+    assert " at all 2 points." in lead
+
+
+def test_a_map_touches_on_a_part_of_its_area():
+    """The example of a rough square of a millimetre by a millimetre."""
+    outcome = solved("rough_contact")
+    share = 100.0 * outcome.points[0].answers["area"][-1] / outcome.study.problem.side**2
+    assert f"touch on {share:.3g} % of the area" in headline_section(outcome).replace("\xa0", " ")
+
+
+def test_the_margin_stands_in_the_headline_and_not_where_yield_is_sought():
+    """A ball yields at the cube of strength over stress times its load."""
+    state = elastic_state(shown_point(outcome := ball(steel={"strength": "7000 MPa"})))
+    text = headline_section(outcome).replace("\xa0", " ")
+    assert f"It yields at {(7e9 / state.von_mises) ** 3:.3g} times this load, " in text
+    assert "times this load" not in headline_section(solved("yield_onset"))
+
+
+def test_the_summary_of_a_ball_is_that_of_hertz():
+    """Johnson, Contact Mechanics (1985), sec. 4.2: shear of 0.31 p0 at 0.48 a below the middle of a ball, nu = 0.3."""
+    found = {one.name: one for one in contact_summary(ball(steel={"strength": "700 MPa"}))}
+    pressure = (6.0 * 100.0 * MODULUS**2 / (math.pi**3 * RADIUS**2)) ** (1.0 / 3.0)
+    width = (0.75 * 100.0 * RADIUS / MODULUS) ** (1.0 / 3.0)
+    assert found["greatest pressure p0"].number == pytest.approx(pressure, rel=1e-9)
+    assert found["mean pressure"].number == pytest.approx(pressure / 1.5, rel=1e-9)
+    assert found["contact area"].number == pytest.approx(math.pi * width**2, rel=1e-9)
+    assert found["approach"].number == pytest.approx(width**2 / RADIUS, rel=1e-9)
+    assert found["greatest shear stress"].number == pytest.approx(0.310 * pressure, rel=2e-3)
+    assert f"{0.481 * width * 1e6:.1f}"[:2] == found["greatest shear stress"].remark[:2]
+    state = elastic_state(shown_point(ball(steel={"strength": "700 MPa"})))
+    assert found["load at which it yields"].number == pytest.approx(state.yield_load)
+    page = contact_section(ball())
+    assert "greatest shear stress" in page
+    assert "load at which it yields" not in page
+
+
+def test_the_summary_compares_steel_balls_in_grooves_with_their_static_rating():
+    """4.2 GPa for ball bearings, ISO 76:2006; other materials and round contacts are not rated."""
+    solid = {"kind": "elastic", "young": "208 GPa", "poisson": 0.3}
+    medium = {"kind": "half_space", "first": solid, "second": solid}
+    (first, *_) = contact_summary(solved("elliptic_indentation", problem__medium=medium))
+    assert first.remark == f"{first.number / 4.2e9:.3g} of the static rating of ball bearings, 4.2 GPa (ISO 76)"
+    soft = {"kind": "half_space", "first": {**solid, "young": "3 GPa"}}
+    (first, *_) = contact_summary(solved("elliptic_indentation", problem__medium=soft))
+    assert first.remark == ""
+    assert contact_summary(ball())[0].remark == ""
+
+
+def test_a_sweep_has_no_summary():
+    assert contact_summary(solved("indentation", sweep={"problem.load.force": ["10 N", "80 N"]})) == ()

@@ -136,6 +136,7 @@ ADHESION = Chapter(
             fr="force d'arrachement décollement détachement force de séparation arracher force d'adhérence décolle arracher bille décolle",
             event="at which the contact comes apart",
             headline=("force", "depth", "radius"),
+            says={"force": "the contact pulls off at {force:size}"},
             picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
             pictured=PicturedContact.EDGE,
             contact_shown="the contact just before it comes apart",
@@ -174,6 +175,7 @@ ADHESION = Chapter(
             de="annähern und zurückziehen kraft-abstands-kurve hysterese einschnappen adhäsionshysterese zyklus",
             fr="approche et retrait courbe de force hystérésis d'adhésion cycle saut cantilever",
             headline=("dissipation", "hysteresis"),
+            says={"dissipation": "the path costs {dissipation}, lost in jumps"},
             path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
             picture=Caption(
                 "cycle",

@@ -106,6 +106,10 @@ class Answer(NamedTuple):
         Name of the answer in words that stands before the headline; empty where the question is for numbers.
     event
         What the first number of the headline belongs to, where that is not prescribed: "at which a body yields".
+    says
+        Sought number -> clause of the headline that answers the question: ``{name}`` stands for an answer with its
+        unit, ``{name:%}`` for it in per cent, ``{name:size}`` without its sign, ``{name:below}`` for a depth.
+        ``{area_share}`` is the contact area over that of the height map.  Of the others the number is named.
     live
         Whether the panels of the picture take milliseconds, so that the app draws them at each move of a slider.
     """
@@ -122,6 +126,7 @@ class Answer(NamedTuple):
     contact_shown: str = ""
     verdict: str = ""
     event: str = ""
+    says: Mapping[str, str] = MappingProxyType({})
     live: bool = False
 
 
@@ -140,6 +145,7 @@ def answer(
     contact_shown: str = "",
     verdict: str = "",
     event: str = "",
+    says: Mapping[str, str] = MappingProxyType({}),
     live: bool = False,
     **example: Any,
 ) -> Answer:
@@ -150,7 +156,20 @@ def answer(
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
     line = kind(path, *cites, **example)
     return Answer(
-        line, made, question, page, headline, picture, curves, compared, pictured, contact_shown, verdict, event, live
+        line,
+        made,
+        question,
+        page,
+        headline,
+        picture,
+        curves,
+        compared,
+        pictured,
+        contact_shown,
+        verdict,
+        event,
+        says,
+        live,
     )
 
 

@@ -103,6 +103,9 @@ HEATING = Chapter(
             de="blitztemperatur reibwärme wie heiss temperatur erwärmung gleiten bremse stift scheibe reibungshitze heiss bremsbelag reibfläche bremstemperatur kontakterwärmung kupplungsbelag eis schlittschuh",
             fr="température éclair chaleur de frottement échauffement quelle température frein pion disque chaud patin de frein garniture température flash patinage glace",
             headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
+            says={
+                "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
+            },
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
@@ -124,6 +127,9 @@ HEATING = Chapter(
             de="blitztemperatur zahnrad fressen blok zwei-scheiben rolle reibwärme linienkontakt kolbenring temperatur nocken fresstragfähigkeit fressen blitztemperatur zahneingriff verzahnung anschmierungen an rollen",
             fr="température éclair engrenage grippage rouleau échauffement contact linéique segment de piston bi-disque grippage température de denture",
             headline=("flash_temperature", "first_mean_temperature", "heat_per_length", "first_share"),
+            says={
+                "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
+            },
             bed=ROLLER,
             law={"kind": "coulomb", "coefficient": 0.05},
             load={"kind": "line_force", "force_per_length": "400 N/mm"},
@@ -147,6 +153,9 @@ HEATING = Chapter(
             de="wandernde wärmequelle bandquelle streifen schleifen laser jaeger schleifbrand",
             fr="source de chaleur mobile bande laser rectification jaeger meulage brûlure de rectification",
             headline=("flash_temperature", "first_mean_temperature", "heat_per_length", "first_share"),
+            says={
+                "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
+            },
             half_width="0.1 mm",
             heat_flux="100 W/mm^2",
             conductors=STEELS,
@@ -170,6 +179,9 @@ HEATING = Chapter(
             de="rad schiene temperatur wälzlager blitztemperatur anschmierung ellipse heiss schlupf blockiertes rad flachstelle anschmierungen",
             fr="température roue rail roulement éclair ellipse patinage enrayage roue bloquée",
             headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
+            says={
+                "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
+            },
             law={"kind": "coulomb", "coefficient": 0.1},
             load={"kind": "force", "force": "200 N"},
             conductors=STEELS,
@@ -192,6 +204,9 @@ HEATING = Chapter(
             de="aufwärmen anlauf instationär wie lange bis heiss zeitlicher verlauf erwärmung einkuppeln aufheizzeit",
             fr="échauffement transitoire démarrage temps de chauffe montée en température embrayage",
             headline=("flash_temperature", "stationary_temperature", "time"),
+            says={
+                "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
+            },
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,

@@ -234,6 +234,10 @@ NORMAL = Chapter(
             de="abplattung einer kugel auf einer platte einfedern einsinken gewicht hertzsche pressung kontakt flächenpressung eindringtiefe kugel auf ebene kontaktradius kontaktfläche steifigkeit wie tief dringt die spitze ein druck anpressen eindrücken punktkontakt abplattung annäherung zwei kugeln abplattung eindrückung federsteifigkeit des kontakts kugel zwischen platten messkraft taster abflachung gewölbte körper messkraftabplattung kontaktradius kugel",
             fr="contact de hertz pression bille sur plan enfoncement profondeur d'indentation rayon de contact raideur aire jusqu'où pénètre la pointe écrasement appui ponctuel raideur d'un contact bille plan deux billes empreinte élastique palpeur",
             headline=("depth", "force", "radius", "peak_pressure"),
+            says={
+                "depth": "the body sinks in by {depth}, on a contact of {radius} radius",
+                "force": "it takes {force} to press the body in, on a contact of {radius} radius",
+            },
             formulas=normal_formulas,
         ),
         "yield_onset": answer(
@@ -248,6 +252,7 @@ NORMAL = Chapter(
             fr="plastification limite d'élasticité début de plasticité va-t-il plastifier déformation permanente résistance seuil de plasticité charge limite empreinte capacité statique marque une empreinte reste charge admissible pression admissible empreinte permanente couche dure",
             event="at which a body begins to yield",
             headline=("force", "depth", "radius", "z"),
+            says={"force": "a body begins to yield at {force}, {z:below}"},
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             formulas=followed_by(normal_formulas, ONSET),
         ),
@@ -260,6 +265,9 @@ NORMAL = Chapter(
             de="elliptischer kontakt kugellager laufbahn rille schmiegung gekreuzte zylinder rad schiene hertz ellipse halbachsen wälzlager laufring tonnenrolle druckellipse kugelgewindetrieb linearführung schrägkugellager vierpunktlager tonnenlager hauptkrümmung krümmungssumme kugel in rille berührellipse wälzkontakt kreuzzylinder kugelumlaufspindel gewölbte körper",
             fr="contact elliptique roulement à billes chemin de roulement gorge cylindres croisés ellipse de hertz roue rail demi-axes bague vis à billes guidage linéaire roulement à rotule rayons principaux bille dans une gorge contact oblique bille dans une gorge",
             headline=("peak_pressure", "depth", "force", "longitudinal_semi_axis", "lateral_semi_axis"),
+            says={
+                "peak_pressure": "the peak pressure is {peak_pressure}, on a contact of semi-axes {longitudinal_semi_axis} and {lateral_semi_axis}"
+            },
             picture=Caption(
                 "ellipse",
                 "The contact",
@@ -280,6 +288,7 @@ NORMAL = Chapter(
             fr="charge statique roulement plastification du chemin de roulement roue rail marques sur la bague capacité statique guidage galet marque le rail",
             event="at which a body begins to yield",
             headline=("force", "peak_pressure", "depth", "z"),
+            says={"force": "a body begins to yield at {force}, {z:below}"},
             medium={"kind": "half_space", **STRONG},
             friction={"kind": "coulomb", "coefficient": 0.1},
             picture=Caption(

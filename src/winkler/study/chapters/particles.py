@@ -35,6 +35,7 @@ PARTICLES = Chapter(
             de="plastisches teilchen pulver elastisch-plastisch kugel fliesst partikel granulat pressen von pulver tablettieren",
             fr="particule plastique poudre élastoplastique bille granulaire compaction comprimé",
             headline=("residual_depth", "yield_depth", "dissipation", "loss_per_cycle"),
+            says={"residual_depth": "a dent {residual_depth} deep is left"},
             curvature_radius="1 mm",
             solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},
             path={"kind": "depth", "depth": ["20 um", "40 um", "0 um"]},

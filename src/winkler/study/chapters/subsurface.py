@@ -60,6 +60,7 @@ SUBSURFACE = Chapter(
             de="wie hart muss die schicht sein einhärtetiefe spannung unter der oberfläche vergleichsspannung schubspannung maximum tiefe von mises grösste beanspruchung hauptspannung einsatzhärteschicht zahnrad nitrierhärtetiefe grösste schubspannung tiefe randschichthärten druckstelle im laminat",
             fr="contrainte sous la surface cisaillement maximal von mises profondeur contrainte maximale champ de contraintes contraintes en sous-couche profondeur du cisaillement maximal profondeur de cémentation",
             headline=("max_shear", "max_shear_depth", "orthogonal_shear", "orthogonal_shear_depth", "von_mises"),
+            says={"max_shear": "the greatest shear stress is {max_shear}, {max_shear_depth:below}"},
             contact={"kind": "indentation"},
             picture=Caption(
                 "depths",
@@ -77,6 +78,7 @@ SUBSURFACE = Chapter(
             de="spannung unter gegebenem druck druckkarte boussinesq cerruti druckfolie",
             fr="contrainte sous une carte de pression donnée boussinesq cerruti film de pression film fuji répartition de pression mesurée",
             headline=("von_mises", "z", "x", "y", "yield_factor"),
+            says={"von_mises": "the greatest von Mises stress is {von_mises}, {z:below}"},
             solid={"kind": "elastic", "strength": "500 MPa"},
             picture=Caption(
                 "below",

@@ -22,7 +22,7 @@ from winkler.study.chapters.kind import Words
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
-__all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "materials_meant", "neighbours", "words"]
+__all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "materials_meant", "neighbours", "public_names", "words"]
 
 LANGUAGES = ("en", "de", "fr")
 SATURATION, LENGTH = 1.2, 0.1
@@ -144,7 +144,7 @@ def _parsed(module: str) -> list[ast.stmt]:
 
 
 @functools.cache
-def _public_names() -> dict[str, str]:
+def public_names() -> dict[str, str]:
     """Return public name -> its module."""
     imports = [line for page in PAGES for line in _parsed(page) if isinstance(line, ast.ImportFrom)]
     return {imported.name: line.module or "" for line in imports for imported in line.names}
@@ -152,7 +152,7 @@ def _public_names() -> dict[str, str]:
 
 def _described(name: str) -> str:
     """Return the first sentence of the docstring of a public name."""
-    for line in _parsed(_public_names()[name]):
+    for line in _parsed(public_names()[name]):
         if isinstance(line, ast.ClassDef | ast.FunctionDef) and line.name == name:
             return (ast.get_docstring(line) or "").split("\n\n")[0].replace("\n", " ")
     return "A public name of Python."
@@ -318,7 +318,7 @@ def _public(text: str) -> list[Hit]:
     """Return the kinds of a class, or the public name of Python, that a text names; capitals do not count."""
     hits, told = _index().hits, text.strip().lower()
     made = [hits[kind] for kind, line in kinds().items() if line.path.split(":")[1].lower() == told]
-    others = [name for name in _public_names() if name.lower() == told]
+    others = [name for name in public_names() if name.lower() == told]
     return made or [Hit(name, "python", f"python -m pydoc winkler.{name}") for name in others if name not in hits]
 
 

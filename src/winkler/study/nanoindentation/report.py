@@ -20,7 +20,7 @@ from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.tables import batch_section, expected_section
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
-from winkler.validity import Note, Standing
+from winkler.validity import Standing
 
 __all__ = [
     "CONTINUOUS_HEADS",
@@ -116,7 +116,7 @@ def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> st
         _failures(outcome),
         thumbnails_section(tuple(_thumbnails(outcome))),
         section("Figures", parts.figure_elements(shown)) if shown else "",
-        parts.trust(_notes(outcome)),
+        parts.trust(outcome.validity),
         parts.origin(
             made, "the study with its curves", parts.folded("The study file, word for word", outcome.study.text)
         ),
@@ -321,10 +321,3 @@ def _thumbnails(outcome: NanoindentationOutcome) -> Iterator[ThumbnailOf]:
         yield ThumbnailOf(lines, one.name, "; ".join(words)[:LONGEST_FLAG])
     for left in outcome.unevaluated:
         yield ThumbnailOf((), left.name, "no answer", answered=False)
-
-
-def _notes(outcome: NanoindentationOutcome) -> tuple[Note, ...]:
-    from winkler.validity import worst_of_each
-
-    calibrated = [note for item in outcome.calibration for note in item.validity]
-    return worst_of_each([*calibrated, *(note for one in outcome.evaluated for note in one.solution.validity)])

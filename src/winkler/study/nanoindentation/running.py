@@ -33,6 +33,7 @@ from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously
 from winkler.study.nanoindentation.expected import verdicts_of
 from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
 from winkler.study.nanoindentation.reading import NanoindentationStudy
+from winkler.validity import Note, worst_of_each
 from winkler.values import value
 
 __all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
@@ -114,6 +115,16 @@ class NanoindentationOutcome:
         return tuple((name, doubts) for name, doubts in found.items() if doubts)
 
     @property
+    def validity(self) -> tuple[Note, ...]:
+        """Notes on the calibration and on the evaluations of all curves; of statements on one subject the worst."""
+        found: tuple[Any, ...] = (
+            *self.calibration,
+            *(one.solution for one in self.evaluated),
+            *(one.solution for one in self.continuous),
+        )
+        return worst_of_each(note for one in found for note in one.validity)
+
+    @property
     def means(self) -> dict[str, RepeatedMean]:
         """Means of Young's modulus and hardness over the curves; of copies one counts."""
         solutions = [one.solution for one in self.independent]
@@ -130,7 +141,7 @@ def evaluated_files(
             result
             for one in _curves(study, path)
             for result in (
-                (Unevaluated(name, one.reason, InvalidInput.exit_code),)
+                (Unevaluated(name, one.reason.removeprefix(f"{path}: "), InvalidInput.exit_code),)
                 if isinstance(one, UnreadCurve)
                 else _both(study, one, name)
             )
@@ -183,7 +194,7 @@ def read_references(study: NanoindentationStudy) -> Iterator[tuple[ForceCurve, A
     for path, reference in zip(study.sources, study.references, strict=True):
         for one in _curves(study, path):
             if isinstance(one, UnreadCurve):
-                yield Unevaluated(_name(study, path), one.reason, InvalidInput.exit_code)
+                yield Unevaluated(_name(study, path), one.reason.removeprefix(f"{path}: "), InvalidInput.exit_code)
             else:
                 yield one.curve, reference
 

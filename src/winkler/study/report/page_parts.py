@@ -13,14 +13,17 @@ from typing import Any
 from winkler.readable import with_readable_numbers
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
+from winkler.study.language.study import Study
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure, figure_files, svg_element
+from winkler.study.report.headline.as_code import command_text, python_text
 from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.validity import Note, Standing
 
 __all__ = [
     "REPORT",
+    "code_section",
     "figure_elements",
     "folded",
     "formula_list",
@@ -120,6 +123,15 @@ def origin(made: Provenance, hashed: str, *parts: str) -> str:
         f'<tr><td>{safe(name)}</td><td class="wrap"><code>{safe(content)}</code></td></tr>' for name, content in rows
     ]
     return section("What made these numbers", table([], lines), *parts)
+
+
+def code_section(study: Study, name: str) -> str:
+    """Return a section with a study as Python and as commands; `name` is that of its file."""
+    return section(
+        "The same numbers elsewhere",
+        folded("As Python", python_text(study, name)),
+        folded("As commands in a terminal", command_text(name)),
+    )
 
 
 def folded(summary: str, text: str) -> str:

@@ -17,7 +17,14 @@ from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import badge, safe, section
-from winkler.study.report.tables import answer_section, expected, failures, input_section, question_section
+from winkler.study.report.tables import (
+    answer_section,
+    contact_section,
+    expected,
+    failures,
+    input_section,
+    question_section,
+)
 
 __all__ = ["page", "report_files"]
 
@@ -53,18 +60,22 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
     title = safe(study.title or outcome.provenance.source or "A study")
     pictures = figures_of(outcome) if shown is None else shown
     notes = outcome.validity
+    answers = [one for one in pictures if not one.of_method]
     body = [
         f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}</header>",
         question_section(outcome),
+        section("At a glance", parts.figure_elements((*answers, *pictures)[:1])) if pictures else "",
         answer_section(outcome),
+        contact_section(outcome),
+        parts.trust(notes, questions_of(outcome)),
         failures(outcome),
         expected(outcome),
-        _pictures(outcome, pictures),
+        _pictures(outcome, pictures, (*answers, *pictures)[:1]),
         input_section(outcome),
         _formulas(outcome),
-        parts.trust(notes, questions_of(outcome)),
         parts.papers(outcome.study),
         _provenance(outcome),
+        parts.code_section(study, "study.toml"),
     ]
     return parts.framed(title, outcome.provenance.version, body)
 
@@ -81,9 +92,11 @@ def _standing_line(outcome: Outcome) -> str:
 # ------------------------------------------------------------------------------------------------------ pictures
 
 
-def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
-    answers = [one for one in shown if not one.of_method]
-    method = [one for one in shown if one.of_method]
+def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...], before: tuple[ReportFigure, ...]) -> str:
+    """Return the figures but those that stand before the answers."""
+    further = [one for one in shown if one not in before]
+    answers = [one for one in further if not one.of_method]
+    method = [one for one in further if one.of_method]
     sections = []
     if answers:
         sections.append(section("Results as curves", parts.figure_elements(answers)))

@@ -16,12 +16,14 @@ from winkler.study.language import keys
 from winkler.study.report.archive import CSV, rows_of
 from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
 from winkler.study.report.headline.section import headline_section
+from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
 __all__ = [
     "answer_section",
     "batch_section",
+    "contact_section",
     "expected",
     "expected_section",
     "failures",
@@ -101,6 +103,16 @@ def answer_section(outcome: Outcome) -> str:
         cut = f"<p class='small'>{rows} rows, of which the first and last {half} are shown; {CSV} holds all.</p>"
     parts = (headline_section(outcome), _many(columns, outcome), cut, _events(outcome), _indices(outcome))
     return section("Results", *parts)
+
+
+def contact_section(outcome: Outcome) -> str:
+    """Return the elastic contact of an answer in the numbers that are compared in design; empty without one."""
+    rows = [
+        f'<tr><td>{safe(one.name)}</td>{number(safe(one.text))}<td class="text small">{safe(one.remark)}</td></tr>'
+        for one in contact_summary(outcome)
+    ]
+    lead = "<p>Pressed without friction, as the pictures show it.</p>"
+    return section("The elastic contact", lead, table(["what", "#value", ""], rows)) if rows else ""
 
 
 def _indices(outcome: Outcome) -> str:

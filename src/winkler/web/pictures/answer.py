@@ -25,7 +25,7 @@ from winkler.study.report.figures import answers_over, shown_point
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import badge, safe
-from winkler.study.report.page_parts import papers, trust
+from winkler.study.report.page_parts import code_section, papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories
@@ -78,7 +78,7 @@ def answer_text(outcome: Outcome, text: str, moments: Moments, moment: int) -> A
         badge(outcome.validity),
         answers,
         trust(outcome.validity, questions_of(outcome)),
-        papers(outcome.study),
+        papers(outcome.study) + code_section(outcome.study, "study.toml"),
         text,
         moments.total,
         moment,

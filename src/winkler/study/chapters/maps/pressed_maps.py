@@ -51,6 +51,7 @@ PRESSED_MAPS = Chapter(
             de="wahre kontaktfläche reale kontaktfläche greenwood williamson traganteil wie viel berührt persson materialtraganteil abbott-kurve bruchteil scheinbare fläche",
             fr="aire réelle de contact greenwood williamson persson combien touche portance taux de contact taux de portance courbe d'abbott surface réelle fraction de la surface",
             headline=("area", "area_error", "peak_pressure", "patch_count"),
+            says={"area": "the surfaces touch on {area_share} of the area, {area}"},
             contact=PRESSED,
             picture=Caption(
                 "patches",
@@ -72,6 +73,7 @@ PRESSED_MAPS = Chapter(
             de="öl läuft durch flansch verspannte flansche öl tritt aus dichtung leckage undicht leckrate flansch dicht percolation ist die dichtung dicht wasser tritt durch dichtfläche ventilsitz dichtheit gleitringdichtung gas strömt zwischen geschliffenen flächen metallische dichtung leckstrom ventilplatte",
             fr="fuite d'huile joint fuite étanchéité débit de fuite bride percolation est-ce que mon joint fuit eau traverse siège de soupape étanchéité métal-métal garniture mécanique soupape",
             headline=("leak_rate", "leak_rate_error", "flow_factor", "critical_gap"),
+            says={"leak_rate": "the seal leaks {leak_rate}, through a narrowest gap of {critical_gap}"},
             contact=PRESSED,
             viscosity="1 mPa s",
             pressure_drop="100 kPa",

@@ -39,6 +39,7 @@ SURFACE_WEAR = Chapter(
             de="einlauf verschleiss raue oberfläche glätten polieren rauheit nach verschleiss honen plateauhonen einlaufen",
             fr="rodage usure surface rugueuse polissage évolution de la rugosité rodage honage",
             headline=("worn_volume", "worn_depth", "rms_height", "area", "peak_pressure"),
+            says={"worn_volume": "{worn_volume} are worn off, {worn_depth} deep"},
             contact=SLID,
             distance=["0 m", "0.01 m", "0.05 m", "0.2 m"],
             picture=Caption(

@@ -49,6 +49,7 @@ PLASTIC = Chapter(
             de="eindruck tiefe bleibender eindruck brinellhärte kugeleindruck plastischer kontakt elastisch-plastischer kontakt vollplastisch eindringtiefe metall rückfederung delle dellentiefe entlastung nach dem fliessen",
             fr="empreinte profondeur empreinte permanente dureté brinell contact élastoplastique contact plastique métal retour élastique plasticité totale décharge",
             headline=("residual_depth", "largest_radius", "dissipation"),
+            says={"residual_depth": "a dent {residual_depth} deep is left"},
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             path={"kind": "force", "force": [f"{force} N" for force in (*UP, *reversed(UP[:-1]), 0)]},
             picture=Caption(

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.types import Array
 from winkler.plot.series import name_in_words
 from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
-from winkler.study.report.describe import inputs
+from winkler.study.report.describe import inputs, settings_text
 from winkler.vocabulary import Word
 
-__all__ = ["SoughtNumber", "sought_numbers"]
+__all__ = ["SoughtNumber", "as_share", "sought_numbers"]
 
 ALIKE = 1e-3
 """Relative difference below which the greatest number is that of the end."""
 ALONG_A_PATH = ("time", "distance", "cycles", "cycle", "position")
 """Answers of paths and histories."""
+AFTER = {"time": "", "distance": "", "cycles": " cycles"}
+"""Those that have passed at the end -> what follows the number."""
+MOST_PLACES = 2
+"""Varied keys of a sweep that are named beside its least and greatest number."""
 
 
 class SoughtNumber(NamedTuple):
@@ -41,7 +47,11 @@ class SoughtNumber(NamedTuple):
     swept
         Whether it is of the points of a sweep.
     end
-        Where the last number holds: ``at the end`` of a path or a history, or ``at the last value``.
+        Where the last number holds: ``at the end`` or ``after 10 s``, or ``at the last force, 2 N,`` of many.
+    places
+        Where the least and the greatest number of a sweep are; empty where that is not stated.
+    trend
+        ``rises`` or ``falls``, of a sweep over one number without a turn between.
     """
 
     name: str
@@ -53,6 +63,8 @@ class SoughtNumber(NamedTuple):
     many: bool
     swept: bool
     end: str
+    places: tuple[str, ...] = ()
+    trend: str = ""
 
     @property
     def label(self) -> str:
@@ -72,7 +84,7 @@ class SoughtNumber(NamedTuple):
     @property
     def is_range(self) -> bool:
         """Whether a range is shown: of the points of a sweep, and where no single number is sought."""
-        return self.swept and self.low != self.high
+        return self.swept and self._of(self.low) != self._of(self.high)
 
     @property
     def text(self) -> str:
@@ -90,15 +102,30 @@ class SoughtNumber(NamedTuple):
             return f"the {self.extreme_name}; {self._of(0.0)} {self.end}"
         return f"{self.extreme_name} {self._of(self.extreme)}"
 
-    def sentence(self, event: str = "") -> str:
-        """Return the number with its unit in a sentence, without its full stop; `event` is what it belongs to."""
+    def sentence(self, event: str = "", clause: str = "") -> str:
+        """Return the number with its unit in a sentence, without its full stop.
+
+        Parameters
+        ----------
+        event
+            What the number belongs to.
+        clause
+            What is said of a single number in place of its name.
+        """
         label = f"{self.label} {event}".rstrip()
         if self.is_range:
-            return f"the {label} is between {self._of(self.low)} and {self._of(self.high)}"
+            low, high = self._of(self.low), self._of(self.high)
+            if self.trend:
+                ends = [f"{low} at {self.places[0]}", f"{high} at {self.places[1]}"]
+                first, last = ends if self.trend == "rises" else reversed(ends)
+                return f"the {label} {self.trend} from {first} to {last}"
+            where = [f" ({place})" if place else "" for place in self.places or ("", "")]
+            return f"the {label} is between {low}{where[0]} and {high}{where[1]}"
         if self.ends_at_zero:
             return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end}"
         beside = f", and the {self.extreme_name} {self._of(self.extreme)}" if self.varies else ""
-        return f"{f'{self.end} ' if self.many else ''}the {label} is {self.text}{beside}"
+        said = clause or f"the {label} is {self.text}"
+        return f"{f'{self.end} ' if self.many and not self.swept else ''}{said}{beside}"
 
     @property
     def varies(self) -> bool:
@@ -111,7 +138,17 @@ class SoughtNumber(NamedTuple):
         return "lowest" if self.extreme < 0.0 else "greatest"
 
     def _of(self, number: float) -> str:
-        return with_unit(number, self.word.unit)
+        return as_share(number) if self.is_share else with_unit(number, self.word.unit)
+
+    @property
+    def is_share(self) -> bool:
+        """Whether it is a part of a whole, which is shown in per cent."""
+        return self.word.unit == "" and self.name.endswith("_share")
+
+
+def as_share(number: float) -> str:
+    """Return a part of a whole in per cent."""
+    return f"{with_unit(100.0 * number, '', 3)} %"
 
 
 def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
@@ -129,18 +166,76 @@ def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
     names = record.headline or tuple(reversed([name for name in outcome.answers if outcome.word(name).unit]))
     swept = bool(study.axes) or not record.headline
     varied = {axis.key.rpartition(".")[2] for axis in study.sweep}
-    end = "at the end" if any(name in outcome.answers for name in ALONG_A_PATH) else "at the last value"
+    end = _end(outcome, given)
     found = []
     for name in names:
         if name not in outcome.answers or name in varied:
             continue
-        numbers = np.asarray(outcome.answer(name), dtype=float).ravel()
+        each = [np.ravel(point.answers[name]) for point in outcome.solved if name in point.answers]
+        numbers = np.concatenate(each)
+        if study.axes and record.headline:  # of each point that at its end
+            numbers = np.array([_last(one) for one in each])
         finite = numbers[~np.isnan(numbers)]
         if not finite.size or (np.isnan(numbers[-1]) and not swept):
             continue
         low, high = float(np.min(finite)), float(np.max(finite))
         prescribed = name_in_words(name) in given
+        places: tuple[str, ...] = ()
+        trend = ""
+        if study.axes and finite.size == len(outcome.solved):
+            places, trend = _places(outcome, numbers)
         found.append(
-            SoughtNumber(name, outcome.word(name), float(finite[-1]), low, high, prescribed, low != high, swept, end)
+            SoughtNumber(
+                name,
+                outcome.word(name),
+                float(finite[-1]),
+                low,
+                high,
+                prescribed,
+                low != high,
+                swept,
+                end,
+                places,
+                trend,
+            )
         )
     return tuple(sorted(found, key=lambda one: one.prescribed))
+
+
+def _last(numbers: Array) -> float:
+    """Return the last number of a point; of what returns to zero the one that is farthest from it."""
+    finite = numbers[~np.isnan(numbers)]
+    if not finite.size:
+        return math.nan
+    return float(finite[-1] if finite[-1] != 0.0 else finite[np.argmax(np.abs(finite))])
+
+
+def _end(outcome: Outcome, given: set[str]) -> str:
+    """Return where the last number of a single point holds."""
+    answers = outcome.solved[-1].answers if outcome.solved else {}
+    for name in ALONG_A_PATH:
+        if name in answers:
+            passed = float(np.ravel(answers[name])[-1])
+            return f"after {with_unit(passed, outcome.word(name).unit)}{AFTER[name]}" if name in AFTER else "at the end"
+    for name, numbers in answers.items():
+        many = np.ravel(numbers)
+        if name_in_words(name) in given and many.size > 1 and np.min(many) < np.max(many):
+            if many[-1] == 0.0:
+                return "at the end"
+            return f"at the last {name_in_words(name)}, {with_unit(float(many[-1]), outcome.word(name).unit)},"
+    return f"at the last of {max(map(np.size, answers.values()), default=0)} points"
+
+
+def _places(outcome: Outcome, numbers: Array) -> tuple[tuple[str, ...], str]:
+    """Return where the least and the greatest number of a sweep are, and whether they rise or fall between the ends."""
+    study, solved = outcome.study, outcome.solved
+    if study.design.draws or len(study.axes) > MOST_PLACES:
+        return (), ""
+    least, most = int(np.argmin(numbers)), int(np.argmax(numbers))
+    places = tuple(settings_text(study, solved[place].settings) for place in (least, most))
+    numeric = len(study.axes) == 1 and all(isinstance(one.settings[0], int | float) for one in solved)
+    if not numeric:
+        return places, ""
+    return places, "rises" if np.all(numbers[1:] >= numbers[:-1]) else "falls" if np.all(
+        numbers[1:] <= numbers[:-1]
+    ) else ""

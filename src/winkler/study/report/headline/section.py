@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
+from typing import Any
+
+import numpy as np
 
 from winkler.readable import with_readable_numbers, with_unit
 from winkler.study.batch.outcome import Outcome
@@ -11,7 +15,7 @@ from winkler.study.report.figure import capital
 from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.advice import Doubt, worst_doubt
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
-from winkler.study.report.headline.numbers import SoughtNumber, sought_numbers
+from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.validity import Standing
@@ -32,10 +36,10 @@ def headline_section(outcome: Outcome) -> str:
     numbers = sought_numbers(outcome)
     if not numbers:
         return ""
-    verdict = _verdict(outcome)
-    sentence = (
-        f"The verdict on the body: {verdict}. {_sentence(outcome, numbers)}" if verdict else _sentence(outcome, numbers)
-    )
+    verdict, state = _verdict(outcome), _state(outcome)
+    sentence = _told(outcome, numbers, state)
+    if verdict:
+        sentence = f"The verdict on the body: {verdict}. {sentence}"
     outside = doubt_of(outcome).standing is Standing.OUTSIDE
     mark = f" {badge(outcome.validity)}" if outside else ""
     lead = f'<p class="{"" if outside else "lead "}sought-line">{with_fixed_units(sentence)}{mark}</p>'
@@ -47,7 +51,7 @@ def headline_section(outcome: Outcome) -> str:
     shown = {one.name for one in numbers if not one.is_range}
     if "z" in outcome.answers:  # the answer itself is a place of the greatest stress
         shown |= {"von_mises"}
-    return f'{lead}<div class="cards">{cards}</div>{_beside(_state(outcome), shown, _force(numbers))}'
+    return f'{lead}<div class="cards">{cards}</div>{_beside(state, shown, _force(numbers))}'
 
 
 def headline(outcome: Outcome) -> str:
@@ -61,9 +65,14 @@ def headline(outcome: Outcome) -> str:
     numbers = sought_numbers(outcome)
     if not numbers:
         return ""
-    state = _state(outcome)
-    margin = _margin(state, _force(numbers)) if state else ""
-    return " ".join(part for part in (with_readable_numbers(_sentence(outcome, numbers)), margin) if part)
+    return with_readable_numbers(_told(outcome, numbers, _state(outcome)))
+
+
+def _told(outcome: Outcome, numbers: tuple[SoughtNumber, ...], state: ElasticState | None) -> str:
+    """Return the sought number in a sentence, and how far the contact is from yielding unless that was sought."""
+    is_sought = bool(answer_of(shown_point(outcome).problem).event)
+    margin = _margin(state, _force(numbers)) if state and not is_sought else ""
+    return f"{_sentence(outcome, numbers)} {margin}".rstrip()
 
 
 def _state(outcome: Outcome) -> ElasticState | None:
@@ -116,16 +125,51 @@ def doubt_line(doubt: Doubt) -> str:
 
 
 def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
-    """Return the sought number with its unit in one sentence."""
+    """Return what was sought with its unit in one sentence."""
     sought = numbers[0]
-    given = [one for one in numbers[1:] if one.prescribed and not one.many]
+    given = [one for one in numbers[1:] if one.prescribed and not one.many and one.last != 0.0]
     how = "under" if given and "force" in given[0].label else "with"
     under = f" {how} a {' and a '.join(f'{one.label} of {one.text}' for one in given)}" if given else ""
-    event = answer_of(shown_point(outcome).problem).event
-    where = ""
+    record = answer_of(shown_point(outcome).problem)
+    where, all_points = "", ""
     if sought.is_range:
         where = f"over {len(outcome.points)} points " if outcome.study.sweep else "along the curve "
-    return capital(f"{where}{sought.sentence(event)}{under}.")
+    elif outcome.study.sweep and len(outcome.solved) > 1:
+        all_points = f" at all {len(outcome.solved)} points"
+    clause = "" if sought.is_range or sought.ends_at_zero else _clause(outcome, record.says.get(sought.name, ""))
+    comma = "," if under and "," in clause else ""
+    return capital(f"{where}{sought.sentence(record.event, clause)}{comma}{under}{all_points}.")
+
+
+def _clause(outcome: Outcome, template: str) -> str:
+    """Return a clause of the record with the last numbers of an outcome; empty where one of them is not known."""
+    answers = outcome.solved[-1].answers
+    said = template
+    for whole, name, how in re.findall(r"({(\w+):?([%\w]*)})", template):
+        if name == "area_share":
+            number, unit = float(np.ravel(answers["area"])[-1]) / _apparent_area(outcome.solved[-1].problem), ""
+        elif name in answers:
+            number, unit = float(np.ravel(answers[name])[-1]), outcome.word(name).unit or ""
+        else:
+            number = math.nan
+        if math.isnan(number):
+            return ""
+        if how == "%" or name == "area_share":
+            text = as_share(number)
+        elif how == "below":
+            text = f"{with_unit(abs(number), 'm', 2)} below the surface" if number else "at the surface"
+        else:
+            text = with_unit(abs(number) if how == "size" else number, unit)
+        said = said.replace(whole, text)
+    return said
+
+
+def _apparent_area(problem: Any) -> float:
+    """Return the area of the height map of a problem [m^2]; not a number where it has none."""
+    if isinstance(side := getattr(problem, "side", None), float):
+        return side**2
+    lengths = getattr(getattr(getattr(problem, "contact", problem), "topography", None), "lengths", None)
+    return math.nan if lengths is None else float(np.prod(lengths))
 
 
 def _card(one: SoughtNumber, mark: str, *, first: bool) -> str:
