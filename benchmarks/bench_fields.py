@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import winkler.media
-from winkler.fields import restore
+from winkler.fields.peaks import peak_stress
+from winkler.fields.restoration import restore
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Radius
-from winkler.peaks import peak_stress
+from winkler.loading.loads import Radius
 from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.conical import SpheroConical
 from winkler.profiles.power import Paraboloid

@@ -11,9 +11,9 @@ import pytest
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
+from winkler.loading.path import Path
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
-from winkler.path import Path
 from winkler.problems.friction.spring_march import SpringMarch
 
 pytestmark = pytest.mark.bench

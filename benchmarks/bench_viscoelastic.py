@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import Maxwell
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 

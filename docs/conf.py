@@ -115,11 +115,9 @@ CHAPTERS = (
     ("Loads", "loading"),
     ("Problems and their answers", "problems"),
     ("Fits to force curves", "fitting"),
-    ("Fields", "fields"),
-    ("Greatest stresses", "peaks"),
+    ("Fields and greatest stresses", "fields"),
     ("Reading measured tables", "io"),
-    ("How far a result can be trusted", "validity"),
-    ("Errors", "errors"),
+    ("Validity, errors and units", "values"),
 )
 
 

@@ -23,18 +23,43 @@ APART = ("reference", "cases")
 
 HEAD = """# Architecture
 
-The package is a pipeline: a profile and a medium make a bed of springs, a problem is solved on the bed, and the fields
-of the bodies are restored from the springs. A module imports from the layers below its own; among the modules of one
-package the imports form no circle. `lint-imports` refuses what breaks either rule. This page and its picture are
-written by `python docs/draw_architecture.py` from the imports.
+A medium is a stiffness k(a), a shape is a profile g(x), and a contact is a row of springs under that profile. The
+package turns bodies into springs, moves them, and brings the answer back to the bodies. This page shows where each
+step stands. `python docs/draw_architecture.py` writes it and its picture from the imports.
 
-![Layers of the package, the command line on top, the shared words at the bottom](figures/architecture.svg)
+![Layers of the package, the command line on top, the shared values at the bottom](figures/architecture.svg)
 
-| layer, highest first | what it holds |
-|---|---|"""
+## One contact, from the study to the answer
 
-WIDTH, ROW, MARGIN, LETTER = 900, 62, 10, 6
-"""Size of the picture [px]: of the whole, of one layer, between boxes, of a letter."""
+What `winkler run hertz.toml` does, and the module to read:
+
+1. **Read.** `study.language.reading` parses the file. The kind `indentation` is looked up among the records of
+   `study.chapters`, which hold the words, the question and the class of each problem. Texts like "10 mm" become SI
+   numbers in `values.units`.
+2. **Build.** The parts are frozen values (`values.value`): a shape of `profiles`, a solid of `materials`, a load of
+   `loading`, a medium of `media`. Each field is checked by its type (`values.checks`). A wrong one raises
+   `InvalidInput` of `values.errors`, with one sentence.
+3. **Springs.** `foundation.foundation` asks the profile for g(x) and the medium for k(a). The integral transforms
+   between them are mathematics without physics: `numerics.transforms`.
+4. **Solve.** The problem, here `problems.normal.indentation`, finds the contact that bears the load. Problems with a
+   history move a row of springs step by step.
+5. **Judge.** The solution lists in `validity` what it rests on (`values.validity`), with the error where one is known.
+   The checks that problems share stand in `problems.assumptions`.
+6. **Bring back.** `fields.restoration` computes the pressure on the surface and the stress below it from the springs.
+7. **Show.** `plot` draws, `study.report` writes the report, `io` the files, `cli` the table in the terminal.
+
+In Python the same begins at step 2.
+
+## Layers
+
+A module imports from the layers below its own. Among the modules of one package the imports form no circle.
+`lint-imports` refuses what breaks either rule.
+
+| layer, highest first | what it holds | packages inside |
+|---|---|---|"""
+
+WIDTH, ROW, LINE, MARGIN, LETTER = 900, 32, 13, 8, 6
+"""Size of the picture [px]: of the whole, of a layer and each line of packages in it, between boxes, of a letter."""
 
 
 @functools.cache
@@ -99,51 +124,47 @@ def page() -> str:
     """Return the page of the manual."""
     rows = [(name, "") for names in layers() for name in names]
     rows += [(name, " No solver imports it.") for name in APART if f"winkler.{name}" in modules()]
-    table = [f"| `{name}` | {summary(f'winkler.{name}')}{more} |" for name, more in rows]
-    return "\n".join([HEAD, *table, *(line for name, _ in rows for line in chapter(name))]) + "\n"
+    table = [
+        f"| `{name}` | {summary(f'winkler.{name}')}{more} | {' '.join(f'`{each}`' for each in packages_in(name))} |"
+        for name, more in rows
+    ]
+    return "\n".join([HEAD, *table, *problems()]) + "\n"
 
 
-def chapter(package: str) -> list[str]:
-    """Return the packages inside a package as a table; nothing if there are none."""
-    inside, used = packages_in(package), children(f"winkler.{package}")
-    if not inside:
-        return []
-    lines = ["", f"## `{package}/`", "", "| package | what it holds | uses |", "|---|---|---|"]
+def problems() -> list[str]:
+    """Return the packages of problems as a table, the lowest first."""
+    inside, used = packages_in("problems"), children("winkler.problems")
+    lines = ["", "## Problems", "", "| package | what it holds | uses |", "|---|---|---|"]
     for child in inside:
-        others = ", ".join(f"`{other}`" for other in inside if other in used[child])
-        lines.append(f"| `{child}` | {summary(f'winkler.{package}.{child}')} | {others or '-'} |")
+        others = " ".join(f"`{other}`" for other in inside if other in used[child])
+        lines.append(f"| `{child}` | {summary(f'winkler.problems.{child}')} | {others or '-'} |")
     return lines
 
 
 def picture() -> str:
     """Return the layers as boxes: a box may use what stands below it."""
-    rows = layers()
-    height = len(rows) * ROW + MARGIN
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" font-family="sans-serif">',
-        f'<rect width="{WIDTH}" height="{height}" fill="#ffffff"/>',
-    ]
-    for place, names in enumerate(rows):
+    parts, top = [], MARGIN
+    for names in layers():
         wide = (WIDTH - MARGIN * (len(names) + 1)) / len(names)
-        for number, name in enumerate(names):
-            left, top = MARGIN + number * (wide + MARGIN), MARGIN + place * ROW
-            inside = packages_in(name)
-            fill = "#dbe9f6" if (SOURCE / name).is_dir() else "#f1f1ee"
-            parts.append(
-                f'<rect x="{left:.1f}" y="{top}" width="{wide:.1f}" height="{ROW - MARGIN}" rx="4" '
-                f'fill="{fill}" stroke="#44546a"/>'
-            )
+        texts = [textwrap.wrap("   ".join(packages_in(name)), int(wide / LETTER)) for name in names]
+        high = ROW + LINE * max(map(len, texts))
+        for number, (name, lines) in enumerate(zip(names, texts, strict=True)):
+            left = MARGIN + number * (wide + MARGIN)
             middle = left + 0.5 * wide
-            parts.append(
-                f'<text x="{middle:.1f}" y="{top + (18 if inside else 29)}" text-anchor="middle" font-size="15" '
-                f'font-weight="bold" fill="#1b2a3a">{html.escape(name)}</text>'
-            )
-            for line, words in enumerate(textwrap.wrap("   ".join(inside), int(wide / LETTER))):
-                parts.append(
-                    f'<text x="{middle:.1f}" y="{top + 33 + 12 * line}" text-anchor="middle" font-size="11" '
-                    f'fill="#1b2a3a">{html.escape(words)}</text>'
-                )
-    return "\n".join([*parts, "</svg>"]) + "\n"
+            parts += [
+                f'<rect x="{left:.1f}" y="{top}" width="{wide:.1f}" height="{high}" rx="4" '
+                'fill="#dbe9f6" stroke="#44546a"/>',
+                f'<text x="{middle:.1f}" y="{top + 20}" text-anchor="middle" font-size="15" font-weight="bold" '
+                f'fill="#1b2a3a">{html.escape(name)}</text>',
+            ]
+            parts += [
+                f'<text x="{middle:.1f}" y="{top + 36 + LINE * line}" text-anchor="middle" font-size="11" '
+                f'fill="#1b2a3a">{html.escape(words)}</text>'
+                for line, words in enumerate(lines)
+            ]
+        top += high + MARGIN
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {top}" font-family="sans-serif">'
+    return "\n".join([head, f'<rect width="{WIDTH}" height="{top}" fill="#ffffff"/>', *parts, "</svg>"]) + "\n"
 
 
 if __name__ == "__main__":

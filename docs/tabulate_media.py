@@ -39,7 +39,7 @@ from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study, table_at
 from winkler.study.language.schema import required_fields
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 PAGE = Path(__file__).resolve().parent / "choosing.md"
 BEGIN, END = "<!-- media: begin -->", "<!-- media: end -->"

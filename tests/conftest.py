@@ -130,7 +130,7 @@ def owners(root: Path) -> list[type]:
 @pytest.fixture(scope="session")
 def entries(owners: list[type]) -> dict[str, Any]:
     """Every entry of the glossary: the shared ones, and those of classes as ``Class.field``."""
-    from winkler.vocabulary import GLOSSARY
+    from winkler.values.vocabulary import GLOSSARY
 
     owned = {f"{cls.__name__}.{name}": entry for cls in owners for name, entry in vars(cls)["__words__"].items()}
     return GLOSSARY | owned

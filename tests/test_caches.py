@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from winkler import caches
-from winkler.errors import InvalidInput
 from winkler.numerics.jit import Kernel, compiled
+from winkler.values.errors import InvalidInput
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="containers are")
 

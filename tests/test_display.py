@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.values import value
+from winkler.values.value import value
 
 STEEL = wk.Elastic(young=210e9, poisson=0.3)
 BED = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(STEEL, STEEL))

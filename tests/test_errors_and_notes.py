@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import suggest
 from winkler.study.language.compared.alternatives import alternatives
-from winkler.validity import worst
+from winkler.values.errors import suggest
+from winkler.values.validity import worst
 
 
 def test_the_tree():

@@ -12,8 +12,8 @@ import winkler as wk
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb
+from winkler.loading.path import Path
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.path import Path
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.friction.tangential import Tangential
 

@@ -9,8 +9,8 @@ import pytest
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.loading import Angle, Depth, Torque
-from winkler.path import Path
+from winkler.loading.loads import Angle, Depth, Torque
+from winkler.loading.path import Path
 from winkler.problems.friction.torsion import Torsion
 
 MU = 0.5

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.loading import ShearForce, Shift
+from winkler.loading.loads import ShearForce, Shift
 
 LOADS = [
     (wk.Force, "force", "N"),

@@ -9,7 +9,8 @@ from typing import Annotated, Any
 import numpy as np
 import pytest
 
-from winkler.checks.number_checks import (
+from winkler.materials.spring_and_dashpot import Maxwell
+from winkler.values.checks.number_checks import (
     POSITIVE,
     Advice,
     Count,
@@ -29,9 +30,8 @@ from winkler.checks.number_checks import (
     between,
     checked,
 )
-from winkler.errors import InvalidInput
-from winkler.materials.spring_and_dashpot import Maxwell
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 NO_NUMBERS = (True, "1", None, math.nan, 1j, [1.0], np.array([1.0, 2.0]))
 ENDLESS = (math.inf, -math.inf)

@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.path_table import read_path
-from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
+from winkler.loading.loads import Angle, Depth, Force, ShearForce, Shift, Torque
+from winkler.loading.path import Path
+from winkler.loading.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start, Unchanged
+from winkler.loading.program import Program
 from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
-from winkler.path import Path
-from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start, Unchanged
-from winkler.program import Program
+from winkler.values.errors import InvalidInput
 
 
 def test_one_number_holds_all_the_time():

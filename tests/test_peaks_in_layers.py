@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.peaks import peak_stress
+from winkler.fields.peaks import peak_stress
 from winkler.plot.marks import Map, Rule
 from winkler.plot.normal.stresses import stress_panel
 

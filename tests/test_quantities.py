@@ -18,9 +18,9 @@ import pytest
 import xarray as xr
 
 import winkler as wk
-from winkler.checks.field_checks import checks_of
-from winkler.units import is_fixed
-from winkler.vocabulary import GLOSSARY, own_word, word
+from winkler.values.checks.field_checks import checks_of
+from winkler.values.units import is_fixed
+from winkler.values.vocabulary import GLOSSARY, own_word, word
 
 UNITS = pint.UnitRegistry()
 CENTIMETRES = pint.UnitRegistry(system="cgs")
@@ -186,6 +186,6 @@ def test_answers_are_quantities():
 def test_pint_is_loaded_for_quantities_alone():
     code = (
         "import sys, winkler as wk; wk.Force([1.0, 2.0]); wk.Depth(1)\n"
-        "assert not {'pint', 'winkler.units', 'fractions', 'xarray', 'pandas'} & set(sys.modules)"
+        "assert not {'pint', 'winkler.values.units', 'fractions', 'xarray', 'pandas'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

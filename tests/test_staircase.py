@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fields import restore
+from winkler.fields.punch_staircase import Staircase, staircase
+from winkler.fields.restoration import restore
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
@@ -21,7 +21,7 @@ from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.rounded import RoundedPunch
 from winkler.profiles.sphere import Sphere
-from winkler.punch_staircase import Staircase, staircase
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 UNIT = HalfSpace(Elastic(1.0, 0.0))  # E* = 1
 COUNTS = (40, 80, 160, 320, 640)

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from winkler.errors import InvalidInput
-from winkler.unit_grammar import PREFIXED_UNITS, PREFIXES, SCALE_ZEROS, UNPREFIXED_UNITS, _named_by_pint, si_unit
-from winkler.units import format_quantity, quantity, scale, to_si
+from winkler.values.errors import InvalidInput
+from winkler.values.unit_grammar import PREFIXED_UNITS, PREFIXES, SCALE_ZEROS, UNPREFIXED_UNITS, _named_by_pint, si_unit
+from winkler.values.units import format_quantity, quantity, scale, to_si
 
 READ = [
     ("10 mm", "m", 0.01),
@@ -304,7 +304,7 @@ def test_any_text_is_read_or_refused(text, unit):
 @pytest.mark.parametrize(("written", "loaded"), [("1 mm", "False"), ("1 kN/GPa/mm", "False"), ("1 inch", "True")])
 def test_pint_is_loaded_only_for_names_that_the_table_lacks(written, loaded):
     request = f"u.quantity({written!r}, 'm', what='x')"
-    code = f"import sys, winkler.units as u; {request}; print('pint' in sys.modules)"
+    code = f"import sys, winkler.values.units as u; {request}; print('pint' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert done.stdout.split() == [loaded]
 

@@ -14,7 +14,7 @@ import pytest
 
 import winkler as wk
 from winkler import values
-from winkler.values import frozen_array, value
+from winkler.values.value import frozen_array, value
 
 
 @value

@@ -12,7 +12,7 @@ import numpy as np
 
 from winkler import Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.model_choice import which_model
 from winkler.problems.adhesion.pull_off import PullOff

@@ -12,7 +12,7 @@ import numpy as np
 
 from winkler import Depth, Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import ShortRange
-from winkler.loading import Radius
+from winkler.loading.loads import Radius
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 

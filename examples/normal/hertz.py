@@ -14,7 +14,7 @@ import winkler as wk
 from winkler.plot import draw
 from winkler.reference.hertz import hertz_force, hertz_pressure
 from winkler.reference.sphere import sphere_force
-from winkler.validity import worst
+from winkler.values.validity import worst
 
 # %%
 # The bodies

@@ -13,7 +13,7 @@ import numpy as np
 import winkler as wk
 from winkler.plot import draw
 from winkler.reference.rounded import rounded_cone_force, sphero_conical_force
-from winkler.validity import worst
+from winkler.values.validity import worst
 
 # %%
 # The tip

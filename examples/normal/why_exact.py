@@ -12,8 +12,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import winkler as wk
+from winkler.fields.punch_staircase import staircase
 from winkler.plot import draw
-from winkler.punch_staircase import staircase
 from winkler.reference import point_forces
 
 # %%

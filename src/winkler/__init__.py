@@ -15,26 +15,25 @@ TYPE_CHECKING = False  # the name that type checkers evaluate; `typing` takes lo
 
 if TYPE_CHECKING:
     from winkler.public import *  # noqa: F403
-    from winkler.public_problems import *  # noqa: F403
 
     __version__: str
 else:
     _MODULES = {}
 
     def _modules():
-        """Return public name -> module, read from the imports of two modules, which are not run for it."""
+        """Return public name -> module, read from the imports of a module that is not run for it."""
         if not _MODULES:
             import ast
             from importlib import import_module
             from importlib.util import find_spec
 
-            for page in ("winkler.public", "winkler.public_problems"):
-                source = find_spec(page).loader.get_source(page)
-                if source is None:  # compiled modules without their text: all names come at once
-                    _MODULES.update(dict.fromkeys(import_module(page).__all__, page))
-                    continue
-                imports = [line for line in ast.parse(source).body if isinstance(line, ast.ImportFrom)]
-                _MODULES.update({imported.name: line.module for line in imports for imported in line.names})
+            page = "winkler.public"
+            source = find_spec(page).loader.get_source(page)
+            if source is None:  # compiled modules without their text: all names come at once
+                _MODULES.update(dict.fromkeys(import_module(page).__all__, page))
+                return _MODULES
+            imports = [line for line in ast.parse(source).body if isinstance(line, ast.ImportFrom)]
+            _MODULES.update({imported.name: line.module for line in imports for imported in line.names})
         return _MODULES
 
     def __getattr__(name):
@@ -52,7 +51,7 @@ else:
 
             attribute = getattr(import_module(_modules()[name]), name)
         else:
-            from winkler.errors import suggest
+            from winkler.values.errors import suggest
 
             near = suggest(name, __getattr__("__all__"))
             raise AttributeError(f"module 'winkler' has no attribute {name!r}{near}", name=name)
@@ -60,5 +59,5 @@ else:
         return attribute
 
     def __dir__():
-        """List the public names."""
-        return list(__getattr__("__all__"))
+        """List the names that a person writes: all public ones but the answers, which problems return."""
+        return [name for name in __getattr__("__all__") if not name.endswith("Solution")]

@@ -1,14 +1,14 @@
-"""What `import winkler` offers beside the problems, each name from the module where it is defined.
+"""What `import winkler` offers, each name from the module where it is defined.
 
-The package reads these imports and those of `winkler.public_problems` without running them: a name is loaded from its
-module when it is first used.
+The package reads these imports without running them: a name is loaded from its module when it is first used.
 """
 
 from winkler.calculators.widget import widget
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.exporting.export import ExportedLaw, export, write_export
 from winkler.exporting.many.contact_array import ContactArray
-from winkler.fields import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
+from winkler.fields.peaks import PeakStress, PlacedStress, peak_stress
+from winkler.fields.punch_staircase import Staircase, staircase
+from winkler.fields.restoration import SubsurfaceFields, SurfaceFields, restore, restore_body, restore_shift
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.events.kinds import CurveEvent, CurveEvents, EventKind
@@ -91,7 +91,7 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
 from winkler.laws.varying_friction import ExponentialSlipWeakening, FallingFriction, LinearSlipWeakening
 from winkler.laws.wear import Archard, PairWear
-from winkler.loading import (
+from winkler.loading.loads import (
     Angle,
     Depth,
     Force,
@@ -108,6 +108,9 @@ from winkler.loading import (
     Tilt,
     Torque,
 )
+from winkler.loading.path import Path
+from winkler.loading.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
+from winkler.loading.program import Program
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
@@ -141,9 +144,135 @@ from winkler.media.relaxing.poroelastic import PoroelasticFilm
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
-from winkler.path import Path
-from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
-from winkler.peaks import PeakStress, PlacedStress, peak_stress
+from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
+from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
+from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
+from winkler.problems.adhesion.model_choice import which_model
+from winkler.problems.adhesion.pull_off import PullOff, PullOffSolution
+from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
+from winkler.problems.adhesion.tabor import maugis_parameter, tabor_parameter
+from winkler.problems.assumptions.pyramid_film import pyramid_layer_error
+from winkler.problems.conduction.bounds import ConductanceBounds, ConductanceBoundsSolution
+from winkler.problems.conduction.constriction import Constriction, ConstrictionSolution
+from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
+from winkler.problems.conduction.joule_heating import JouleHeating, JouleHeatingSolution
+from winkler.problems.conduction.line_constriction import LineConstriction, LineConstrictionSolution
+from winkler.problems.conduction.spots import SpotCluster, SpotClusterSolution
+from winkler.problems.conduction.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
+from winkler.problems.friction.bimodal_damping import BimodalDamping, BimodalDampingSolution
+from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
+from winkler.problems.friction.relaxation_damping import RelaxationDamper, RelaxationDamperSolution
+from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
+from winkler.problems.friction.tangential import Tangential, TangentialSolution
+from winkler.problems.friction.torsion import Torsion, TorsionSolution
+from winkler.problems.friction.torsion_fields import TwistedFields
+from winkler.problems.heating.band_heating import BandHeating, BandHeatingSolution
+from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
+from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
+from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
+from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
+from winkler.problems.heating.transient import TransientHeating, TransientHeatingSolution
+from winkler.problems.impact.adhesive_impact import AdhesiveImpact, AdhesiveImpactSolution
+from winkler.problems.impact.impact import Impact, ImpactSolution
+from winkler.problems.line.adhesion import LayeredLineAdhesionSolution, LineAdhesion, LineAdhesionSolution
+from winkler.problems.line.indentation import (
+    LayeredLineSolution,
+    LineIndentation,
+    LineSolution,
+    PowerLawLineSolution,
+)
+from winkler.problems.line.layered_stress import LayerStress
+from winkler.problems.line.references import PlateBase, RollerCentre
+from winkler.problems.line.shakedown import LineShakedown, LineShakedownSolution
+from winkler.problems.line.stress import LineFields
+from winkler.problems.line.yielding import LinePartOnset, LineYieldOnset, LineYieldOnsetSolution
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.tangential import LineTangential, LineTangentialSolution
+from winkler.problems.line_rolling.resistance import LineRollingResistance, LineRollingResistanceSolution
+from winkler.problems.line_rolling.start import LineRollingStart, LineRollingStartSolution
+from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
+from winkler.problems.line_strips.periodic import PeriodicIndentation, PeriodicSolution
+from winkler.problems.line_strips.profile_contact import LineProfileContact, LineProfileSolution
+from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation, LineViscoelasticSolution
+from winkler.problems.line_viscoelastic.path import LineForcePath
+from winkler.problems.master_curves.master_curve import MasterCurve, MasterCurveSolution, ShiftedBy
+from winkler.problems.master_curves.relaxation_spectrum import RelaxationSpectrum, SpectrumSolution
+from winkler.problems.method import Method
+from winkler.problems.normal.design import design_for_pressure, design_profile
+from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.elliptic_yielding import EllipticYieldOnset, EllipticYieldOnsetSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.near_round import NearlyRoundIndentation, NearlyRoundSolution
+from winkler.problems.normal.onset.part_onset import EllipticPartOnset, PartOnset
+from winkler.problems.normal.yielding import YieldOnset, YieldOnsetSolution
+from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
+from winkler.problems.particles.contacts import Contacts
+from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
+from winkler.problems.particles.impacts import BallImpacts, BallImpactsSolution
+from winkler.problems.particles.trace import ContactTrace
+from winkler.problems.plastic.dent_limit import DentLimit, DentLimitSolution
+from winkler.problems.plastic.impact import PlasticImpact, PlasticImpactSolution
+from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
+from winkler.problems.plastic.strength_from_dent import StrengthFromDent, StrengthFromDentSolution
+from winkler.problems.poroelastic.held import PoroelasticRelaxation, PoroelasticSolution
+from winkler.problems.pressed_maps.flow_factors import FlowFactors, flow_factors
+from winkler.problems.pressed_maps.seal import Seal, SealSolution
+from winkler.problems.pressed_maps.thermal_joint import ThermalJoint, ThermalJointSolution
+from winkler.problems.pressed_maps.true_area import TrueArea, TrueAreaSolution
+from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
+from winkler.problems.profile_pair.patch import ProfilePatch
+from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
+from winkler.problems.profile_pair.rolled_patch import RolledPatch
+from winkler.problems.rollers.roller_contact import RollerContact, RollerSolution
+from winkler.problems.rolling.calibration import Kalker, Uncalibrated
+from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.rolling.kalker import creep_coefficients
+from winkler.problems.rolling.linear_theory import linear_creep_coefficients
+from winkler.problems.rolling.oscillating import OscillatingRolling, OscillatingRollingSolution
+from winkler.problems.rolling.simplified_theory import SimplifiedRolling, SimplifiedRollingSolution
+from winkler.problems.rolling.start import RollingStart, RollingStartSolution
+from winkler.problems.rolling.steady import Rolling, RollingSolution
+from winkler.problems.rough.elastomer_friction import ElastomerFriction, ElastomerFrictionSolution
+from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
+from winkler.problems.rough.line_indentation import RoughIndentation, RoughIndentationSolution
+from winkler.problems.rough.persson import area_fraction, mean_separation
+from winkler.problems.rough.reduce import Reduction, ReductionSolution, reduce
+from winkler.problems.rough.reduced_bed import ReducedBed
+from winkler.problems.rough.spring_line import RoughLine
+from winkler.problems.rough.surface_conduction import SurfaceConduction, SurfaceConductionSolution
+from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
+from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
+from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
+from winkler.problems.surface_current.constriction import SurfaceConstriction, SurfaceConstrictionSolution
+from winkler.problems.surface_friction.joint import JointStiffness, JointStiffnessSolution
+from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
+from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
+from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution
+from winkler.problems.surface_heating.sliding import SurfaceFrictionHeating, SurfaceFrictionHeatingSolution
+from winkler.problems.surface_rolling.creep_force import CreepForce, Spin
+from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
+from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
+from winkler.problems.surface_wear.wear import SurfaceWear, SurfaceWearSolution
+from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
+from winkler.problems.viscoelastic.impact import ViscoelasticImpact, ViscoelasticImpactSolution
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
+from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
+from winkler.problems.viscoelastic.sliding import SlidingResistance, SlidingResistanceSolution
+from winkler.problems.wear.elliptic import EllipticWear, EllipticWearSolution
+from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
+from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
+from winkler.problems.wear.line_fretting import LineFrettingSolution, LineFrettingWear
+from winkler.problems.wear.line_limiting_profile import (
+    LayeredLineLimitingSolution,
+    LineLimitingProfile,
+    LineLimitingSolution,
+)
+from winkler.problems.wear.line_sliding import LineSlidingSolution, LineSlidingWear
+from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
@@ -178,55 +307,99 @@ from winkler.profiles.sections.section import CylinderRow, PunchRow
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
-from winkler.program import Program
-from winkler.punch_staircase import Staircase, staircase
 from winkler.study.report.exchange import to_pandas, to_xarray
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = [
-    "Angle", "Archard", "AreaFunction", "Arrhenius", "Assumption", "AtTemperature", "BallInSocket", "Berkovich",
-    "BodyFields", "BounceTimes", "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares",
-    "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "Cone", "ContactArray",
-    "ContactEllipse", "ContactReading", "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness",
-    "CorrelationLengths", "Coulomb", "CreepData", "CreepFit", "CrossProfile", "CrownedEnds", "CubeCorner", "Current",
-    "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow", "Depth",
-    "DepthGradedHalfSpace", "DepthScaling", "DepthSeries", "DerjaguinMullerToporov", "Designed", "Dugdale",
-    "DynamicData", "DynamicSweeps", "Elastic", "ElectricalConductor", "ElectricalConductors", "Ellipsoid",
-    "EllipticFoundation", "EqualMaximum", "EqualMean", "EventKind", "ExponentialAttraction", "ExponentialGrading",
+    "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
+    "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
+    "Assumption", "AtTemperature", "BallImpacts", "BallImpactsSolution", "BallInSocket", "BandHeating",
+    "BandHeatingSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields", "BounceTimes",
+    "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
+    "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds", "ConductanceBoundsSolution",
+    "Cone", "Constriction", "ConstrictionSolution", "ContactArray", "ContactEllipse", "ContactLaw",
+    "ContactLawSolution", "ContactReading", "ContactStress", "ContactStressSolution", "ContactTrace", "Contacts",
+    "ContinuousIndentation", "ContinuousIndentationSolution", "ContinuousStiffness", "CorrelationLengths", "Coulomb",
+    "CreepData", "CreepFit", "CreepForce", "CreepTest", "Creepage", "CrossProfile", "CrownedEnds", "CubeCorner",
+    "Current", "CurrentFields", "CurveEvent", "CurveEvents", "CurvedBodies", "CurvedPair", "Cylinder", "CylinderRow",
+    "DentLimit", "DentLimitSolution", "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries",
+    "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic",
+    "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
+    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
+    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear",
+    "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean",
+    "Equilibrium", "EquilibriumCurve", "EventKind", "ExponentialAttraction", "ExponentialGrading",
     "ExponentialSlipWeakening", "ExportedLaw", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch",
-    "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener", "FrictionLog",
-    "FrictionLoops", "FrictionLoopsSolution", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio", "HalfSpace",
-    "HalfWidth", "HeatConductors", "HeldContacts", "HeldContactsSolution", "HeldForce", "Hold", "Hyperboloid",
-    "IndentationQuantities", "IndenterCalibration", "InvalidInput", "JointFit", "KelvinVoigt", "Layer",
-    "LayeredLineFoundation", "LennardJones", "LineForce", "LineFoundation", "LineOfAction", "LineScan",
-    "LineShearForce", "LinearHardening", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics", "Maxwell",
-    "MeanPressure", "Measured", "MeasuredBed", "MeasuredConstriction", "MeasuredConstrictionSolution",
-    "MeasuredSection", "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial",
-    "NamedThermalConductor", "Nanoindentation", "NanoindentationSolution", "NominalPressure", "NotConverged", "Note",
-    "OliverPharr", "OliverPharrSolution", "Oscillate", "OutsideValidity", "PairWear", "Paraboloid", "Path",
-    "PeakStress", "PinOnDisc", "PlacedCurve", "PlacedStress", "PlaneFoundation", "Plated", "PopInStatistics",
-    "Population", "PoroelasticFilm", "PoroelasticFit", "PowerHardening", "PowerLaw", "PowerLawGraded",
-    "PowerLawLineFoundation", "PowerLawSolid", "PowerSpectrum", "Program", "Prony", "PunchRow", "Pyramid",
-    "PyramidByEdges", "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReferenceSample", "RelaxationData",
-    "RelaxationSweeps", "RelaxingInProportion", "RepeatedMean", "ResistanceLog", "Rigid", "Rod", "RoughProfile",
-    "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile", "SaturatingWork", "Segment",
-    "SegmentKind", "SelfAffine", "Shape", "SharpEnds", "ShearForce", "ShearedFields", "Shift", "ShortRange",
-    "SigmoidalGrading", "SlidingFilm", "Sphere", "SpheroConical", "Spikes", "Springs", "StackLayer", "StackedHalfSpace",
-    "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields", "Sum", "SurfaceFields",
-    "SurfaceFilm", "TabulatedGrading", "TabulatedTip", "ThermalConductor", "ThermalDrift", "ThermalInterface", "Tilt",
-    "Topography", "Torque", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TruncatedCone",
-    "TruncatedParaboloid", "Vickers", "ViscoelasticCoatedHalfSpace", "ViscoelasticFit", "ViscoelasticHalfSpace",
-    "ViscoelasticLayer", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "ZeroPoint",
-    "bearing_heights", "calibrate_indenter", "calibration_shares", "compare", "compare_terms", "contact_reading",
-    "correlation_length", "correlation_lengths", "depth_scaling", "export", "first_yield_stress", "fit",
-    "fit_poroelastic", "fit_steps", "fit_together", "found_drift", "found_zero_point", "indentation_quantities",
-    "intercept_factor", "map_statistics", "material", "material_names", "over_depth", "peak_stress",
-    "pop_in_statistics", "population", "random_topography", "ratio_of", "read_bed", "read_bounces", "read_contacts",
+    "FlowFactors", "Follow", "Force", "ForceCurve", "Formula", "FormulaSection", "Foundation", "FractionalZener",
+    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution", "FrictionLog", "FrictionLoops",
+    "FrictionLoopsSolution", "GeneralisedKelvin", "GradedHalfSpace", "GroupRatio", "HalfSpace", "HalfWidth",
+    "HarmonicIndentation", "HeatConductors", "HeatFields", "HeldContacts", "HeldContactsSolution", "HeldForce",
+    "Hold", "Hyperboloid", "Impact", "ImpactSolution", "Indentation", "IndentationQuantities", "IndentationSolution",
+    "IndenterCalibration", "InvalidInput", "JointFit", "JointStiffness", "JointStiffnessSolution", "JouleHeating",
+    "JouleHeatingSolution", "Kalker", "KelvinVoigt", "Layer", "LayerStress", "LayeredLineAdhesionSolution",
+    "LayeredLineFoundation", "LayeredLineLimitingSolution", "LayeredLineSolution", "LennardJones", "LimitingProfile",
+    "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
+    "LineFields", "LineForce", "LineForcePath", "LineFoundation", "LineFrettingSolution", "LineFrettingWear",
+    "LineFrictionHeating", "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile",
+    "LineLimitingSolution", "LineOfAction", "LinePartOnset", "LinePath", "LineProfileContact", "LineProfileSolution",
+    "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
+    "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
+    "LineShearForce", "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential",
+    "LineTangentialSolution", "LineViscoelasticIndentation", "LineViscoelasticSolution", "LineYieldOnset",
+    "LineYieldOnsetSolution", "LinearHardening", "LinearSlipWeakening", "LogarithmicEnds", "MapStatistics",
+    "MapStress", "MapStressSolution", "MasterCurve", "MasterCurveSolution", "Maxwell", "MeanPressure", "Measured",
+    "MeasuredBed", "MeasuredConstriction", "MeasuredConstrictionSolution", "MeasuredSection", "Method",
+    "MirroredSection", "Moment", "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor",
+    "Nanoindentation", "NanoindentationSolution", "NearlyRoundIndentation", "NearlyRoundSolution", "NominalPressure",
+    "NotConverged", "Note", "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling",
+    "OscillatingRollingSolution", "OutsideValidity", "PairWear", "Paraboloid", "PartOnset", "ParticleSolution",
+    "Path", "PeakStress", "PeriodicIndentation", "PeriodicSolution", "PinOnDisc", "PlacedCurve", "PlacedStress",
+    "PlaneFoundation", "PlasticImpact", "PlasticImpactSolution", "PlasticIndentation", "PlasticSolution", "PlateBase",
+    "Plated", "PopInStatistics", "Population", "PoroelasticFilm", "PoroelasticFit", "PoroelasticRelaxation",
+    "PoroelasticSolution", "PowerHardening", "PowerLaw", "PowerLawGraded", "PowerLawLineFoundation",
+    "PowerLawLineSolution", "PowerLawSolid", "PowerSpectrum", "ProfilePair", "ProfilePairRolling",
+    "ProfilePairRollingSolution", "ProfilePairSolution", "ProfilePatch", "Program", "Prony", "PullOff",
+    "PullOffSolution", "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography",
+    "RateDependentWork", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution",
+    "ReferenceSample", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationSpectrum",
+    "RelaxationSweeps", "RelaxationTest", "RelaxingInProportion", "RepeatedMean", "ResistanceLog", "Rigid", "Rod",
+    "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
+    "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
+    "RoughLine", "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile",
+    "SaturatingWork", "Seal", "SealSolution", "Segment", "SegmentKind", "SelfAffine", "Shape", "SharpEnds",
+    "ShearForce", "ShearedFields", "Shift", "ShiftedBy", "ShortRange", "SigmoidalGrading", "SimplifiedRolling",
+    "SimplifiedRollingSolution", "SlidingFilm", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution",
+    "SlidingWear", "SpectrumSolution", "Sphere", "SpheroConical", "Spikes", "Spin", "SpotCluster",
+    "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "StackLayer", "StackedHalfSpace", "Staircase",
+    "StandardSolid", "Standing", "Start", "StaticKinetic", "StrengthFromDent", "StrengthFromDentSolution",
+    "SubsurfaceFields", "Sum", "SurfaceAdhesion", "SurfaceAdhesionSolution", "SurfaceConduction",
+    "SurfaceConductionSolution", "SurfaceConstriction", "SurfaceConstrictionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceFrictionHeating",
+    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
+    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
+    "SurfaceTangential", "SurfaceTangentialSolution", "SurfaceWear", "SurfaceWearSolution", "TabulatedGrading",
+    "TabulatedTip", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
+    "ThermalConstrictionSolution", "ThermalDrift", "ThermalInterface", "ThermalJoint", "ThermalJointSolution", "Tilt",
+    "Topography", "Torque", "Torsion", "TorsionSolution", "TransientHeating", "TransientHeatingSolution",
+    "TransverselyIsotropic", "TransverselyIsotropicHalfSpace", "TrueArea", "TrueAreaSolution", "TruncatedCone",
+    "TruncatedParaboloid", "TwistedFields", "Uncalibrated", "Vickers", "ViscoelasticAdhesion",
+    "ViscoelasticAdhesionSolution", "ViscoelasticCoatedHalfSpace", "ViscoelasticFit", "ViscoelasticHalfSpace",
+    "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticLayer",
+    "ViscoelasticSolution", "Voltage", "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError", "YieldOnset",
+    "YieldOnsetSolution", "ZeroPoint", "area_fraction", "bearing_heights", "calibrate_indenter", "calibration_shares",
+    "compare", "compare_terms", "contact_reading", "correlation_length", "correlation_lengths", "creep_coefficients",
+    "depth_scaling", "design_for_pressure", "design_profile", "export", "first_yield_stress", "fit",
+    "fit_poroelastic", "fit_steps", "fit_together", "flow_factors", "found_drift", "found_zero_point",
+    "indentation_quantities", "intercept_factor", "linear_creep_coefficients", "map_statistics", "material",
+    "material_names", "maugis_parameter", "mean_separation", "over_depth", "peak_stress", "pop_in_statistics",
+    "population", "pyramid_layer_error", "random_topography", "ratio_of", "read_bed", "read_bounces", "read_contacts",
     "read_creep", "read_cross_profile", "read_curve", "read_curves", "read_dynamic", "read_dynamic_sweeps",
     "read_friction_log", "read_grading", "read_held_force", "read_indenter", "read_path", "read_pin", "read_profile",
     "read_profile_pair", "read_relaxation", "read_relaxation_sweeps", "read_resistance_log", "read_scan",
-    "read_section", "read_spectrum", "read_surface_load", "read_topography", "relaxation_band", "repeated_mean",
-    "restore", "restore_body", "restore_shift", "sample_young", "spectrum_of", "staircase", "tip_limit", "to_pandas",
-    "to_xarray", "widget", "write_contacts", "write_export", "write_indenter", "write_law", "write_surface_interaction",
-    "write_trace", "write_vtk",
+    "read_section", "read_spectrum", "read_surface_load", "read_topography", "reduce", "relaxation_band",
+    "repeated_mean", "restore", "restore_body", "restore_conduction", "restore_shift", "sample_young", "spectrum_of",
+    "staircase", "tabor_parameter", "tip_limit", "to_pandas", "to_xarray", "which_model", "widget", "write_contacts",
+    "write_export", "write_indenter", "write_law", "write_surface_interaction", "write_trace", "write_vtk",
 ]  # fmt: skip

@@ -12,8 +12,8 @@ from winkler.calculators import build
 from winkler.calculators.catalogue import CALCULATORS, calculator
 from winkler.calculators.series import series, series_of_two, table_of, table_of_two
 from winkler.calculators.single_page import calculator_page
-from winkler.errors import NotConverged
 from winkler.study.language.reading import parse_study
+from winkler.values.errors import NotConverged
 
 
 def test_the_kept_module_is_that_of_these_sources():

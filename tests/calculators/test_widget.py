@@ -9,8 +9,8 @@ import pytest
 import winkler
 from winkler.calculators.catalogue import CALCULATORS, calculator
 from winkler.calculators.evaluate import answer_of, study_text_of, values_of
-from winkler.errors import InvalidInput
 from winkler.study.language.reading import parse_study
+from winkler.values.errors import InvalidInput
 
 
 @pytest.mark.few(3)

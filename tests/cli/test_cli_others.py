@@ -358,7 +358,7 @@ STUDY = template("indentation").replace("# [fields]", "[fields]").replace("# r =
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("part", ["contact", "profile", "bed", "surface", "stress", "staircase"])
+@pytest.mark.parametrize("part", ["contact", "profile", "bed", "surface", "stress"])
 def test_draw(part, here, capsys):
     (here / "ball.toml").write_text(STUDY, encoding="utf-8")
     assert main(["draw", "ball.toml", "--part", part]) == 0

@@ -21,7 +21,7 @@ from winkler.cli.streams import plain_json, safe, write_line
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.batch.run import run
 from winkler.study.language.study import Study
-from winkler.vocabulary import GLOSSARY
+from winkler.values.vocabulary import GLOSSARY
 
 SPHERE = """title = "{title}"
 

@@ -12,7 +12,7 @@ from slopes import order
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.path import Path
+from winkler.loading.path import Path
 from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.tangential import Tangential
 

@@ -14,11 +14,11 @@ from slopes import order
 
 import winkler as wk
 from winkler.foundation.springs import Springs
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like
 

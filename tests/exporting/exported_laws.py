@@ -11,12 +11,12 @@ from compiled_c import compiler
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading import Depth, Force, Shift
+from winkler.loading.loads import Depth, Force, Shift
+from winkler.loading.path import Path
 from winkler.materials.elastic import Elastic
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell
 from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.elliptic import EllipticIndentation

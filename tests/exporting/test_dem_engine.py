@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from exported_laws import PROBLEMS
 
-from winkler.errors import InvalidInput
 from winkler.exporting.choose import law_of
 from winkler.exporting.export import export
+from winkler.values.errors import InvalidInput
 
 # What the kernel has where the model stands: see the source of DEM-Engine, calculateContactForces.
 KERNEL = """

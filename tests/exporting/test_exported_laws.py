@@ -9,19 +9,18 @@ import numpy as np
 import pytest
 from exported_laws import BALL, GEL, GLASS, PROBLEMS, RUBBER, STEEL, built, python, ran
 
-from winkler.errors import InvalidInput
 from winkler.exporting.choose import law_of
 from winkler.exporting.export import TARGETS, export, write_export
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading import Depth, Force, Shift
+from winkler.loading.loads import Depth, Force, Shift
+from winkler.loading.path import Path
 from winkler.materials.elastic import Elastic
 from winkler.materials.layered import Layer
 from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.tangential import Tangential
@@ -31,6 +30,7 @@ from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.values.errors import InvalidInput
 
 
 def law(problem, count=32, tolerance=1e-6):

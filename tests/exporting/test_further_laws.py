@@ -7,16 +7,15 @@ import pytest
 from exported_laws import DAMPED, GEL, GLASS, POWDER, PROBLEMS, RUBBER, STEEL, random_motions
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.exporting.choose import law_of
 from winkler.exporting.export import export
 from winkler.exporting.sizes import of_every_radius
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Shift
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import Path
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.friction.tangential import Tangential
@@ -28,6 +27,7 @@ from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
+from winkler.values.errors import InvalidInput
 
 
 def law(problem, count=6):

@@ -18,7 +18,7 @@ from winkler.exporting.choose import law_of
 from winkler.exporting.export import export, write_export
 from winkler.exporting.sizes import of_every_radius
 from winkler.laws.adhesion import ShortRange
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle

@@ -7,10 +7,10 @@ from scipy.special import beta, betainc
 
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.loading.path import Path
 from winkler.materials.fractional import PowerLawSolid
 from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 BEAD = 5e-6

@@ -9,13 +9,13 @@ import pytest
 from synthetic import hertz, hertz_on_spring, jkr, noise, there_and_back
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.noise.estimate import noise_of
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
-from winkler.validity import Note
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Note
 
 R, YOUNG, POISSON, WORK = 5e-6, 1e4, 0.5, 1e-4
 MODULUS = YOUNG / (1.0 - POISSON**2)

@@ -16,7 +16,7 @@ from winkler.fitting.fit import fit
 from winkler.fitting.validity import fit_notes
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
-from winkler.validity import Note, Standing
+from winkler.values.validity import Note, Standing
 
 R, YOUNG, WORK = 5e-6, 1e4, 1e-4
 MODULUS = YOUNG / 0.75

@@ -11,7 +11,6 @@ from scipy.stats import norm
 from synthetic import hertz, hertz_on_spring, jkr, noise, there_and_back
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.compare import compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
@@ -19,6 +18,7 @@ from winkler.fitting.intervals import profile_interval
 from winkler.fitting.noise.estimate import noise_of
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 R, YOUNG = 5e-6, 1e4
 MODULUS = YOUNG / 0.75

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.fitting.parameters import changed, number_at, unit_of
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.values.errors import InvalidInput
 
 COATED = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1e-6)], on=wk.Elastic(1e10, 0.2))
 MODEL = AdhesiveIndentation(wk.Foundation(wk.Paraboloid(1e-5), COATED), ShortRange(0.1), wk.Depth(0.0))

@@ -8,12 +8,12 @@ from scipy.optimize import brentq
 from synthetic import hertz_on_spring, jkr_states
 
 import winkler as wk
-from winkler.errors import OutsideValidity
 from winkler.fitting.elastic.response import response
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.law_states import states_of
+from winkler.values.errors import OutsideValidity
 
 GEL = wk.HalfSpace.between(wk.Elastic(1e4, 0.5))
 E = GEL.modulus

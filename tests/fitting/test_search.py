@@ -11,13 +11,13 @@ from relaxing_curves import FREE, curve, start
 from synthetic import hertz, jkr, there_and_back
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting import search
 from winkler.fitting.compare import compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.values.errors import InvalidInput, NotConverged
 
 YOUNG = "bed.medium.first.young"
 

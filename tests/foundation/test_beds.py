@@ -10,7 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.foundation.bed import PressedSprings
-from winkler.values import value
+from winkler.values.value import value
 
 UNIT = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
 X = np.array([0.0, 0.05, 0.2, 0.5])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.footprint import EllipticOutline, RoundOutline, UnknownOutline
+from winkler.foundation.footprint import EllipticOutline, RoundOutline, UnknownOutline
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.media.layered.coated import Layer
 from winkler.plot import draw

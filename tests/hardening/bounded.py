@@ -7,7 +7,7 @@ import resource
 import signal
 from pathlib import Path
 
-from winkler.errors import WinklerError
+from winkler.values.errors import WinklerError
 
 __all__ = ["sentence_within"]
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from winkler.errors import WinklerError
+from winkler.values.errors import WinklerError
 
 FOUND = Path(__file__).parent / "found"
 LIMIT = 20.0

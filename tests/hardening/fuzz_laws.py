@@ -1,7 +1,7 @@
 """What holds of every solution: signs, sizes, friction's limit, no energy from nowhere.
 
-One name stands for one thing in all of winkler (`winkler.vocabulary`), so a law is written once, in terms of names,
-and is held against every answer that has them.  Numbers are compared to `ROUNDING` of the largest of their kind.
+One name stands for one thing in all of winkler (`winkler.values.vocabulary`), so a law is written once, in terms of
+names, and is held against every answer that has them.  Numbers are compared to `ROUNDING` of the largest of their kind.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import WinklerError
+from winkler.values.errors import WinklerError
 
 ROUNDING = 1e-6
 LAWS: dict[str, Callable[[Mapping[str, Any], Any], bool]] = {}

@@ -150,7 +150,9 @@ class Drawn:
             elif rng.random() < 0.1 and (unit := quantities.unit_of(line.cls, field)) is not None:
                 such = {int: rng.randint(1, 12), bool: True, str: "x"}.get(hint, quantities.sample(unit))
                 table[field] = self.other(such, rows)
-        if line.cls.__module__ == "winkler.path_steps" and isinstance(cycles := table.get("cycles"), float | str):
+        if line.cls.__module__ == "winkler.loading.path_steps" and isinstance(
+            cycles := table.get("cycles"), float | str
+        ):
             table["cycles"] = MARCHED_CYCLES if MARCHED_CYCLES < float(cycles) < REFUSED_CYCLES else cycles
         return table
 

@@ -16,7 +16,7 @@ from winkler.numerics.equations.expression import Expression
 from winkler.profiles.formula import Formula
 from winkler.study.language.reading import parse_study, read_study
 from winkler.study.language.writing import study_text
-from winkler.units import quantity
+from winkler.values.units import quantity
 
 TRIALS: dict[str, Callable[[Case], object]] = {}
 

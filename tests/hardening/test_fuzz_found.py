@@ -16,9 +16,9 @@ from fuzz_cases import FOUND, Case, check, fault
 from fuzz_trials import tried, written
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study.language.build import build
 from winkler.study.language.explain import completed
+from winkler.values.errors import InvalidInput
 
 FILES = sorted(FOUND.glob("*.json"))
 

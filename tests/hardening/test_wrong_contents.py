@@ -12,13 +12,13 @@ import pytest
 from wrong_contents import MEANT, WRONG, faults, public_values
 
 import winkler as wk
-from winkler.checks.field_checks import _hints, checks_of
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import example_study
 from winkler.study.language.fit_reading import read_fit_study
 from winkler.study.language.reading import read_study
-from winkler.values import _frozen
+from winkler.values.checks.field_checks import _hints, checks_of
+from winkler.values.value import _frozen
 
 UNCHECKED = {"IndenterCalibration.references", "JointStiffnessSolution.problem", "NanoindentationSolution.problem"}
 """Fields of answers that keep the problem, of whatever class it is."""

@@ -13,10 +13,10 @@ import zipfile
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
 from winkler.io.topography_file import read_topography
+from winkler.values.errors import InvalidInput
 
 pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
 

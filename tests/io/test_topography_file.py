@@ -9,8 +9,8 @@ import zipfile
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.topography_file import read_topography
+from winkler.values.errors import InvalidInput
 
 HEIGHTS = np.arange(20.0).reshape(5, 4) * 0.25
 """In nm; exact in binary and in text."""

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.study.language.quantities import INDEXED, dependent, settled
-from winkler.unit_grammar import unit_of
-from winkler.vocabulary import word
+from winkler.values.unit_grammar import unit_of
+from winkler.values.vocabulary import word
 
 
 class Units(NamedTuple):

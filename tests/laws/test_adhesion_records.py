@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.values.errors import InvalidInput
 
 
 def test_one_work_is_two_equal_ones():

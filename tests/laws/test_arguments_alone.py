@@ -15,9 +15,9 @@ import pytest
 from example_answers import COSTLY, example_problem, solved
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.study.batch.outcome import number_names
 from winkler.study.language.catalogue import CATALOGUE
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 RESOLUTION = {
     "count", "cycles", "elements", "per_decade", "pixels", "points", "realisations", "seed", "share",

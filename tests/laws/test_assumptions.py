@@ -13,7 +13,7 @@ from winkler.problems.assumptions.coupling import dundurs, stuck_stiffening
 from winkler.problems.assumptions.film import film_strain
 from winkler.problems.assumptions.inertia import wave_loss
 from winkler.study.language.catalogue import CATALOGUE
-from winkler.validity import Assumption, Note, Standing, worst
+from winkler.values.validity import Assumption, Note, Standing, worst
 
 KINDS = sorted(CATALOGUE["problem"])
 STEEL = wk.Elastic(210e9, 0.3)

@@ -18,12 +18,12 @@ from change_of_units import Units
 from example_answers import LASTING, example_problem, lasting_slow, solved
 
 import winkler as wk
-from winkler.errors import WinklerError
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.points import Solved
 from winkler.study.language.catalogue import CATALOGUE, kinds
-from winkler.validity import Assumption
-from winkler.vocabulary import word
+from winkler.values.errors import WinklerError
+from winkler.values.validity import Assumption
+from winkler.values.vocabulary import word
 
 PROBLEMS = tuple(CATALOGUE["problem"])
 PARTS = tuple(name for name in kinds() if name not in PROBLEMS)

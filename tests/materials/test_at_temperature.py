@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 RUBBER = wk.Prony(1e6, [2e6, 5e5], [0.01, 1.0], poisson=0.49)
 FERRY = wk.WilliamsLandelFerry(reference_temperature=298.15, first_constant=8.86, second_constant=101.6)

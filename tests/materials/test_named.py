@@ -10,7 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.materials.named import NamedElastic
-from winkler.vocabulary import GLOSSARY
+from winkler.values.vocabulary import GLOSSARY
 
 NAMES = wk.material_names()
 RANGES = {

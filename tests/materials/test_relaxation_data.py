@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.materials.viscoelastic import Prony
+from winkler.values.errors import InvalidInput
 
 T = np.geomspace(1e-3, 1e3, 61)
 BETWEEN = np.sqrt(T[1:] * T[:-1])

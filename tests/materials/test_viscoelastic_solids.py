@@ -8,11 +8,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 TIMES = np.array([1e-3, 0.1, 1.0, 20.0])
 OMEGA = np.array([1e-3, 0.3, 1.0, 50.0])

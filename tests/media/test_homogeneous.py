@@ -10,7 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.values import value
+from winkler.values.value import value
 
 STEEL, RUBBER = wk.Elastic(210e9, 0.3), wk.Elastic(1e6, 0.5)
 

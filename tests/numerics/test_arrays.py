@@ -8,8 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.arrays import cast, dot, given, library_of, namespace_of, to_numpy
@@ -17,6 +16,7 @@ from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 COUNT = 72
 X = np.arange(COUNT) / COUNT

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib.util
+import re
 from collections import Counter
 
 import pytest
@@ -11,6 +12,8 @@ from project_files import project_files
 
 MOST_FILES = 25
 """In one folder of the package; the literature cases are data."""
+MOST_ENTRIES = 24
+"""At the top of the package, folders and files."""
 
 
 def drawing(root):
@@ -28,6 +31,14 @@ def test_the_page_is_that_of_the_imports(root):
     assert (root / "docs" / "figures" / "architecture.svg").read_text(encoding="utf-8") == written.picture(), hint
 
 
+def test_the_way_of_a_study_names_what_is_there(root):
+    source = root / "src" / "winkler"
+    named = re.findall(r"`([a-z_]+(?:\.[a-z_]+)+)`", drawing(root).HEAD)
+    assert len(named) > 8
+    places = {name: source.joinpath(*name.split(".")) for name in named if not name.endswith(".toml")}
+    assert [name for name, place in places.items() if not (place.is_dir() or place.with_suffix(".py").is_file())] == []
+
+
 def test_no_folder_holds_too_many_files(root):
     full: dict[str, int] = {}
     for top in ("src/winkler", "tests", "examples", "docs"):
@@ -38,6 +49,12 @@ def test_no_folder_holds_too_many_files(root):
             if count > MOST_FILES and "cases" not in folder.parts
         }
     assert full == {}
+
+
+def test_the_top_of_the_package_can_be_read_at_once(root):
+    source = root / "src" / "winkler"
+    entries = {path.relative_to(source).parts[0] for path in project_files(source)}
+    assert len(entries) <= MOST_ENTRIES
 
 
 def test_one_name_means_one_class(pages):

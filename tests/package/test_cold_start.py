@@ -19,7 +19,6 @@ COMPUTING = (
     "pint",
     "matplotlib",
     "winkler.public",
-    "winkler.public_problems",
 )
 """Not pydantic: typer itself imports it where it is installed, before it shows the help of a command."""
 
@@ -44,13 +43,14 @@ medium = { kind = "half_space", first = { kind = "elastic", young = "210 GPa", p
 """
 ELSEWHERE = {
     "pint", "numba", "scipy", "pandas", "xarray", "dask", "distributed", "sympy", "winkler.public",
-    "winkler.public_problems", "winkler.web", "winkler.reference",
+    "winkler.web", "winkler.reference",
 }  # fmt: skip
 """What one elastic contact does not need."""
 OF_OTHER_STUDIES = {
-    "winkler.plot", "winkler.fields", "winkler.problems.wear", "winkler.media.graded", "winkler.media.layered",
-    "winkler.media.relaxing.proportional", "winkler.study.language.fit_study", "winkler.study.batch.processes",
-    "winkler.study.batch.sensitivity", "winkler.io.array_file", "multiprocessing", "numpy.ma",
+    "winkler.plot", "winkler.fields.restoration", "winkler.problems.wear", "winkler.media.graded",
+    "winkler.media.layered", "winkler.media.relaxing.proportional", "winkler.study.language.fit_study",
+    "winkler.study.batch.processes", "winkler.study.batch.sensitivity", "winkler.io.array_file", "multiprocessing",
+    "numpy.ma",
 }  # fmt: skip
 """What one contact of half-spaces does not need where nothing is written."""
 MOST_MODULES = 192
@@ -122,7 +122,7 @@ def test_a_report_loads_what_draws_and_writes_it(tmp_path):
 def test_the_names_come_when_they_are_requested():
     code = (
         "import sys, winkler; assert 'winkler.public' not in sys.modules; assert not hasattr(winkler, '__wrapped__'); "
-        "assert 'winkler.public' not in sys.modules; import winkler.punch_staircase; "
+        "assert 'winkler.public' not in sys.modules; import winkler.fields.punch_staircase; "
         "assert callable(winkler.staircase); "
         "assert winkler.Sphere(1.0).curvature_radius == 1.0; assert winkler.__version__ in winkler.__version__; "
         "names = {}; exec('from winkler import *', names); assert names['Sphere'] is winkler.Sphere"

@@ -7,9 +7,9 @@ import math
 
 import pytest
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import InvalidInput
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 NUMBERS = {"bool", "int", "float"}
 

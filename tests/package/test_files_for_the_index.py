@@ -45,7 +45,7 @@ def test_check_wheel_contents_finds_the_wheel_in_order(wheel, tmp_path):
     assert done.returncode == 0, done.stdout
 
     def with_a_compiled_file(name, content):
-        old, new = "winkler/errors.py", "winkler/errors.pyc"
+        old, new = "winkler/values/errors.py", "winkler/errors.pyc"
         return (new if name == old else name), content.replace(f"{old},".encode(), f"{new},".encode())
 
     done = looked_at("check_wheel_contents", spoiled(wheel, tmp_path, with_a_compiled_file))

@@ -46,7 +46,13 @@ def test_the_server_of_the_app_neither_solves_nor_draws():
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     loaded = set(done.stdout.split())
     assert "winkler.web.page.page" in loaded
-    heavy = ("scipy", "winkler.fields", "winkler.plot.method", "winkler.web.pictures.answer", "winkler.study.batch.run")
+    heavy = (
+        "scipy",
+        "winkler.fields.restoration",
+        "winkler.plot.method",
+        "winkler.web.pictures.answer",
+        "winkler.study.batch.run",
+    )
     assert loaded.isdisjoint(heavy)
     assert not [name for name in loaded if name.startswith("winkler.problems.")]
 

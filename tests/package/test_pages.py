@@ -94,7 +94,7 @@ def test_the_search_for_tricks_finds_them():
         "import importlib.util\n__import__('winkler.plot')\nimport sys\nsys.modules['winkler']\neval('1')\n"
     )
     assert sorted(line for line, _ in tricks(ast.walk(ast.parse(code)))) == [1, 2, 3, 4, 5, 6, 8, 9]
-    fine = "from importlib import metadata\nimport importlib.resources\nfrom winkler.values import value\n"
+    fine = "from importlib import metadata\nimport importlib.resources\nfrom winkler.values.value import value\n"
     assert tricks(ast.walk(ast.parse(fine))) == []
 
 

@@ -1,4 +1,4 @@
-"""The public names: each is a value, and stands once in the two pages of imports.
+"""The public names: each is a value, and stands once in the page of imports.
 
 What a former version offered is looked for in `tests/study/upgrading`; `tests/cli/second_reading.py` reads each kind of
 study in public names.
@@ -13,10 +13,8 @@ import winkler
 
 
 def test_no_name_is_imported_twice():
-    pages = [
-        files(winkler).joinpath(f"{page}.py").read_text(encoding="utf-8") for page in ("public", "public_problems")
-    ]
-    imports = [line for page in pages for line in ast.parse(page).body if isinstance(line, ast.ImportFrom)]
+    page = files(winkler).joinpath("public.py").read_text(encoding="utf-8")
+    imports = [line for line in ast.parse(page).body if isinstance(line, ast.ImportFrom)]
     names = [imported.name for line in imports for imported in line.names]
     assert sorted([*names, "__version__"]) == winkler.__all__
     assert len(names) == len(set(names))

@@ -11,16 +11,15 @@ import pint
 import pytest
 
 from winkler.profiles.flat import FlatPunch
-from winkler.values import words
-from winkler.vocabulary import CHAPTERS, GLOSSARY, word
+from winkler.values.value import words
+from winkler.values.vocabulary import CHAPTERS, GLOSSARY, word
 
 USER_LAYERS = (
-    "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
-    "fields", "peaks", "fitting",
+    "materials", "laws", "profiles", "loading", "media", "foundation", "problems", "fields", "fitting",
 )  # fmt: skip
 """The layers whose values reach users; the mathematics below and the interfaces above have words of their own."""
 
-RESULT_LAYERS = ("problems", "fields", "peaks")
+RESULT_LAYERS = ("problems", "fields")
 """The layers whose properties are results."""
 PLACE = "put these names into __words__ of their classes, or into winkler/vocabulary if others have them too"
 

@@ -9,11 +9,11 @@ import pytest
 from matplotlib.collections import LineCollection
 
 import winkler as wk
-from winkler.errors import InvalidInput
-from winkler.fields import restore
+from winkler.fields.restoration import restore
 from winkler.plot import draw, style
 from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.extent import has_tensile_singularity, is_singular
+from winkler.values.errors import InvalidInput
 
 RUBBER = wk.HalfSpace.between(wk.Elastic(1e6, 0.5))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), RUBBER)

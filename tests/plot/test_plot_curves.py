@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.halfspace import HalfSpace
 from winkler.plot.extent import around, is_singular, sunk, typical

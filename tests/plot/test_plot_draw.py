@@ -10,11 +10,11 @@ import sys
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fields import restore
+from winkler.fields.punch_staircase import staircase
+from winkler.fields.restoration import restore
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
@@ -31,7 +31,7 @@ from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.sphere import Sphere
 from winkler.profiles.wavy import Wavy
-from winkler.punch_staircase import staircase
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STRONG = Elastic(210e9, 0.3, 700e6)
 STEEL = HalfSpace(STRONG, Elastic(210e9, 0.3))

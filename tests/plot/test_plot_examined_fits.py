@@ -11,7 +11,7 @@ from winkler.plot import draw
 from winkler.plot.fitting.examined import depth_sheet, shared_sheet
 from winkler.plot.marks import Area, Line
 from winkler.plot.render import render
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 E = "bed.medium.first.young"
 FREE = [E, "contact_point", "baseline"]

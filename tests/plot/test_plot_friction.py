@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.fields import restore, restore_body
+from winkler.fields.restoration import restore, restore_body
 from winkler.laws.friction import Coulomb
-from winkler.loading import Angle, Torque
-from winkler.path import Path
+from winkler.loading.loads import Angle, Torque
+from winkler.loading.path import Path
 from winkler.plot import draw, style
 from winkler.plot.friction.curves import loss_text
 from winkler.problems.friction.bimodal_damping import BimodalDamping

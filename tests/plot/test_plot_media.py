@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.plot import draw
 from winkler.plot.extent import is_singular
 from winkler.plot.marks import Text
@@ -14,6 +13,7 @@ from winkler.plot.medium import interfaces, is_varied, makeup_panel, typical_wid
 from winkler.plot.method import PICTURES, method_sheet, pictures_of
 from winkler.plot.normal.curves import line_load
 from winkler.plot.render import render
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STEEL = wk.Elastic(210e9, 0.3)
 CARBON, CHROMIUM = wk.Elastic(180e9, 0.22), wk.Elastic(279e9, 0.21)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from winkler.fields import SurfaceFields
+from winkler.fields.restoration import SurfaceFields
 from winkler.plot.series import (
     Scale,
     common_scale,

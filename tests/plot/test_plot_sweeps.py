@@ -15,7 +15,7 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
 from winkler.study.report.figures import answers_over
 from winkler.study.report.sweep_figures import mapped, varied_series
-from winkler.vocabulary import GLOSSARY
+from winkler.values.vocabulary import GLOSSARY
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.plot import draw
 from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.panel import Sheet
 from winkler.plot.render import render
 from winkler.plot.series import scale_of, series, with_unit
+from winkler.values.errors import InvalidInput
 
 RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
 MEDIUM = wk.ViscoelasticHalfSpace(RUBBER)

@@ -7,7 +7,7 @@ import pytest
 
 import winkler as wk
 from winkler.problems import answer
-from winkler.values import value
+from winkler.values.value import value
 
 BED = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 PRESSED = wk.Indentation(BED, wk.Force(np.array([10.0, 100.0])))

@@ -9,7 +9,7 @@ import pytest
 
 import winkler as wk
 from winkler.problems.normal.validity import large_body_note, steepness_note
-from winkler.validity import Note, in_words
+from winkler.values.validity import Note, in_words
 
 
 def hay(slope, poisson):

@@ -10,9 +10,9 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.errors import OutsideValidity
 from winkler.problems.last_cycle import cycle_ends
 from winkler.study.batch.outcome import answers_of
+from winkler.values.errors import OutsideValidity
 
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)

@@ -13,9 +13,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.profiles.formula import Formula
 from winkler.profiles.profile import Shape
+from winkler.values.errors import InvalidInput, NotConverged
 
 R = 10e-3
 

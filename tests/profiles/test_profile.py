@@ -11,7 +11,7 @@ from shape_solutions import assert_starts_at_zero, assert_transforms
 
 import winkler as wk
 from winkler.profiles.pieces import PowerPieces
-from winkler.values import value
+from winkler.values.value import value
 
 
 @value

@@ -14,9 +14,9 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 
-from winkler.translation.c_writer import INCLUDES, c_source
-from winkler.translation.translate import Translation
-from winkler.translation.tree import BOOL, INT, REAL, VOID, array_of, tuple_of
+from winkler.exporting.translation.c_writer import INCLUDES, c_source
+from winkler.exporting.translation.translate import Translation
+from winkler.exporting.translation.tree import BOOL, INT, REAL, VOID, array_of, tuple_of
 
 PREFIX = "t_"
 SCALARS = {"real": ctypes.c_double, "int": ctypes.c_int64, "bool": ctypes.c_bool}

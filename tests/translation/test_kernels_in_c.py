@@ -11,9 +11,9 @@ from compiled_c import interpreted, library, type_of
 from kernel_histories import HISTORIES, history, outcome
 
 import winkler.numerics
-from winkler.errors import InvalidInput
+from winkler.exporting.translation.translate import Translation
 from winkler.numerics.jit import Kernel
-from winkler.translation.translate import Translation
+from winkler.values.errors import InvalidInput
 
 FAST = ("-O2",)
 SEEDS = range(10)

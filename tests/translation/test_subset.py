@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from compiled_c import interpreted, library
 
-from winkler.errors import InvalidInput
+from winkler.exporting.translation.translate import translate
+from winkler.exporting.translation.tree import REAL, array_of
 from winkler.numerics.jit import compiled
-from winkler.translation.translate import translate
-from winkler.translation.tree import REAL, array_of
+from winkler.values.errors import InvalidInput
 
 STEPS = 3
 WEIGHTS = (0.25, 0.5, 0.25)

@@ -11,8 +11,8 @@ import pytest
 import tomli_w
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curves
+from winkler.values.errors import InvalidInput
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_folder import sample_folder
 from winkler.web.pictures.replies import AnswerText, InteractivePicture, MomentComplete

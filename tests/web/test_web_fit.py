@@ -14,13 +14,13 @@ import pytest
 import tomli_w
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_grammar import fit_form as section
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.fit_study import FITTED
 from winkler.study.language.reading import parsed
+from winkler.values.errors import InvalidInput
 from winkler.web.form import fit_form, form, measurement_form
 from winkler.web.form.sample_curve import SAMPLE, sample_curve
 from winkler.web.form.study_form import StudyForm

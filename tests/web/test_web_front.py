@@ -12,7 +12,7 @@ from winkler.study.finding.finding import find
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.reading import parse_study
-from winkler.validity import Standing, worst
+from winkler.values.validity import Standing, worst
 from winkler.web.form import form
 from winkler.web.form.front_examples import FRONT_EXAMPLES, QUESTIONS, first_table
 from winkler.web.form.sample_curve import SAMPLE, sample_curve

@@ -11,7 +11,6 @@ import tomli_w
 from example_answers import COSTLY
 
 from winkler.plot.series import name_in_words
-from winkler.readable import with_unit
 from winkler.study.batch.run import run
 from winkler.study.chapters.contents import answer_of
 from winkler.study.language.catalogue import CATALOGUE
@@ -19,8 +18,9 @@ from winkler.study.language.explain import keys_of
 from winkler.study.language.reading import parse_study
 from winkler.study.report.describe import inputs
 from winkler.study.report.report import page
-from winkler.validity import Standing, worst
-from winkler.vocabulary import GLOSSARY, word
+from winkler.values.readable import with_unit
+from winkler.values.validity import Standing, worst
+from winkler.values.vocabulary import GLOSSARY, word
 from winkler.web.form.form import initial_table
 from winkler.web.pictures.answer import answer_text
 from winkler.web.pictures.moments import Moments

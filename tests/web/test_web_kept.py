@@ -9,8 +9,8 @@ import zlib
 import pytest
 import tomli_w
 
-from winkler.errors import InvalidInput
 from winkler.study.language.catalogue import CATALOGUE
+from winkler.values.errors import InvalidInput
 from winkler.web.form.form import initial_table
 from winkler.web.form.link import LONGEST_LINK, MOST_TEXT, code_of, study_of
 from winkler.web.form.taken import taken

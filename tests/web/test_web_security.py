@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 from winkler.web.session.security import Security, origin_of
 
 ORIGINS = ("http://127.0.0.1:8765", "http://localhost:8765", "https://lab.example.org")

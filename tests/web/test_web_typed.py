@@ -7,7 +7,7 @@ import pathlib
 
 import pytest
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import field_text, typed
 from winkler.web.session.upload_folder import LARGEST, MOST_BYTES, UploadFolder, files_in, plain_name

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import tomli_w
 
-from winkler.errors import InvalidInput
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import keys_of
 from winkler.study.language.reading import parse_study
-from winkler.units import quantity
+from winkler.values.errors import InvalidInput
+from winkler.values.units import quantity
 from winkler.web.form import form
 from winkler.web.form.field_units import completed_text, in_unit, offered_units, shown_unit
 from winkler.web.form.front_examples import first_table

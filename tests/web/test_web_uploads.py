@@ -7,7 +7,7 @@ import signal
 
 import pytest
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 from winkler.web.session import uploads as module
 from winkler.web.session.uploads import uploads
 

@@ -15,10 +15,10 @@ import numpy as np
 from winkler.calculators import kernels, series, tables
 from winkler.calculators.catalogue import CALCULATORS
 from winkler.exporting.targets.c_law import numbers_of_c
+from winkler.exporting.translation.c_writer import INCLUDES, c_source
+from winkler.exporting.translation.translate import Translation
+from winkler.exporting.translation.tree import Routine, array_of
 from winkler.numerics.types import Array
-from winkler.translation.c_writer import INCLUDES, c_source
-from winkler.translation.translate import Translation
-from winkler.translation.tree import Routine, array_of
 
 __all__ = ["MODULE", "MOST", "STAMP", "TABLE_FILE", "c_of_calculators", "digest_of_files", "made_of"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from winkler.units import scale
+from winkler.values.units import scale
 
 __all__ = ["AnswerNumber", "Calculator", "Slider"]
 
@@ -106,6 +106,6 @@ class Calculator(NamedTuple):
 
 
 def _si(unit: str) -> float:
-    from winkler.units import to_si
+    from winkler.values.units import to_si
 
     return to_si(f"1 {unit}", what="slider") if unit else 1.0

@@ -9,8 +9,8 @@ import numpy as np
 
 from winkler.calculators.build import TABLE_FILE
 from winkler.calculators.calculator import Calculator
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["answer_of", "study_text_of", "values_of"]
 

@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from winkler.errors import NotConverged
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["DEGREE", "TOLERANCE", "series", "series_of_two", "table_of", "table_of_two"]
 

@@ -14,14 +14,14 @@ from winkler.calculators.series import table_of, table_of_two
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Force, LineForce, LineShearForce, ShearForce, Shift, Torque
+from winkler.loading.loads import Depth, Force, LineForce, LineShearForce, ShearForce, Shift, Torque
+from winkler.loading.path import Path
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.elastic import Elastic
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.profiles.power import Paraboloid
 
 __all__ = ["TABLES"]

@@ -9,7 +9,7 @@ from winkler.calculators.calculator import Calculator
 from winkler.calculators.catalogue import CALCULATORS, calculator
 from winkler.calculators.evaluate import answer_of, study_text_of, values_of
 from winkler.calculators.single_page import HERE, described, joined_script, module_text
-from winkler.errors import InvalidInput, suggest
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["widget"]
 

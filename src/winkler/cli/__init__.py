@@ -65,7 +65,7 @@ def _command(words: list[str]) -> int:
 
 def _report_error(error: Exception, received: stopping.ReceivedSignal) -> int:
     """Write one sentence about an error, and return the exit code."""
-    from winkler.errors import Interrupted, WinklerError, mistake_in
+    from winkler.values.errors import Interrupted, WinklerError, mistake_in
 
     with contextlib.suppress(WinklerError):  # one error is reported, and this one comes first
         flush_streams()

@@ -26,9 +26,7 @@ PARTS = {
     "stress": "the stress below the surface; needs [fields] with r and z",
     "curve": "force, radius and stiffness over the depth, of a load that is a list",
     "film": "stick, slip and traction of a sheared or rolling height map, state after state, as an animated .gif",
-    "staircase": "the contact as a staircase of flat punches, after Jaeger",
 }
-STEPS = 12
 
 
 def draw(
@@ -51,14 +49,14 @@ def draw(
 
     Example: winkler draw examples/studies/normal/hertz.toml --part stress --output stress.svg
     """
-    from winkler.errors import InvalidInput, suggest
-    from winkler.fields import SubsurfaceFields
+    from winkler.fields.restoration import SubsurfaceFields
     from winkler.io.whole_file import write_whole
     from winkler.plot import sheet_of
     from winkler.plot.normal.stresses import interface_rules
     from winkler.plot.render import render
     from winkler.study.language.reading import read_study
     from winkler.study.language.study import PICTURES
+    from winkler.values.errors import InvalidInput, suggest
 
     if part not in PARTS:
         raise InvalidInput(
@@ -85,10 +83,10 @@ def draw(
 
 
 def _write_film(study: Path, settings: list[str] | None, point: int, path: Path, overwrite: bool) -> None:
-    from winkler.errors import InvalidInput
     from winkler.io.whole_file import write_whole
     from winkler.plot import film
     from winkler.study.language.reading import read_study
+    from winkler.values.errors import InvalidInput
 
     if path.suffix.lower() != ".gif":
         raise InvalidInput(f"draw: '{path}' does not end like a film; give .gif.")
@@ -99,11 +97,11 @@ def _write_film(study: Path, settings: list[str] | None, point: int, path: Path,
 
 def _solved(study: Any, point: int) -> Solved:
     """Solve one point of a study."""
-    from winkler.errors import InvalidInput
     from winkler.study.batch.outcome import Failed
     from winkler.study.batch.run import ERRORS
     from winkler.study.batch.sweep import solved
     from winkler.study.batch.tasks import tasks
+    from winkler.values.errors import InvalidInput
 
     points = tasks(study)
     if not -len(points) <= point < len(points):
@@ -116,12 +114,10 @@ def _solved(study: Any, point: int) -> Solved:
 
 def _drawn_value(answer: Solved, part: str, load: int) -> Any:
     """Return what is drawn: a part of the solved point."""
-    from winkler.errors import InvalidInput
-    from winkler.footprint import RoundOutline
+    from winkler.foundation.footprint import RoundOutline
     from winkler.foundation.measured import MeasuredBed
-    from winkler.problems.answer import is_restorable
-    from winkler.punch_staircase import staircase
     from winkler.study.report.extra_pictures import extra_pictures
+    from winkler.values.errors import InvalidInput
 
     bed = getattr(answer.problem, "bed", None)
     outline = getattr(bed, "footprint", None)  # a line contact and an ellipse have none
@@ -149,9 +145,5 @@ def _drawn_value(answer: Solved, part: str, load: int) -> Any:
                 need = "r" if part == "surface" else "r and z"
                 raise InvalidInput(f"draw: the study restores no such fields; add [fields] with {need}.")
             return fields[load]
-        case "staircase":
-            if not is_restorable(answer.each[load]):
-                raise InvalidInput(f"draw: the answer to {type(answer.problem).__name__} has no staircase.")
-            return staircase(answer.each[load], STEPS)
         case _:
             return answer.each[load]

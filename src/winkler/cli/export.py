@@ -28,12 +28,12 @@ def export(
 
     Example: winkler export examples/studies/normal/hertz.toml --to c --name ball
     """
-    from winkler.errors import InvalidInput, WinklerError
     from winkler.exporting.choose import LAWS
     from winkler.exporting.export import export as exported_law
     from winkler.exporting.export import write_export
     from winkler.study.language.catalogue import in_kinds, kind_of, kinds
     from winkler.study.language.reading import read_study
+    from winkler.values.errors import InvalidInput, WinklerError
 
     problem = read_study(study).problem
     if type(problem).__name__ not in LAWS:

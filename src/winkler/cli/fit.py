@@ -74,7 +74,6 @@ def fit(
     from winkler.cli import nanoindentation, terminal
     from winkler.cli.measured_problem import is_measured_problem
     from winkler.cli.run import run
-    from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.io.processes.stopping import clear_interrupt
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
@@ -83,6 +82,7 @@ def fit(
     from winkler.study.batch.run import named
     from winkler.study.language.fit_reading import read_fit_study
     from winkler.study.report.writing import outcome_files, write_files
+    from winkler.values.errors import Interrupted, InvalidInput, WinklerError
 
     started = time.perf_counter()
     if nanoindentation.wanted(study):
@@ -168,7 +168,7 @@ class _RunningFit:
 
     def best(self) -> str:
         """Return the best numbers so far, in a sentence."""
-        from winkler.readable import with_unit
+        from winkler.values.readable import with_unit
 
         assert self.state is not None
         keys = {free.path: free.key for free in self.study.free}
@@ -178,7 +178,7 @@ class _RunningFit:
 
 
 def _progress_text(state: FitState, study: FitStudy) -> str:
-    from winkler.readable import with_unit
+    from winkler.values.readable import with_unit
 
     left = f", residuals of {with_unit(state.scatter, study.spread.unit)}" if math.isfinite(state.scatter) else ""
     return f"{state.evaluations} evaluation{'s' * (state.evaluations != 1)}{left}"
@@ -208,9 +208,9 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
 def _table(outcome: FitOutcome, out: Any) -> None:
     """Show a list for one curve, a table of numbers and errors for many."""
     from winkler.cli import terminal
-    from winkler.readable import with_unit
     from winkler.study.language.explain import plain_symbol
     from winkler.study.report.fit_tables import curve_texts, number_texts
+    from winkler.values.readable import with_unit
 
     study = outcome.study
     if len(outcome.results) == 1:
@@ -241,7 +241,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
 
 def _headline(outcome: FitOutcome) -> str:
     """Return the first free number with its interval of 95 %, and how many points stand behind it."""
-    from winkler.readable import with_unit
+    from winkler.values.readable import with_unit
 
     free, fit = outcome.study.free[0], outcome.fitted[0].fit
     word = outcome.study.word(free.key)

@@ -21,7 +21,7 @@ TABLE_QUANTITIES = ("young", "poisson", "hardness", "density", "conductivity", "
 def several(names: Sequence[str]) -> None:
     """Show materials, with their most common quantities."""
     from winkler.materials.named import material
-    from winkler.vocabulary import GLOSSARY
+    from winkler.values.vocabulary import GLOSSARY
 
     table = terminal.table("material", "sort")
     for quantity in TABLE_QUANTITIES:
@@ -42,8 +42,8 @@ def several(names: Sequence[str]) -> None:
 @until_closed()
 def one(entry: NamedMaterial) -> None:
     """Show every number of a material, with its source and how a study names it."""
-    from winkler.readable import scale_of
-    from winkler.vocabulary import GLOSSARY
+    from winkler.values.readable import scale_of
+    from winkler.values.vocabulary import GLOSSARY
 
     table = terminal.table("quantity", "value", "range", "unit", "source")
     for figure in entry.figures:

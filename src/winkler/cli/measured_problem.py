@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from winkler.errors import WinklerError
 from winkler.study.language.reading import parsed, read_text
+from winkler.values.errors import WinklerError
 
 __all__ = ["MEASURED_PROBLEMS", "is_measured_problem"]
 

@@ -34,13 +34,13 @@ def evaluate(
     After Ctrl-C the curves that were evaluated are written; a calibration needs all of its curves.
     """
     from winkler.cli import terminal
-    from winkler.errors import Interrupted, InvalidInput
     from winkler.io.processes.stopping import clear_interrupt, raise_pending
     from winkler.study.nanoindentation.reading import read_nanoindentation_study
     from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
     from winkler.study.nanoindentation.writing import nanoindentation_files
     from winkler.study.report.reserving import reserved
     from winkler.study.report.writing import holds_results, placed, write_files
+    from winkler.values.errors import Interrupted, InvalidInput
 
     started = time.perf_counter()
     content = read_nanoindentation_study(study, settings=settings)

@@ -30,8 +30,8 @@ def _kinds(slot: str) -> Callable[[str], list[str]]:
 
 def _meant(text: str, names: list[str]) -> str:
     """Return which of the names a word may mean, as the end of a clause, or an empty string."""
-    from winkler.errors import mistyped, suggest
     from winkler.study.finding.finding import find
+    from winkler.values.errors import mistyped, suggest
 
     found = find(text)
     near = [hit.name for hit in found.hits if hit.name in names][:3]
@@ -67,12 +67,12 @@ def new(
 
     Example: winkler new indentation --profile cone --output cone.toml
     """
-    from winkler.errors import InvalidInput, WinklerError
     from winkler.io.whole_file import write_whole
     from winkler.study.batch.run import run
     from winkler.study.language.catalogue import CATALOGUE
     from winkler.study.language.reading import parse_study
     from winkler.study.language.template import template
+    from winkler.values.errors import InvalidInput, WinklerError
 
     problem = " ".join(words or ("indentation",))
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
@@ -114,10 +114,10 @@ def schema(
     """
     import json
 
-    from winkler.errors import InvalidInput, suggest
     from winkler.io.whole_file import write_whole
     from winkler.study.json_schema import json_schema
     from winkler.study.language.template import SCHEMA_FILE
+    from winkler.values.errors import InvalidInput, suggest
 
     names = _all_kinds()
     if kind and kind not in names:

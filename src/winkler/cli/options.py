@@ -57,9 +57,9 @@ def stated_workers(command: str, workers: int | None, cluster: str) -> Workers:
     InvalidInput
         If both are given.
     """
-    from winkler.errors import InvalidInput
     from winkler.study.batch.cluster import Cluster
     from winkler.study.batch.pool import Machine
+    from winkler.values.errors import InvalidInput
 
     if cluster and workers is not None:
         raise InvalidInput(f"{command}: both --workers and --cluster are given; leave one of them out.")
@@ -85,7 +85,7 @@ def refuse_existing(path: Path, overwrite: bool, where: str = "") -> None:
     InvalidInput
     """
     if path.exists() and not overwrite:
-        from winkler.errors import InvalidInput
+        from winkler.values.errors import InvalidInput
 
         raise InvalidInput(
             f"{where}'{path}' exists; add --overwrite to replace it, or give another file with --output."

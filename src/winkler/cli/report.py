@@ -40,7 +40,6 @@ def report(
     """
     from winkler.cli import terminal
     from winkler.cli.run import exit_code
-    from winkler.errors import InvalidInput, WinklerError
     from winkler.io.whole_file import write_whole
     from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import gather, named
@@ -48,6 +47,7 @@ def report(
     from winkler.study.language.reading import read_study
     from winkler.study.report.figures import figures_of
     from winkler.study.report.report import page
+    from winkler.values.errors import InvalidInput, WinklerError
 
     started = time.perf_counter()
     path = output or Path(f"{study.stem}.{'pdf' if one_sheet else 'html'}")

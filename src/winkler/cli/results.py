@@ -51,10 +51,10 @@ def resumed(
     Interrupted
         After Ctrl-C, if points or fits are kept.
     """
-    from winkler.errors import Interrupted
     from winkler.io.processes.stopping import deferred_signals
     from winkler.study.report.reserving import reserved
     from winkler.study.report.writing import holds_results, missing, placed
+    from winkler.values.errors import Interrupted
 
     with reserved(folder):
         goes_on = not anew and bool(missing(folder))
@@ -86,7 +86,7 @@ def _remove_records(journal: Journal, keep: CheckpointStore | None) -> None:
 
 def _may_overwrite(folder: Path) -> bool:
     """Ask whether the results in `folder` may be replaced; refuse if stdin is no terminal."""
-    from winkler.errors import InvalidInput
+    from winkler.values.errors import InvalidInput
 
     if not sys.stdin.isatty():
         raise InvalidInput(

@@ -15,10 +15,10 @@ from winkler.cli.results import resumed, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
 if TYPE_CHECKING:
-    from winkler.errors import WinklerError
     from winkler.study.batch.outcome import Outcome
     from winkler.study.batch.pool import Workers
     from winkler.study.language.study import Study
+    from winkler.values.errors import WinklerError
 
 __all__ = ["exit_code", "merge", "run"]
 
@@ -66,8 +66,8 @@ def run(
 
     Example: winkler run examples/studies/normal/hertz.toml --output results/ball
     """
-    from winkler.errors import Interrupted, Mistake
     from winkler.study.language.reading import read_study
+    from winkler.values.errors import Interrupted, Mistake
 
     started = time.perf_counter()
     solvers = stated_workers("run", workers, cluster)
@@ -152,9 +152,9 @@ def _with_figures(study: Study, given: str) -> Study:
 def _solved_alone(job: _RunRequest) -> Outcome:
     """Solve a study, and write nothing."""
     from winkler.cli import terminal
-    from winkler.errors import WinklerError
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
+    from winkler.values.errors import WinklerError
 
     points = solve_points(job.study, workers=job.workers, watch=terminal.marching(hidden=True))
     try:
@@ -166,12 +166,12 @@ def _solved_alone(job: _RunRequest) -> Outcome:
 def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew: bool) -> tuple[int, Outcome]:
     """Solve a study and write its results; return how many points an earlier run had solved, and the outcome."""
     from winkler.cli import terminal
-    from winkler.errors import Interrupted, WinklerError
     from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
     from winkler.study.report.writing import outcome_files, write_files
+    from winkler.values.errors import Interrupted, WinklerError
 
     study, many = job.study, job.many
     journal, keep = Journal.beside(folder, study), CheckpointStore.beside(folder)
@@ -192,13 +192,13 @@ def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew
 def _shard_solved(job: _RunRequest, folder: Path, text: str, *, anew: bool) -> int:
     """Solve one shard of a sweep, and keep its points beside the folder of results; return the exit code."""
     from winkler.cli import terminal
-    from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.outcome import Failed
     from winkler.study.batch.run import first_failure, named
     from winkler.study.batch.shards import Shard
     from winkler.study.batch.sweep import solve_points
+    from winkler.values.errors import Interrupted, InvalidInput, WinklerError
 
     shard, study = Shard.read(text), job.study
     if job.many == 1:
@@ -241,8 +241,8 @@ def exit_code(outcome: Outcome) -> int:
 
 def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
     """Return what is raised when the results are there and winkler is at fault for points without an answer."""
-    from winkler.errors import Mistake
     from winkler.study.batch.run import first_failure, raised
+    from winkler.values.errors import Mistake
 
     count = sum(point.code == Mistake.exit_code for point in outcome.failed)
     first = first_failure(outcome.failed)
@@ -257,11 +257,11 @@ def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
 def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
-    from winkler.readable import with_readable_numbers
     from winkler.study.report.headline.questions import questions_of
     from winkler.study.report.headline.section import doubt_of, headline
     from winkler.study.report.headline.summary import contact_summary
-    from winkler.validity import Standing
+    from winkler.values.readable import with_readable_numbers
+    from winkler.values.validity import Standing
 
     out = terminal.console()
     out.print(outcome.study.title)

@@ -102,8 +102,8 @@ def show(
     Example: winkler show does my gasket leak
     """
     from winkler.cli import materials, show_file, show_fit, show_nanoindentation
-    from winkler.errors import InvalidInput
     from winkler.study.language.catalogue import CATALOGUE, FORMER, REFUSED, kinds
+    from winkler.values.errors import InvalidInput
 
     name = " ".join(words or ())
     if name in FORMER and not as_json:
@@ -152,9 +152,9 @@ def show(
 def _search(text: str, *, as_json: bool) -> None:
     """Show a material, those that share a name, or what comes nearest to words of the user's own."""
     from winkler.cli import materials
-    from winkler.errors import InvalidInput, mistyped, suggest
     from winkler.materials.named import SHORE, material, material_names, materials_called
     from winkler.study.finding.finding import find, materials_meant
+    from winkler.values.errors import InvalidInput, mistyped, suggest
 
     called = materials_called(text) or materials_meant(text)
     try:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from winkler.cli.options import refuse_existing
 from winkler.cli.streams import until_closed, write_json, write_line
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 if TYPE_CHECKING:
     from winkler.study.inspection.inspection import Inspection
@@ -182,8 +182,8 @@ def _write_batch(paths: list[Path], rows: list[Inspection], how: ShownFile) -> N
 @until_closed()
 def _print(found: Inspection) -> None:
     from winkler.cli import terminal
-    from winkler.readable import with_unit
     from winkler.study.language.explain import plain_symbol
+    from winkler.values.readable import with_unit
 
     out = terminal.console()
     many = f", the first of {found.count}" if found.count > 1 else ""

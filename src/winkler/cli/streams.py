@@ -118,7 +118,7 @@ def until_closed() -> Iterator[None]:
             raise
         _discarded(sys.stdout)
         if not isinstance(error, BrokenPipeError):
-            from winkler.errors import InvalidInput
+            from winkler.values.errors import InvalidInput
 
             why = (error.strerror or type(error).__name__).lower()
             raise InvalidInput(

@@ -25,11 +25,11 @@ def table(
     """
     import numpy as np
 
-    from winkler.errors import InvalidInput
     from winkler.io.tables.law_table import write_law
     from winkler.problems.normal.indentation import Indentation
     from winkler.problems.particles.contact_law import ContactLaw
     from winkler.study.language.reading import read_study
+    from winkler.values.errors import InvalidInput
 
     problem = read_study(study).problem
     if not isinstance(problem, Indentation):

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 from winkler.cli.messages import heard, one_line
 from winkler.cli.streams import safe
-from winkler.readable import scale_of, with_readable_numbers
-from winkler.validity import Standing, in_words
+from winkler.values.readable import scale_of, with_readable_numbers
+from winkler.values.validity import Standing, in_words
 
 __all__ = ["add_rows", "answers", "console", "failures", "indices", "marching", "notes", "table", "tracked"]
 

@@ -37,9 +37,9 @@ def validate(
     Example: winkler validate --json
     """
     from winkler.cli import terminal
-    from winkler.errors import InvalidInput
     from winkler.study.ledger.ledger import case_files, ledger, remarks
     from winkler.study.ledger.ledger_page import markdown
+    from winkler.values.errors import InvalidInput
 
     files = case_files(cases or ())
     if not files:

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.laws.attracted import attracted_law
 from winkler.exporting.laws.balls import ball_law
 from winkler.exporting.laws.normal import normal_law
@@ -17,8 +16,8 @@ from winkler.exporting.laws.sheared import sheared_law
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import inputs_of
 from winkler.laws.adhesion import DerjaguinMullerToporov
-from winkler.loading import Depth, Shift
-from winkler.path import Path
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.friction.tangential import Tangential
@@ -32,6 +31,7 @@ from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.power import Paraboloid
+from winkler.values.errors import InvalidInput
 
 __all__ = ["LAWS", "law_of"]
 

@@ -8,8 +8,6 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from winkler.checks.number_checks import POSITIVE, Whole, checked
-from winkler.errors import InvalidInput, suggest
 from winkler.exporting.choose import law_of
 from winkler.exporting.names import refuse_reserved
 from winkler.exporting.sizes import of_every_radius
@@ -23,7 +21,9 @@ from winkler.exporting.targets.python_law import python_law
 from winkler.exporting.targets.single import single_law
 from winkler.exporting.targets.wasm_law import wasm_law
 from winkler.io.whole_file import write_whole
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Whole, checked
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value, words
 
 __all__ = ["TARGETS", "ExportedLaw", "export", "write_export"]
 

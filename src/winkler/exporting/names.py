@@ -8,7 +8,7 @@ from __future__ import annotations
 import keyword
 import sys
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["refuse_reserved"]
 

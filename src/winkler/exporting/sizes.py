@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.laws.particle import ball_of
 from winkler.exporting.step_law import RADIUS, StepLaw
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.problems.viscoelastic.march import elastic_like
+from winkler.values.errors import InvalidInput
 
 __all__ = ["of_every_radius"]
 

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.exporting.translation.plain import plain
+from winkler.exporting.translation.subset import Translatable
 from winkler.numerics.types import Array
-from winkler.translation.plain import plain
-from winkler.translation.subset import Translatable
 
 __all__ = ["RADIUS", "SIZE_POWERS", "LawTable", "StatePart", "StepLaw", "StepNumber"]
 

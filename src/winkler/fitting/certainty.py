@@ -11,14 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.misfit import Misfit
 from winkler.fitting.noise.estimate import orthonormal
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
+from winkler.values.errors import OutsideValidity
+from winkler.values.readable import with_unit
 
 __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 

@@ -20,14 +20,14 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.validity import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["LEAST_DIFFERENCE", "AnyFit", "Comparison", "compare", "ranked"]
 

@@ -19,13 +19,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.estimate import REFERENCE_WIDTH
 from winkler.fitting.least_squares import bounds
 from winkler.fitting.noise.estimate import NoiseEstimate
 from winkler.fitting.noise.whitening import whitening_of
 from winkler.fitting.task import FitTask
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["stretches_of"]
 

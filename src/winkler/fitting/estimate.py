@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.noise.mixture import SIGMAS
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value, words
 
 __all__ = ["FitEstimate"]
 

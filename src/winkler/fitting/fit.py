@@ -20,7 +20,6 @@ from typing import Any, overload
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.curvature import stretches_of
 from winkler.fitting.curves.across_pop_ins import across_pop_ins
@@ -40,10 +39,11 @@ from winkler.fitting.unseen_baseline import unseen_baseline
 from winkler.fitting.validity import Model
 from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.equations.streaming import streamed
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["Fit", "fit", "fit_steps"]
 

@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.least_squares import bounds
 from winkler.fitting.misfit import FEWEST_FREE_POINTS, Misfit, misfit_of
 from winkler.fitting.noise.estimate import NoiseEstimate
 from winkler.fitting.search import Search
 from winkler.fitting.task import FitTask, Prediction
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["Generalised", "generalised", "likeliest"]
 

@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.search import Search
 from winkler.fitting.task import FitTask
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["bounds", "solved"]
 

@@ -13,8 +13,8 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["AnyFit", "CreepFit", "Fit", "ViscoelasticFit"]
 

@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.laws.adhesion import ShortRange
-from winkler.limits import KEY_LETTERS
-from winkler.vocabulary import word
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.limits import KEY_LETTERS
+from winkler.values.vocabulary import word
 
 __all__ = ["changed", "each", "number_at", "unit_of"]
 

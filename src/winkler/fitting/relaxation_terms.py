@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, checked
-from winkler.errors import InvalidInput
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.checks.number_checks import Whole, checked
+from winkler.values.errors import InvalidInput
 
 __all__ = ["compare_terms"]
 

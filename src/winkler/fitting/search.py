@@ -8,9 +8,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, NotConverged
+from winkler.values.value import value, words
 
 __all__ = ["FitState", "Search"]
 

@@ -6,13 +6,13 @@ import contextlib
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.least_squares import solved
 from winkler.fitting.search import Search
 from winkler.fitting.task import FitTask
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["best_start", "contact_points"]
 

@@ -17,7 +17,6 @@ from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import LINE_PARAMETERS
@@ -28,6 +27,7 @@ from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
 from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["DIFFERENCE_STEP", "FitTask", "Prediction", "even_weights", "moved"]
 

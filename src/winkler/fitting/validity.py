@@ -10,12 +10,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
@@ -25,8 +24,9 @@ from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import OutsideValidity
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["Model", "coating_notes", "fit_notes", "free_notes"]
 

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.parameters import number_at, unit_of
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
 

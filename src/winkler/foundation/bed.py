@@ -6,12 +6,12 @@ from typing import Protocol, cast
 
 import numpy as np
 
-from winkler.checks.contract import offered
-from winkler.footprint import Footprint
+from winkler.foundation.footprint import Footprint
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
-from winkler.validity import Note
-from winkler.values import value
+from winkler.values.checks.contract import offered
+from winkler.values.validity import Note
+from winkler.values.value import value
 
 __all__ = ["Bed", "PressedSprings", "StretchedSprings", "measured_radii", "slipping_depth", "slipping_springs"]
 

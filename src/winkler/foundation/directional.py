@@ -22,14 +22,14 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers
-from winkler.errors import InvalidInput
 from winkler.foundation.force_curve import FEWEST_POINTS
 from winkler.foundation.measured import BARBER, MeasuredBed
-from winkler.limits import MEASURED_PLACES
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, NonNegative, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MEASURED_PLACES
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["DirectionalBed"]
 

@@ -6,7 +6,7 @@ follows from the curvatures alone,
 .. math:: R_\mathrm{eq} = \frac{9F^2}{16E^{*2}d^3} , \qquad d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) .
 
 Partial slip under Coulomb's law shrinks to similar ellipses, so it runs on the line, too, with the tangential
-stiffness of the direction of shear (`winkler.footprint.EllipticOutline`).
+stiffness of the direction of shear (`winkler.foundation.footprint.EllipticOutline`).
 """
 
 from __future__ import annotations
@@ -15,9 +15,7 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.errors import OutsideValidity
-from winkler.footprint import DISC, EllipticOutline, RoundOutline
+from winkler.foundation.footprint import DISC, EllipticOutline, RoundOutline
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.medium import Medium
@@ -26,8 +24,10 @@ from winkler.numerics.types import Array
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.field_checks import Condition
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["EllipticFoundation"]
 

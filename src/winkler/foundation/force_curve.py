@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.panels.convex_spline import ConvexCurve, fit_convex
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.smoothing import Spline, choose
+from winkler.values.errors import InvalidInput
 
 __all__ = ["FEWEST_POINTS", "BedPoints", "bed_points"]
 

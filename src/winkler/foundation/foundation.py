@@ -11,7 +11,7 @@ from __future__ import annotations
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.medium import Medium
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["Foundation"]
 

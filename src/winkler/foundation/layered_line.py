@@ -23,8 +23,6 @@ from typing import Annotated, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive
-from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.foundation.periodic import from_line
@@ -74,7 +72,9 @@ from winkler.numerics.transforms.strips.strip_modes import (
 )
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, Positive
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 

@@ -34,7 +34,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.wave_constants import Body
@@ -50,7 +49,8 @@ from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice
+from winkler.values.value import value
 
 __all__ = ["LineFoundation", "ZonedBed"]
 

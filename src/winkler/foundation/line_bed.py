@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, ClassVar, Protocol
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, Positive
-from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.wave_constants import Body, Wave, constants_of, half_space_compliance
 from winkler.numerics.surfaces.strip_elements import element_compliance, hats, linear_slope
@@ -17,8 +15,10 @@ from winkler.numerics.transforms.grid_transforms import GridTransforms
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.media.layered.plane_interior import PlaneWaves

@@ -15,19 +15,19 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.footprint import DISC, Footprint, UnknownOutline
 from winkler.foundation.bed import Bed
+from winkler.foundation.footprint import DISC, Footprint, UnknownOutline
 from winkler.foundation.force_curve import FEWEST_POINTS, bed_points
-from winkler.limits import MEASURED_PLACES
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.power_splines import PowerSplines
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import MEASURED_PLACES
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["MeasuredBed", "MeasuredMedium"]
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from winkler.footprint import Footprint
+from winkler.foundation.footprint import Footprint
 from winkler.foundation.measured import MeasuredBed
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.validity import Note
-from winkler.values import value
+from winkler.values.validity import Note
+from winkler.values.value import value
 
 __all__ = ["MeasuredPlaneProfile"]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import dataclasses
 from typing import Self
 
-from winkler.footprint import Footprint, footprint_of
+from winkler.foundation.footprint import Footprint, footprint_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note
+from winkler.values.validity import Note
 
 __all__ = ["OfShape", "OnMedium", "UnderProfile"]
 

@@ -24,14 +24,14 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
 from winkler.foundation.line_bed import LineBed, PressedPair
 from winkler.numerics.types import Array
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile, Shape, Sum
 from winkler.profiles.wavy import Wavy
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.value import value, words
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.media.layered.plane_interior import PlaneWaves

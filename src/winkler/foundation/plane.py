@@ -19,7 +19,7 @@ from winkler.media.medium import Medium
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["PlaneFoundation"]
 

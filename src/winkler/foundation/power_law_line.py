@@ -22,8 +22,6 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.graded.profile import transform
@@ -34,7 +32,9 @@ from winkler.numerics.transforms.graded_pressure import pressure as graded_press
 from winkler.numerics.types import Array
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["PowerLawLineFoundation"]
 

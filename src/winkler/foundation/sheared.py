@@ -12,11 +12,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Quantity
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["ShearRamps", "ShearStep", "ShearedSprings"]
 

@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.materials.elastic import Elastic
@@ -15,7 +14,8 @@ from winkler.media.interior import shear_field
 from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
 from winkler.media.medium import Displacement, rigid_body
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = [
     "BodyFields",

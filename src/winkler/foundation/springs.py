@@ -18,10 +18,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["Springs"]
 

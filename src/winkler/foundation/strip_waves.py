@@ -16,12 +16,12 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.strips.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array, Curve
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["averages", "punches", "smooth_modes", "transforms"]
 

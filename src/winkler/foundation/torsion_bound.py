@@ -21,13 +21,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import TwistedWaves, offers
 from winkler.media.twisting.kernels import TwistKernel, panel_width, twist_kernel
 from winkler.numerics.panels.kink_panels import HALVINGS, Sample, Stretches, stretches
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse

@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import sentence_of
-from winkler.limits import FILE_BYTES, LIST_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FILE_BYTES, LIST_BYTES
 
 __all__ = ["archive", "is_archive", "member", "refuse_large_archive"]
 

@@ -11,14 +11,14 @@ from typing import IO, Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, is_archive
 from winkler.io.foreign import sentence_of
 from winkler.io.software import software
 from winkler.io.text_file import existing
 from winkler.io.whole_file import write_whole
-from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["read_arrays", "read_state", "software_of", "write_arrays", "write_state"]
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
 from winkler.problems.particles.contacts import Contacts
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_contacts", "write_contacts"]
 

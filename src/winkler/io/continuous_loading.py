@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = [
     "HARDNESS_NAMES",

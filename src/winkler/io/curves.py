@@ -18,7 +18,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import archive, is_archive, member, refuse_large_archive
 from winkler.io.foreign import in_file, quiet, reason_of, sentence_of
@@ -34,7 +33,8 @@ from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
 from winkler.io.tables.given_units import GivenFacts, checked_columns, checked_units
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
 from winkler.io.workbooks.workbook_cells import is_workbook
-from winkler.limits import FILE_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FILE_BYTES
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 

@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Callable, Iterator
 from typing import ParamSpec, TypeVar
 
-from winkler.errors import InvalidInput, WinklerError
+from winkler.values.errors import InvalidInput, WinklerError
 
 __all__ = ["in_file", "path_text", "quiet", "reader", "reason_of", "sentence_of"]
 

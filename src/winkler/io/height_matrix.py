@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays
 from winkler.io.tables.table_cells import number_in
 from winkler.io.tables.table_lines import table_lines
-from winkler.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.numerics.types import Array
-from winkler.units import quantity
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import HEADER_LINES, MOST_NUMBERS
+from winkler.values.units import quantity
 
 __all__ = ["MapContents", "array_map", "point_map", "points_on_grid", "refuse_many", "text_map"]
 

@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.foreign import in_file, sentence_of
@@ -25,6 +24,7 @@ from winkler.io.text_file import lines_of
 from winkler.io.whole_file import write_whole_text
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["indenter_text", "read_area", "read_indenter", "write_indenter"]
 

@@ -14,9 +14,9 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
-from winkler.limits import READING_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import READING_BYTES
 
 __all__ = ["limited_memory"]
 

@@ -9,7 +9,7 @@ from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.io.continuous_loading import StatedResults
 from winkler.io.swapped_columns import swap_note
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["PlacedCurve", "UnreadCurve", "name_of_test", "reading_of"]
 

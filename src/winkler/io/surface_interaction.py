@@ -24,7 +24,6 @@ from typing import Literal
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.io.whole_file import write_whole_text
 from winkler.laws.friction import Coulomb
 from winkler.media.conduction.conductors import HeatConductors
@@ -32,6 +31,7 @@ from winkler.numerics.types import Array
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["write_surface_interaction"]
 

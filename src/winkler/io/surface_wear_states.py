@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
 from winkler.problems.surface_wear.states import SurfaceWearState
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_surface_wear", "write_surface_wear"]
 

@@ -1,6 +1,6 @@
 """Text files: check that they exist, and read them within limits of size.
 
-Devices, pipes and sockets are refused, since some of them never end; the limits stand in `winkler.limits`.
+Devices, pipes and sockets are refused, since some of them never end; the limits stand in `winkler.values.limits`.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ import os
 import re
 from pathlib import Path
 
-from winkler.checks.physical_size import as_text
-from winkler.errors import InvalidInput, suggest
 from winkler.io.foreign import path_text, sentence_of
-from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
+from winkler.values.checks.physical_size import as_text
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
 __all__ = [
     "UNMARKED_UTF16",

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.height_matrix import MapContents, array_map, point_map, text_map
 from winkler.io.instrument_map import instrument_map
@@ -17,10 +16,11 @@ from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import content_of, existing
 from winkler.io.workbooks.workbook_cells import is_workbook
-from winkler.limits import TEXT_BYTES
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import TEXT_BYTES
+from winkler.values.units import scale
 
 __all__ = ["read_topography"]
 

@@ -16,11 +16,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.whole_file import write_whole_text
 from winkler.numerics.types import Array
 from winkler.problems.answer import is_solution
-from winkler.vocabulary import GLOSSARY, Word, own_word, word
+from winkler.values.errors import InvalidInput
+from winkler.values.vocabulary import GLOSSARY, Word, own_word, word
 
 __all__ = ["CONVENTIONS", "inputs_of", "write_trace"]
 

@@ -22,14 +22,14 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from winkler.checks.number_checks import affordable
-from winkler.errors import InvalidInput
-from winkler.fields import SubsurfaceFields
+from winkler.fields.restoration import SubsurfaceFields
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.io.whole_file import write_whole
-from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.conduction.fields import CurrentFields, HeatFields
+from winkler.values.checks.number_checks import affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["write_vtk"]
 

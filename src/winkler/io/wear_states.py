@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
@@ -19,6 +18,7 @@ from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
 from winkler.problems.wear.line_states import LineFrettingState, LineWearState
 from winkler.problems.wear.states import FrettingState, WearState
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_wear", "write_wear"]
 

@@ -14,10 +14,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import IO
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
 from winkler.io.processes.locking import lock, open_locked
 from winkler.io.processes.stopping import deferred_signals
+from winkler.values.errors import InvalidInput
 
 __all__ = ["FULL", "remove_left", "unwritable", "write_new", "write_whole", "write_whole_text", "written_whole"]
 

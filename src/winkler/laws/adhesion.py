@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
-from winkler.errors import InvalidInput
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
 

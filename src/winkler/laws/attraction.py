@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from winkler.checks.number_checks import Positive
 from winkler.laws.adhesion import NO_ATTRACTION_ADVICE
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.value import value, words
 
 __all__ = ["ExponentialAttraction", "LennardJones"]
 

@@ -18,10 +18,10 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import Number, Positive
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Number, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
 

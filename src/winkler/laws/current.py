@@ -13,10 +13,10 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, Positive
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, NonNegative, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["Current", "Drive", "Voltage", "WiedemannFranz"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from winkler.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from typing import Annotated, TypeAlias
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Number, PositiveNotTiny
-from winkler.errors import InvalidInput
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Number, PositiveNotTiny
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
 

@@ -6,8 +6,8 @@ are no multiples of each other: one share of the heat for the whole contact can 
 
 from __future__ import annotations
 
-from winkler.checks.number_checks import Fraction
-from winkler.values import value
+from winkler.values.checks.number_checks import Fraction
+from winkler.values.value import value
 
 __all__ = ["EqualMaximum", "EqualMean", "FixedShare", "HeatPartition"]
 

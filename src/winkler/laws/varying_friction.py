@@ -16,12 +16,12 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Positive, PositiveNotTiny
-from winkler.errors import InvalidInput
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = [
     "ExponentialSlipWeakening",

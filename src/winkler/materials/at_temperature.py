@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from winkler.checks.number_checks import Positive
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.value import value, words
 
 __all__ = ["AtTemperature"]
 

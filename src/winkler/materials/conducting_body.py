@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny
-from winkler.errors import InvalidInput
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = [
     "ConductingBody",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from winkler.checks.number_checks import POSITIVE, NonNegative, Positive, PositiveOrInfinite, checked
-from winkler.values import value
+from winkler.values.checks.number_checks import POSITIVE, NonNegative, Positive, PositiveOrInfinite, checked
+from winkler.values.value import value
 
 __all__ = ["ElectricalConductor", "ThermalConductor"]
 

@@ -11,8 +11,9 @@ from typing import Annotated, Protocol
 
 import numpy as np
 
-from winkler.checks.contract import offered
-from winkler.checks.number_checks import (
+from winkler.numerics.types import Array
+from winkler.values.checks.contract import offered
+from winkler.values.checks.number_checks import (
     NON_NEGATIVE,
     POISSON,
     POSITIVE,
@@ -22,9 +23,8 @@ from winkler.checks.number_checks import (
     Positive,
     PositiveNotTiny,
 )
-from winkler.errors import InvalidInput
-from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedGrading"]
 

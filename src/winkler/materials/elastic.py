@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from winkler.checks.number_checks import Finite, PoissonRatio, PositiveNotTiny, PositiveOrInfinite
-from winkler.errors import InvalidInput
-from winkler.values import value
+from winkler.values.checks.number_checks import Finite, PoissonRatio, PositiveNotTiny, PositiveOrInfinite
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["RIGID", "Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
 

@@ -14,13 +14,13 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
-from winkler.errors import InvalidInput, NotConverged
-from winkler.limits import LEAST_STEP_RATIO
 from winkler.materials.viscoelastic import FittedSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
+from winkler.values.errors import InvalidInput, NotConverged
+from winkler.values.limits import LEAST_STEP_RATIO
+from winkler.values.value import value, words
 
 __all__ = ["FractionalZener", "PowerLawSolid"]
 

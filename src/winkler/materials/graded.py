@@ -12,9 +12,9 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from winkler.checks.number_checks import Number, PoissonRatio, PositiveNotTiny
-from winkler.errors import InvalidInput
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Number, PoissonRatio, PositiveNotTiny
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["PowerLawGraded"]
 

@@ -7,10 +7,10 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import Number, PositiveNotTiny
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Number, PositiveNotTiny
+from winkler.values.value import value, words
 
 __all__ = ["Hardening", "LinearHardening", "PowerHardening"]
 

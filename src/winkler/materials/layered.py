@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar
 
-from winkler.checks.number_checks import Advice, PositiveNotTiny
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, PositiveNotTiny
+from winkler.values.value import value, words
 
 __all__ = ["Layer", "StackLayer"]
 

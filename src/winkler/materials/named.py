@@ -10,10 +10,10 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-from winkler.errors import InvalidInput, suggest
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.elastic import Elastic
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value, words
 
 __all__ = [
     "NamedElastic",

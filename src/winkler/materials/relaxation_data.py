@@ -13,13 +13,13 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
-from winkler.errors import InvalidInput
-from winkler.limits import MEASURED_TIMES
 from winkler.materials.viscoelastic import FittedSolid
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MEASURED_TIMES
+from winkler.values.value import value, words
 
 __all__ = ["CreepData", "DynamicData", "RelaxationData"]
 

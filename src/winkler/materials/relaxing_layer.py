@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.checks.number_checks import Advice, PositiveNotTiny
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, PositiveNotTiny
+from winkler.values.value import value
 
 __all__ = ["ViscoelasticLayer"]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import PoissonRatio, Positive
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
-from winkler.values import value
+from winkler.values.checks.number_checks import PoissonRatio, Positive
+from winkler.values.value import value
 
 __all__ = ["KelvinVoigt", "Maxwell", "StandardSolid"]
 

@@ -6,12 +6,12 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Numbers, PoissonRatio
-from winkler.errors import InvalidInput
-from winkler.limits import MEASURED_TIMES
 from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Numbers, PoissonRatio
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MEASURED_TIMES
+from winkler.values.value import value, words
 
 __all__ = ["DynamicSweeps", "RelaxationSweeps"]
 

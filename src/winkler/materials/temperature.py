@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from winkler.checks.number_checks import POSITIVE, Positive, checked
-from winkler.errors import OutsideValidity
-from winkler.values import value
+from winkler.values.checks.number_checks import POSITIVE, Positive, checked
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["Arrhenius", "WilliamsLandelFerry"]
 

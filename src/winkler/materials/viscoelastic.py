@@ -12,13 +12,13 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.contract import offered
-from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers, PoissonRatio, checked
-from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS, MOST_TERMS
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value
+from winkler.values.checks.contract import offered
+from winkler.values.checks.number_checks import POSITIVE, NonNegative, Numbers, PoissonRatio, checked
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS, MOST_TERMS
+from winkler.values.value import value
 
 __all__ = ["FittedSolid", "GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
 

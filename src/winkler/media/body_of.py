@@ -23,14 +23,14 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Displacement, Medium
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["EquivalentProfile", "Imprint", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
 

@@ -14,8 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.contract import offered
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts, rigid_body
@@ -23,8 +21,10 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.contract import offered
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["HalfSpace", "HomogeneousMedium"]
 

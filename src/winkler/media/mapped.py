@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TypeAlias, cast
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, PushedWaves, offers
 from winkler.numerics.pixels.layered import GridResponse, LayeredSurface, SurfaceBelow
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["MappedMedium", "layers_of"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple, Protocol
 
-from winkler.checks.contract import offered
-from winkler.errors import OutsideValidity
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note
+from winkler.values.checks.contract import offered
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Note
 
 __all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts", "rigid_body"]
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, TypeVar
 
-from winkler.checks.contract import keeps, offered
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.medium import Displacement, Medium
 from winkler.numerics.types import Array, Curve
+from winkler.values.checks.contract import keeps, offered
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.materials.depth_grading import DepthGrading

@@ -16,11 +16,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["LoadPanel", "PunchCluster", "PunchSuperposition", "punch_superposition"]
 

@@ -14,7 +14,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.media.body_of import EquivalentProfile
 from winkler.media.medium import Medium
 from winkler.media.offers import PressedWaves, offers
@@ -22,7 +21,8 @@ from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["CurveProfile", "TabulatedProfile", "springs_of_curve"]
 

@@ -7,15 +7,15 @@ r"""Transversely isotropic half-spaces whose axis is the surface normal: the sam
 
 from __future__ import annotations
 
-from winkler.errors import OutsideValidity
 from winkler.materials.elastic import RIGID
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["TransverselyIsotropicHalfSpace"]
 

@@ -28,7 +28,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["PressureIndentation", "pressed_in"]
 

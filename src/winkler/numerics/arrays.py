@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["cast", "dot", "given", "library_of", "namespace_of", "real_waves", "to_numpy", "waves_back"]
 

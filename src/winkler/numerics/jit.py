@@ -3,7 +3,7 @@
 A kernel is written as ordinary Python and decorated with `compiled`.  numba is imported at the first call of a kernel,
 never when winkler is imported.  Where there is no numba (in a browser, on a Python that it does not support yet) the
 same source runs as it is, slower.
-What is compiled is kept for the next process, where there is a place for it: see `winkler.caches` and
+What is compiled is kept for the next process, where there is a place for it: see `winkler.numerics.cache_folders` and
 `winkler.numerics.kernel_cache`.
 
 A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
@@ -28,7 +28,7 @@ from typing import Any, Generic, ParamSpec, TypeVar
 
 import numpy as np
 
-from winkler.caches import with_kernels
+from winkler.numerics.cache_folders import with_kernels
 from winkler.numerics.kernel_cache import KernelCache
 
 __all__ = ["Kernel", "compiled"]

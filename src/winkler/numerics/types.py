@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from winkler.checks.number_checks import ComplexNumbers
+from winkler.values.checks.number_checks import ComplexNumbers
 
 __all__ = ["ZERO", "Array", "ArrayLike", "ComplexArray", "Curve", "N", "PerLoad", "Q", "Quantity", "like", "shaped"]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from winkler.caches import with_fonts
+from winkler.numerics.cache_folders import with_fonts
 
 if TYPE_CHECKING:
     from winkler.plot.dispatch import sheet_of

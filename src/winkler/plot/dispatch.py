@@ -6,9 +6,9 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
-from winkler.errors import InvalidInput
 from winkler.plot.panel import Sheet
 from winkler.profiles.profile import Shape
+from winkler.values.errors import InvalidInput
 
 __all__ = ["sheet_of", "without_extent"]
 

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.fields.punch_staircase import Staircase
 from winkler.foundation.measured import MeasuredBed
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
@@ -41,7 +41,7 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yielding import YieldOnsetSolution
 from winkler.profiles.profile import Shape
-from winkler.punch_staircase import Staircase
+from winkler.values.errors import InvalidInput
 
 if TYPE_CHECKING:
     from matplotlib.figure import FigureBase

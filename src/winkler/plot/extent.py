@@ -7,9 +7,9 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "BodyOutline",

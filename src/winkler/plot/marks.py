@@ -10,7 +10,7 @@ from typing import Any
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.axis import PanelAxis
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = [
     "Area",

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
+from winkler.foundation.footprint import RoundOutline
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
@@ -24,6 +23,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text, points
 from winkler.plot.series import scale_of, series, with_unit
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "OFFSET_FROM_AXIS",

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
@@ -38,6 +37,7 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.answer import is_dragged
 from winkler.problems.normal.indentation import IndentationSolution
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["PICTURES", "Contact", "bed_panels", "line_load", "method_sheet", "pictures_of", "pressure"]
 

@@ -30,7 +30,7 @@ from winkler.plot.marks import (
     Text,
     Vectors,
 )
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = [
     "NO_CONTACT",

@@ -9,12 +9,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from winkler.checks.physical_size import as_text
-from winkler.errors import InvalidInput
 from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
 from winkler.plot.render_axis import set_axis, thin_ticks
 from winkler.plot.render_marks import draw_mark
+from winkler.values.checks.physical_size import as_text
+from winkler.values.errors import InvalidInput
 
 __all__ = ["Place", "fill_axes", "render", "render_into"]
 

@@ -6,13 +6,13 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.fields import SubsurfaceFields, SurfaceFields
+from winkler.fields.restoration import SubsurfaceFields, SurfaceFields
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.normal.curves import surface_panel, surface_pressure_panel
 from winkler.plot.normal.stresses import along_panel, field_panel
 from winkler.plot.panel import Sheet, titled
+from winkler.values.errors import InvalidInput
 
 __all__ = ["subsurface_sheet", "surface_sheet"]
 

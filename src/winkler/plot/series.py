@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
-from winkler.readable import Scale, middle_scale, pretty_unit, scale_of, with_unit
-from winkler.values import value
-from winkler.vocabulary import Word, word
+from winkler.values.readable import Scale, middle_scale, pretty_unit, scale_of, with_unit
+from winkler.values.value import value
+from winkler.values.vocabulary import Word, word
 
 __all__ = [
     "Curve",

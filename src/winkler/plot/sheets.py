@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.plot.adhesion.cycles import cycle_panels, sheared_panels
 from winkler.plot.adhesion.equilibria import around_panel, equilibrium_panel, pull_off_panel, radii_panel
 from winkler.plot.dispatch import without_extent

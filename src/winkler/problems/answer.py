@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeGuard, TypeVar
 
 import numpy as np
 
-from winkler.checks.contract import keeps
+from winkler.values.checks.contract import keeps
 
 if TYPE_CHECKING:
     from winkler.foundation.bed import PressedSprings
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from winkler.foundation.sheared_fields import BodyFields, ShearedFields
     from winkler.media.medium import Medium
     from winkler.numerics.types import Array
-    from winkler.validity import Note
+    from winkler.values.validity import Note
 
 __all__ = [
     "Assessed",

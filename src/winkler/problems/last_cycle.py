@@ -17,10 +17,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, N, Quantity, shaped
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import words
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import words
 
 __all__ = [
     "Cycled",

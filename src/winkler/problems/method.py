@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import StrEnum
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["Method", "refuse_method"]
 

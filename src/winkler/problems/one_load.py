@@ -6,9 +6,9 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.loading import Depth, Force, Load, Radius
+from winkler.loading.loads import Depth, Force, Load, Radius
 from winkler.numerics.types import Quantity
+from winkler.values.errors import InvalidInput
 
 __all__ = ["OfPath", "one_of", "picked", "single"]
 

@@ -6,7 +6,7 @@ A solution is its state with arrays: what ``RoundSlip[float]`` is at one point, 
 from __future__ import annotations
 
 from winkler.numerics.types import PerLoad, Q
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["RoundNormal", "RoundPress", "RoundSlip", "RoundTwist"]
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
-from winkler.errors import NotConverged, OutsideValidity
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["CURVED_STEP_TOLERANCE", "Reached", "Row", "follow", "over"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["in_first_body"]
 

@@ -16,15 +16,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.equations.roots import between, invert
 from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.types import Array
 from winkler.profiles.area_coefficients import AreaCoefficients
 from winkler.profiles.area_integrals import over_heights, stored, stretched, stretching
 from winkler.profiles.profile import Shape
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["AreaFunction"]
 

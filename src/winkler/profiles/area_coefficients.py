@@ -8,9 +8,9 @@ from typing import Annotated, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import Check
-from winkler.checks.physical_size import as_text
-from winkler.checks.plain_numbers import REAL, Argument, plain
+from winkler.values.checks.number_checks import Check
+from winkler.values.checks.physical_size import as_text
+from winkler.values.checks.plain_numbers import REAL, Argument, plain
 
 __all__ = ["AreaCoefficients", "coefficient_unit"]
 

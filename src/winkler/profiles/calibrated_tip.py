@@ -17,15 +17,15 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveRow
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
 from winkler.profiles.area_coefficients import AreaCoefficients
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Shape
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, PositiveRow
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["CalibratedTip", "TabulatedTip"]
 

@@ -10,14 +10,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.profiles.profile import RisingShape
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["Berkovich", "Cone", "CubeCorner", "RoundedCone", "SpheroConical", "TruncatedCone", "Vickers"]
 

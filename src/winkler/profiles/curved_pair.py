@@ -7,9 +7,9 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, Number
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Finite, Number
+from winkler.values.value import value, words
 
 __all__ = ["CurvedPair"]
 

@@ -13,14 +13,14 @@ from typing import Annotated, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from winkler.checks.number_checks import NON_NEGATIVE, Advice, Finite, Numbers
-from winkler.errors import InvalidInput
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NON_NEGATIVE, Advice, Finite, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["Designed"]
 

@@ -15,10 +15,10 @@ import numbers
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import InvalidInput
 from winkler.numerics.equations.bracketing import between
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["ContactEllipse", "CurvedBodies"]
 

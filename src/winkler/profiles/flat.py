@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces
 from winkler.profiles.profile import Profile, Shape
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["CappedCylinder", "Cylinder", "FlatPunch"]
 

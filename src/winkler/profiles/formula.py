@@ -18,8 +18,6 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike
 
-from winkler.checks.number_checks import Advice, PositiveOrInfinite
-from winkler.errors import InvalidInput
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel
@@ -38,7 +36,9 @@ from winkler.profiles.formula_parts import (
     stretched,
 )
 from winkler.profiles.profile import Kinks, Shape
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, PositiveOrInfinite
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["Formula"]
 

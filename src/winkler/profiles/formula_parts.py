@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.number_checks import FINITE, checked
-from winkler.checks.physical_size import as_text
-from winkler.errors import InvalidInput
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import Terms
 from winkler.numerics.types import Array
 from winkler.profiles.power import PowerLaw
+from winkler.values.checks.number_checks import FINITE, checked
+from winkler.values.checks.physical_size import as_text
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "CORNER_OFFSETS",

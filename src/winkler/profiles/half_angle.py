@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
-from winkler.checks.number_checks import Check, Number
-from winkler.checks.physical_size import as_text
-from winkler.checks.plain_numbers import Argument, plain
+from winkler.values.checks.number_checks import Check, Number
+from winkler.values.checks.physical_size import as_text
+from winkler.values.checks.plain_numbers import Argument, plain
 
 __all__ = ["HalfAngle"]
 

@@ -19,16 +19,16 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, Advice, Numbers
-from winkler.errors import InvalidInput
-from winkler.limits import MEASURED_PLACES
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NON_NEGATIVE, Advice, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MEASURED_PLACES
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["Measured"]
 

@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
 from winkler.profiles.profile import RisingShape
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
+from winkler.values.value import value, words
 
 __all__ = ["Paraboloid", "PowerLaw"]
 

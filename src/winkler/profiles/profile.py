@@ -16,12 +16,12 @@ from __future__ import annotations
 import math
 from typing import Protocol
 
-from winkler.checks.contract import offered
-from winkler.errors import InvalidInput
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
-from winkler.validity import Note
-from winkler.values import value
+from winkler.values.checks.contract import offered
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Note
+from winkler.values.value import value
 
 __all__ = ["Profile", "RisingShape", "Shape", "Sum"]
 

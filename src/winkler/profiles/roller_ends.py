@@ -15,10 +15,10 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, Number, Positive, PositiveOrInfinite
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, Number, Positive, PositiveOrInfinite
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["CrownedEnds", "LogarithmicEnds", "RollerEnds", "RoundedEnds", "SharpEnds"]
 

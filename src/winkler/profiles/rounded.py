@@ -12,11 +12,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny
+from winkler.values.value import value
 
 __all__ = ["CappedParaboloid", "RoundedPunch", "TruncatedParaboloid", "excess"]
 

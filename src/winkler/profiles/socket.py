@@ -14,12 +14,12 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.profiles.profile import RisingShape
 from winkler.profiles.sphere import shape_integral
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["BallInSocket"]
 

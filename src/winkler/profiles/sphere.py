@@ -10,11 +10,11 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.profile import RisingShape
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny
+from winkler.values.value import value
 
 __all__ = ["Ellipsoid", "Hyperboloid", "Sphere", "shape_integral"]
 

@@ -10,11 +10,11 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
 from winkler.numerics.panels.struve import struve
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive
+from winkler.values.value import value
 
 __all__ = ["Wavy"]
 

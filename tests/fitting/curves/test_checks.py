@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from synthetic import hertz, jkr, there_and_back
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import examined, outline, refuse, unsaturated
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.values.errors import InvalidInput
 
 
 def good(seed: int = 1, noise: float = 1e-11) -> ForceCurve:

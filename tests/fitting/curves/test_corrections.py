@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from synthetic import hertz, jkr, there_and_back
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves import calibration, corrections
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.values.errors import InvalidInput
 
 
 def clean() -> ForceCurve:

@@ -8,8 +8,8 @@ import pickle
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.values.errors import InvalidInput
 
 
 def there_and_back() -> ForceCurve:

@@ -9,10 +9,10 @@ import pytest
 from synthetic import hertz
 
 import winkler as wk
-from winkler.errors import OutsideValidity
 from winkler.fitting.compare import compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
+from winkler.values.errors import OutsideValidity
 
 YOUNG = "bed.medium.first.young"
 FREE = [YOUNG, "contact_point"]

@@ -6,8 +6,8 @@ from scipy.optimize import least_squares
 from synthetic import hertz, hertz_on_spring
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.fitting.examined.calibrated import calibration_shares
+from winkler.values.errors import InvalidInput
 
 YOUNG, RADIUS, SPRING = 2e4, 5e-6, 0.05
 E = "bed.medium.first.young"

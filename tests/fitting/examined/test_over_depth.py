@@ -6,8 +6,8 @@ from noisy_worlds import coloured
 from synthetic import hertz
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.fitting.examined.over_depth import over_depth
+from winkler.values.errors import InvalidInput
 
 E = "bed.medium.first.young"
 FREE = [E, "contact_point", "baseline"]

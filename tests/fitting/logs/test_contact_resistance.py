@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.stats import t as student
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.logs.contact_resistance import MeasuredConstriction, ResistanceLog
 from winkler.foundation.foundation import Foundation
 from winkler.laws.film import SurfaceFilm
@@ -16,7 +15,8 @@ from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.halfspace import HalfSpace
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 GOLD = Elastic(79e9, 0.42)
 BED = Foundation(Paraboloid(2e-3), HalfSpace.between(GOLD, GOLD))

@@ -11,15 +11,15 @@ import functools
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.logs.friction_log import FrictionLog
 from winkler.fitting.logs.friction_loops import FrictionLoops
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 RADIUS, LOAD, MU, FRAME = 5e-3, 20.0, 0.5, 60e-9
 STEEL = Elastic(210e9, 0.3)

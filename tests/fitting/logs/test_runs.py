@@ -7,9 +7,9 @@ import pytest
 from made_files import table
 from scipy.stats import t as student
 
-from winkler.errors import InvalidInput
 from winkler.fitting.logs.runs import BounceTimes, PinOnDisc
 from winkler.study.inspection.inspect import inspect_file
+from winkler.values.errors import InvalidInput
 
 WORLDS = 800
 

@@ -15,7 +15,7 @@ from winkler.fitting.nanoindentation.repetition import compared_quantities
 from winkler.fitting.nanoindentation.thermal_drift import found_drift
 from winkler.fitting.several.standing_out import copies, standing_out
 from winkler.fitting.unloading.contact_reading import CalibratedArea
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 IDEAL = CalibratedIndenter(CalibratedArea([24.5]))
 YOUNG, HARDNESS, POISSON, PEAK = 72e9, 9e9, 0.17, 10e-3

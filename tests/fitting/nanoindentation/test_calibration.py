@@ -10,13 +10,13 @@ import pytest
 from nano_worlds import SAPPHIRE, SILICA, Machine, indentation
 from scipy.stats import binom
 
-from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.pop_ins import first_yield_stress, pop_in_statistics
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.io.indenter_file import read_indenter, write_indenter
+from winkler.values.errors import InvalidInput
 
 GLASS, CRYSTAL = ReferenceSample(72e9, 0.17, 0.0, "silica"), ReferenceSample(410e9, 0.24, 0.0, "sapphire")
 HEIGHTS = np.array([80e-9, 150e-9, 300e-9, 400e-9])

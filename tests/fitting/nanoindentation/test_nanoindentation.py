@@ -10,7 +10,6 @@ import pytest
 from nano_worlds import SAPPHIRE, SILICA, STEEL, Machine, indentation
 from scipy.stats import binom
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.continuous import ContinuousIndentation
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
@@ -21,7 +20,8 @@ from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_dr
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 STILL = Machine(depth_noise=1e-14, force_noise=1e-11, drift=0.0)
 EXACT_ZERO, NO_DRIFT = ZeroPoint(300e-9, 0.0, 0.0, extrapolated=False), ThermalDrift(0.0, 0.0)

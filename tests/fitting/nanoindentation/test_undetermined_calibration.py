@@ -18,7 +18,7 @@ from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.nanoindentation.repetition import RepeatedMean
 from winkler.fitting.unloading.contact_reading import CalibratedArea
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 TIP = (1.0 - 0.07**2) / 1141e9
 SILICA = ReferenceSample(72e9, 0.17, 0.0, "silica")

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.fitting.several.groups import ratio_of
 from winkler.fitting.several.population import population
+from winkler.values.errors import InvalidInput
 
 # Thirteen trials of the BCG vaccine: log risk ratios and variances, from G. A. Colditz et al., JAMA 271, 698 (1994),
 # https://doi.org/10.1001/jama.1994.03510330076038, as computed in W. Viechtbauer, J. Stat. Softw. 36 (2010),

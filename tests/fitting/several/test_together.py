@@ -9,10 +9,10 @@ from scipy.optimize import least_squares
 from synthetic import hertz
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.several.arrowhead import CurveBlock, solved_blocks
 from winkler.fitting.several.together import fit_together, joint_of
 from winkler.materials.fractional import PowerLawSolid
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 E = "bed.medium.first.young"
 FREE = [E, "contact_point", "baseline"]

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.unloading.contact_reading import CalibratedArea, contact_reading, sample_young
 from winkler.fitting.unloading.oliver_pharr import OliverPharr
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 DIAMOND = wk.Elastic(young=1141e9, poisson=0.07)
 

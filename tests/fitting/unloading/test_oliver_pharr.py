@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.unloading.contact_reading import CalibratedArea, intercept_factor, sample_young
 from winkler.fitting.unloading.oliver_pharr import OliverPharr
 from winkler.io.curves import read_curve
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 MODULUS = 70e9 / 0.91
 

@@ -16,10 +16,10 @@ from winkler.fitting.fit import fit
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
+from winkler.loading.path import Path
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 IN_AND_OUT = ("contact_point", "baseline")

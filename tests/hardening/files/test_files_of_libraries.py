@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.io.memory import limited_memory
-from winkler.limits import READING_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import READING_BYTES
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has the limit")
 COUNT = 50

@@ -11,8 +11,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import winkler as wk
-from winkler.errors import WinklerError
 from winkler.io.wear_states import write_wear
+from winkler.values.errors import WinklerError
 
 QUICK = settings(max_examples=25, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 

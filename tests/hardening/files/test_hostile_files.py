@@ -18,12 +18,12 @@ import pytest
 from bounded import sentence_within
 
 import winkler as wk
-from winkler.errors import InvalidInput, WinklerError
 from winkler.io.curves import try_curves
 from winkler.io.wear_states import read_wear
-from winkler.limits import MOST_NUMBERS
 from winkler.study.language.reading import read_study
-from winkler.units import scale
+from winkler.values.errors import InvalidInput, WinklerError
+from winkler.values.limits import MOST_NUMBERS
+from winkler.values.units import scale
 from winkler.web.session.upload_folder import UploadFolder
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="bounds are set as Linux does")

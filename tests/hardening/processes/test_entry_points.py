@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import WinklerError
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import completed
+from winkler.values.errors import WinklerError
 
 BAD = {
     "nan": math.nan, "infinite": math.inf, "minus infinite": -math.inf, "huge": 1e308, "negative": -1.0, "text": "a",

@@ -11,10 +11,10 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import completed
+from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
 
 SIZES = (1e300, 1e59, 1e20, 1e-20, 1e-59, 1e-300)
 QUICK = (

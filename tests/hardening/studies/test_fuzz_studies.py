@@ -12,11 +12,11 @@ import tomli_w
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from winkler.errors import WinklerError
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.reading import parse_study, read_study
 from winkler.study.language.template import whole_text
 from winkler.study.language.writing import study_text
+from winkler.values.errors import WinklerError
 
 QUICK = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 

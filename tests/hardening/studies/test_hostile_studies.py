@@ -11,14 +11,12 @@ import pytest
 from bounded import sentence_within
 
 import winkler as wk
-import winkler.limits as limits
+import winkler.values.limits as limits
 from winkler.cli import main
-from winkler.errors import InvalidInput
-from winkler.fields import SubsurfaceFields
+from winkler.fields.restoration import SubsurfaceFields
 from winkler.io.vtk import write_vtk
-from winkler.limits import STUDY_MARKS
-from winkler.path_steps import Follow, Hold, Oscillate, Ramp, Start
-from winkler.program import Program
+from winkler.loading.path_steps import Follow, Hold, Oscillate, Ramp, Start
+from winkler.loading.program import Program
 from winkler.study.language.build import build
 from winkler.study.language.designs import Crossed, Sensitivity, axes_of
 from winkler.study.language.explain import completed
@@ -27,7 +25,9 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Fields, Places
 from winkler.study.language.template import whole_text
 from winkler.study.language.varied import Axis, Range
-from winkler.units import quantity, scale
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import STUDY_MARKS
+from winkler.values.units import quantity, scale
 
 PRESSED = whole_text("indentation")
 assert '"100 N"' in PRESSED
@@ -216,7 +216,7 @@ def test_rows_that_are_too_long_are_refused():
 
 @pytest.mark.parametrize("step", [Hold(1.0, 400), Ramp(wk.Depth(1e-6), count=400)])
 def test_a_program_of_too_many_points_is_refused(step, monkeypatch):
-    monkeypatch.setattr("winkler.program.PATH_POINTS", 1000)
+    monkeypatch.setattr("winkler.loading.program.PATH_POINTS", 1000)
     with pytest.raises(InvalidInput, match=r"Program: 1201 points are too many; give at most 1000\."):
         Program((Start(wk.Depth(1e-6)), step, step, step))
 

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import completed
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.values.value import value
 
 MARCHES = [name for name, line in kinds().items() if hasattr(line.cls, "steps")]
 SIZES = (1e200, 1e59, 1e30, 1e-30, 1e-59, 1e-200, 1e-308)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curves import read_curve, read_curves
+from winkler.values.errors import InvalidInput
 
 SPRING, SENSITIVITY = 0.05, 6e-8
 HEIGHT = np.linspace(2e-6, 0.0, 101)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curves import read_curve, read_curves
 from winkler.study.inspection.inspect import inspect_file
+from winkler.values.errors import InvalidInput
 
 SPRING, PIEZO, SENSITIVITY, SENSOR, LEAST = 0.12, 13.2e-9, 27.39e-9, 906e-9, 0.000375
 RAMP, SPEED = 75.0, 150.0  # V, V/s

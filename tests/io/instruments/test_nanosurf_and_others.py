@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve, read_curves
+from winkler.values.errors import InvalidInput
 
 SPRING, SENSITIVITY = 0.125, 6.4e-8
 PLACE = np.linspace(-4e-6, 1e-6, 101)

@@ -9,9 +9,9 @@ import zlib
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.topography_file import read_topography
 from winkler.profiles.rough.plausibility import doubts_of_surface
+from winkler.values.errors import InvalidInput
 
 ROWS, COLUMNS, STEP = 6, 9, 0.5
 COUNTS = np.arange(ROWS * COLUMNS, dtype="<i4").reshape(ROWS, COLUMNS) % 7

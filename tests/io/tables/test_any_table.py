@@ -13,10 +13,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from winkler.errors import InvalidInput
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.tables.relaxation_table import read_dynamic
 from winkler.io.tables.scan_table import read_scan
+from winkler.values.errors import InvalidInput
 
 ROWS = 60
 ALONG, BACK = np.linspace(0.0, 1.0, ROWS + 1)[1:], np.linspace(1.0, 0.0, 30)[1:]

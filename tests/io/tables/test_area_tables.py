@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.indenter_file import read_area
 from winkler.study.nanoindentation.reading import read_nanoindentation_study
+from winkler.values.errors import InvalidInput
 
 DEPTH = np.linspace(0.0, 500.0, 251)
 

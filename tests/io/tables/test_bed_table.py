@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.foundation.measured import MeasuredBed
 from winkler.io.tables.bed_table import read_bed
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.problems.normal.indentation import Indentation
+from winkler.values.errors import InvalidInput
 
 DEPTH = np.linspace(0.0, 1e-6, 60)
 FORCE = 5e6 * DEPTH**1.5

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.grading_table import read_grading
 from winkler.materials.depth_grading import TabulatedGrading
+from winkler.values.errors import InvalidInput
 
 GRADING = TabulatedGrading(np.array([0.0, 5e-6, 20e-6]), np.array([1e10, 2.5e10, 2e10]), np.array([0.25, 0.3, 0.28]))
 ROWS = ((0, 10, 0.25), (5, 25, 0.3), (20, 20, 0.28))

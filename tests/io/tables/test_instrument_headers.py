@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
+from winkler.values.errors import InvalidInput
 
 ROWS = ((0.1, 10.0, 1.0), (1.0, 12.0, 1.5), (10.0, 15.0, 2.0), (100.0, 19.0, 3.0))
 SHEAR, TENSION = 1.0, 3.0

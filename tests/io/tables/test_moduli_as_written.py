@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps
 from winkler.io.topography_file import read_topography
+from winkler.values.errors import InvalidInput
 
 OMEGA = np.array([0.1, 1.0, 10.0, 100.0])
 STORAGE, LOSS = 1e5 * OMEGA**0.2, 3e4 * OMEGA**0.1

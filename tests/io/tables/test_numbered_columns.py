@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve, try_curves
 from winkler.io.topography_file import read_topography
+from winkler.values.errors import InvalidInput
 
 UNITS = {"position": "nm", "force": "mN", "time": "s"}
 ROWS = "".join(f"{h:.3f} {1e-4 * h**2:.6f} {1 + 200 * h:.3f}\n" for h in range(100))

@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.profile_table import read_profile
 from winkler.io.tables.table import Column, read_table
 from winkler.profiles.measured import Measured
+from winkler.values.errors import InvalidInput
 
 RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")
 HEIGHT = Column("height", ("height", "h", "z", "f"), "m", "nm")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 TIMES = (0.01, 0.1, 1.0, 10.0, 100.0)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.spectrum_table import read_spectrum
 from winkler.profiles.rough.spectrum import PowerSpectrum
+from winkler.values.errors import InvalidInput
 
 X = np.arange(200) * 0.5
 Z = 3.0 * np.sin(X / 5.0) + np.sin(2.0 * X)

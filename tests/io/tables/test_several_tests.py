@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve, read_curves
+from winkler.values.errors import InvalidInput
 
 PEAKS = (10.0, 3.0, 8.0, 1.0)
 

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.spectrum_table import read_spectrum
 from winkler.study.language.reading import parse_study
+from winkler.values.errors import InvalidInput
 
 Q = np.array([1.0, 2.0, 5.0, 20.0])
 """In 1/um."""

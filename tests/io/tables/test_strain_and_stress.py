@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.relaxation_table import read_creep, read_relaxation
 from winkler.study.inspection.inspect import inspect_file
+from winkler.values.errors import InvalidInput
 
 TIME = np.geomspace(0.1, 100.0, 13)
 COMPLIANCE = 1e-4 * (1.0 + np.log10(10.0 * TIME))

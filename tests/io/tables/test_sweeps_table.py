@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 ROWS = "-10, 1, 3, 0.6\n-10, 10, 6, 1.2\n20, 1, 1.5, 0.3\n20, 10, 3, 0.6\n"
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
 from winkler.io.tables.relaxation_table import read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
@@ -13,6 +12,7 @@ from winkler.io.tables.sweeps_table import read_dynamic_sweeps
 from winkler.io.tables.table_cells import named
 from winkler.io.topography_file import read_topography
 from winkler.study.inspection.inspect import inspect_file
+from winkler.values.errors import InvalidInput
 
 DEPTH = np.linspace(0.0, 100.0, 101)
 FORCE = 1e-4 * DEPTH**2

@@ -7,11 +7,11 @@ import zipfile
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve, read_curves
 from winkler.io.tables.relaxation_table import read_dynamic
 from winkler.io.topography_file import read_topography
 from winkler.io.workbooks.workbook_cells import is_workbook, sheets_of
+from winkler.values.errors import InvalidInput
 
 KIND = "application/vnd.oasis.opendocument.spreadsheet"
 SPACES = " ".join(

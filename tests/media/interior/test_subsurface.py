@@ -10,9 +10,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.media.interior.subsurface import field
 from winkler.numerics.integrals.quadrature import tanh_sinh
+from winkler.values.errors import InvalidInput, NotConverged
 
 POISSON, SHEAR = 0.3, 0.7
 MODULUS = 2.0 * SHEAR / (1.0 - POISSON)  # a rigid second body: u_z at the surface is the displacement of the contact

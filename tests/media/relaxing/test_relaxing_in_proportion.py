@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fields import restore
-from winkler.loading import Depth, Force
+from winkler.fields.restoration import restore
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path
 from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.elastic import TransverselyIsotropic
 from winkler.materials.graded import PowerLawGraded
@@ -17,10 +17,10 @@ from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardS
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 SOLID = StandardSolid(2.0, 3.0, 0.3)
 BALL = wk.Paraboloid(1.0)

@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm, null_space
 
 import winkler as wk
-from winkler.errors import OutsideValidity
 from winkler.media.layered.wave_constants import Wave
+from winkler.values.errors import OutsideValidity
 
 FILM = wk.StandardSolid(relaxed_shear=0.2, shear=1.8, relaxation_time=0.7, poisson=0.4)
 BASE = wk.Prony(1.0, [2.0, 0.5], [0.1, 3.0], poisson=0.25)

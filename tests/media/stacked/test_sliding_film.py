@@ -9,7 +9,7 @@ import pytest
 from sliding_solution import ball, compliance, excess, punch, young_of
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STIFF = wk.Elastic(200e9, 0.3)
 

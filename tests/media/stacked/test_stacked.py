@@ -10,12 +10,12 @@ from sliding_waves import sliding_film_response
 from stack_waves import surface
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.layered.coated_interior import wave_states
 from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import constants_of
 from winkler.problems.rough.compliance import compliance_of
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 QUARTZ_LIKE = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 35e9)
 WEAVE = wk.TransverselyIsotropic(1e9, 0.2e9, 0.3e9, 1.2e9, 0.6e9)

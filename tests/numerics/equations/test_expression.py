@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from winkler.errors import InvalidInput
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import FUNCTIONS, power_sum
+from winkler.values.errors import InvalidInput
 
 INF, NAN = math.inf, math.nan
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.implicit import implicit_step
+from winkler.values.errors import NotConverged
 
 
 class Chased:

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.marching import StopCondition, integrate_to_stop
+from winkler.values.errors import NotConverged
 
 
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e9])

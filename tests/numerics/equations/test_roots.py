@@ -8,8 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.equations.roots import between, invert
+from winkler.values.errors import NotConverged, OutsideValidity
 
 
 @pytest.mark.parametrize("power", [0.3, 1.0, 2.0, 3.7, 20.0])

@@ -8,8 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
+from winkler.values.errors import InvalidInput
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 20, 64])

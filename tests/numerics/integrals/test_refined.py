@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.integrals.bisected_quadrature import along_springs, refined, towards
+from winkler.values.errors import NotConverged
 
 
 def test_a_kink_anywhere():

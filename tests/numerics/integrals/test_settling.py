@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.integrals.adaptive_quadrature import settled
+from winkler.values.errors import NotConverged
 
 INTEGRANDS = {
     "a polynomial": (lambda t: 5.0 * t**4, 1.0),

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.values.errors import NotConverged
 
 X = np.linspace(0.0, 3.0, 1001)
 

@@ -13,11 +13,11 @@ from scipy.special import beta, betainc
 
 import winkler as wk
 from winkler.fitting.viscoelastic.response import elastic_table, forces, positions
+from winkler.loading.path import Path
 from winkler.materials.fractional import PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like
 

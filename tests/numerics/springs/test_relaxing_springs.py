@@ -10,13 +10,13 @@ from scipy.integrate import solve_ivp
 
 import winkler as wk
 from winkler.foundation.springs import Springs
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like
 

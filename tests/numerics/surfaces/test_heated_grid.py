@@ -9,10 +9,10 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import erf
 
-from winkler.errors import NotConverged
 from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.surfaces import shared_heat
 from winkler.numerics.surfaces.heated_grid import HeatedGrid, pixel_temperatures
+from winkler.values.errors import NotConverged
 
 
 def by_time(x: float, y: float, dx: float, dy: float, wave: float) -> float:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces import sheared_surface
 from winkler.numerics.surfaces.sheared_surface import RigidStep, shear
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
+from winkler.values.errors import NotConverged
 
 N = 9
 X = (np.arange(N) - 0.5 * (N - 1))[:, None] + np.zeros(N)

@@ -8,8 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.transforms import abel
+from winkler.values.errors import NotConverged
 
 mp.mp.dps = 30
 B, J = 0.4, 0.7

@@ -6,8 +6,8 @@ import pytest
 from matplotlib.figure import Figure
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.plot import draw
+from winkler.values.errors import InvalidInput
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 ONE = wk.Indentation(BED, wk.Force(1.0)).solve()

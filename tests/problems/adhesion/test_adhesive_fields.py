@@ -14,7 +14,7 @@ from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 R, W, E = 1e-3, 0.05, 4e6 / 3.0
 GEL = wk.HalfSpace.between(wk.Elastic(young=1e6, poisson=0.5))

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import OutsideValidity
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.power_law import GradedHalfSpace
@@ -18,6 +17,7 @@ from winkler.problems.adhesion.edge_states import force_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOff
+from winkler.values.errors import OutsideValidity
 
 mp.mp.dps = 30
 GRIPS = math.inf

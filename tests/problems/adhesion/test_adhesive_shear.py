@@ -10,13 +10,13 @@ import pytest
 
 import winkler as wk
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.loading import ShearForce, Shift
+from winkler.loading.loads import ShearForce, Shift
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.adhesion.shear import AdhesiveShear
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 RADIUS, WORK = 3.0e-3, 0.05
 MEDIUM = wk.HalfSpace.between(wk.Elastic(2e6, 0.45), wk.Elastic(70e9, 0.2))

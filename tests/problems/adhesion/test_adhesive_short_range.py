@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.measured import MeasuredBed
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
 from winkler.materials.graded import PowerLawGraded
@@ -20,6 +19,7 @@ from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge_states import ShortStates, force_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 mp.mp.dps = 30
 UNIT = wk.HalfSpace.between(wk.Elastic(young=1.0, poisson=0.0))

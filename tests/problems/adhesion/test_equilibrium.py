@@ -10,11 +10,11 @@ import pytest
 from scipy.special import struve
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.problems.adhesion.equilibrium import Equilibrium
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 UNIT = wk.HalfSpace.between(wk.Elastic(young=1.0, poisson=0.0))
 GRIPS = math.inf

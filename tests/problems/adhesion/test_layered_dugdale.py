@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import NotConverged
+from winkler.values.errors import NotConverged
 
 WORK, RADIUS, THICKNESS = 0.05, 1e-3, 2e-5
 GEL, STIFF, NETWORK, GLASSY = wk.Elastic(1e6, 0.4), wk.Elastic(210e9, 0.3), wk.Elastic(1e7, 0.3), wk.Elastic(1e10, 0.3)

@@ -12,7 +12,7 @@ import pytest
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Shift
+from winkler.loading.loads import Depth, Shift
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.reference.damping import relaxation_loss, relaxation_viscosity

@@ -11,7 +11,7 @@ from scipy.integrate import quad
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.path import Path
+from winkler.loading.path import Path
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.friction.tangential import Tangential

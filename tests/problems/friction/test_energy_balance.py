@@ -12,7 +12,7 @@ import pytest
 import winkler as wk
 from winkler.numerics.springs.spring_work import work_on_springs
 from winkler.problems.assumptions.energy import missing_energy
-from winkler.validity import Assumption, Standing
+from winkler.values.validity import Assumption, Standing
 
 RATIOS = [1e-20, 1e-10, 1e-3, 0.1, 1.0, 30.0, 1e4, 1e14, 1e20]
 """Relaxation times over the duration."""

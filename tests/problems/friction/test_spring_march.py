@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 import winkler as wk
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.path import Path
+from winkler.loading.path import Path
 from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.spring_states import spring_notes
-from winkler.validity import Standing
-from winkler.values import value
+from winkler.values.validity import Standing
+from winkler.values.value import value
 
 MEDIUM = wk.HalfSpace(wk.Elastic(2.0, 0.3))
 E, G = MEDIUM.modulus, MEDIUM.shear_modulus

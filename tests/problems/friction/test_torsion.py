@@ -12,26 +12,25 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 from scipy.special import ellipe, ellipkm1
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
 from winkler.laws.friction import Coulomb
-from winkler.loading import Angle, Depth, Force, Shift, Torque
+from winkler.loading.loads import Angle, Depth, Force, Shift, Torque
+from winkler.loading.path import Path
+from winkler.loading.path_steps import Ramp, Start
+from winkler.loading.program import Program
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.media.twisting.kernels import twisted_medium
-from winkler.path import Path
-from winkler.path_steps import Ramp, Start
 from winkler.problems.friction.torsion import Torsion
 from winkler.profiles.conical import Cone, TruncatedCone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid
-from winkler.program import Program
 from winkler.reference.torsion import (
     ball_twist,
     ball_twist_limit,
@@ -39,7 +38,8 @@ from winkler.reference.torsion import (
     rigid_twist_torque,
     small_ball_twist,
 )
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 MEDIUM = HalfSpace(Elastic(1.0, 0.3), Elastic(2.5, 0.2))
 G = MEDIUM.torsional_modulus

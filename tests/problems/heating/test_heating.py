@@ -7,7 +7,7 @@ import pytest
 
 import winkler as wk
 from winkler.reference.heating import disc_centre_rise, hertz_heat_temperature, tian_kennedy_parabolic
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 STEEL, BRONZE, GLASS = wk.Elastic(210e9, 0.3), wk.Elastic(110e9, 0.34), wk.Elastic(70e9, 0.22)
 IRON = wk.ThermalConductor(conductivity=45.0, diffusivity=12e-6)

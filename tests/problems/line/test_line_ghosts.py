@@ -10,7 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.profiles.profile import RisingShape
-from winkler.values import value
+from winkler.values.value import value
 
 SOLID = wk.Elastic(0.91, 0.3, strength=0.2)
 PLAIN = wk.HalfSpace(SOLID)

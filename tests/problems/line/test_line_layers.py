@@ -7,9 +7,9 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.transforms.strips.strip_modes import bessel_rows
 from winkler.problems.line.stress import LineFields
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 CYLINDER = wk.Paraboloid(1.0)
 ROUNDED = wk.RoundedPunch(0.4, 1.0)

@@ -10,7 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.profiles.profile import RisingShape
-from winkler.values import value
+from winkler.values.value import value
 
 CYLINDER = wk.Paraboloid(1.7)
 

@@ -12,9 +12,9 @@ from scipy.linalg import expm
 from scipy.special import j0
 
 import winkler as wk
+from winkler.fields.peaks import peak_stress
 from winkler.foundation.bed import PressedSprings
 from winkler.media.layered import hankel_waves
-from winkler.peaks import peak_stress
 from winkler.problems.normal.onset.search import greatest_in
 from winkler.problems.normal.strong_parts import strong_parts
 

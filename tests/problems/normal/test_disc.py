@@ -10,7 +10,7 @@ import pytest
 from rings import press
 
 import winkler as wk
-from winkler.values import value
+from winkler.values.value import value
 
 UNIT = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
 

@@ -6,16 +6,16 @@ import mpmath
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.elliptic import EllipticIndentation
 from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 ONE = HalfSpace(Elastic(1.0, 0.0))
 

@@ -7,9 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
@@ -18,7 +17,8 @@ from winkler.profiles.conical import Cone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.sphere import Sphere
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 ONE = HalfSpace(Elastic(1.0, 0.0))
 TURNS = np.arange(64) * 2.0 * np.pi / 64

@@ -9,7 +9,7 @@ import pytest
 
 import winkler as wk
 from winkler.problems.normal import overlap, single_contact
-from winkler.validity import worst
+from winkler.values.validity import worst
 
 STEEL = wk.Elastic(210e9, 0.3)
 

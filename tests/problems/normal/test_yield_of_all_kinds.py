@@ -9,7 +9,7 @@ from example_answers import LASTING, example_problem, solved
 
 import winkler as wk
 from winkler.study.language.catalogue import kinds, slot_of
-from winkler.validity import worst
+from winkler.values.validity import worst
 
 ELASTIC = wk.Assumption.ELASTIC
 

@@ -9,12 +9,12 @@ import pytest
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.path import Path
+from winkler.loading.path import Path
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.impact.impact import Impact
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.impacts import BallImpacts
-from winkler.validity import Standing, worst
+from winkler.values.validity import Standing, worst
 
 STEEL = wk.HalfSpace.between(wk.Elastic(2.0, 0.3), wk.Elastic(2.0, 0.3))
 MU = 0.3

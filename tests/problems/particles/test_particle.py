@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 import winkler as wk
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle, ParticleSolution
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 RADIUS, YOUNG, POISSON, STRENGTH = 1e-3, 1e9, 0.3, 20e6
 PLANE = YOUNG / (1.0 - POISSON**2)

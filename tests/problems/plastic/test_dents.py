@@ -7,7 +7,7 @@ import pytest
 from closed_correlations import critical, kogut_etsion
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 RADIUS = 5e-3
 STEEL = wk.Elastic(210e9, 0.3, 1e9)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 RADIUS = 5e-3
 FORCES = np.array([5.0, 50.0, 300.0, 3000.0, 1000.0, 0.0])

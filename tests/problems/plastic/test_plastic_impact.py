@@ -8,10 +8,10 @@ from scipy.integrate import solve_ivp
 from scipy.special import gamma
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.problems.plastic import impact
 from winkler.problems.plastic.impact import PlasticImpact
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 RADIUS, MASS = 5e-3, 4.1e-3
 STEEL = wk.Elastic(210e9, 0.3, 1e9)

@@ -8,9 +8,9 @@ from closed_correlations import critical, jackson_green, kogut_etsion
 from finite_elements import pressed_and_released
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.problems.plastic.indentation import PlasticIndentation
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 RADIUS = 5e-3
 STEEL = wk.Elastic(210e9, 0.3, 1e9)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.pressed_maps.seal import Seal
@@ -14,7 +13,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Standing
 
 UNIT = HalfSpace(Elastic(1.0, 0.0))
 STEEL = HalfSpace(Elastic(210e9, 0.3))

@@ -7,8 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.pressed_maps.true_area import TrueArea
@@ -16,7 +15,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption
 
 UNIT = HalfSpace(Elastic(1.0, 0.0))
 

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from problems.layer_waves import base, crossed
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.elastic import Elastic
 from winkler.materials.graded import PowerLawGraded
@@ -26,6 +25,7 @@ from winkler.problems.pressed_shape.pressed_map import edge_error, grid_error, p
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 BASE = Elastic(1.0, 0.3)
 SLENDER = CurvedBodies(30.0, 10.0)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.validity import Assumption, Standing
+from winkler.values.validity import Assumption, Standing
 
 STEEL = wk.Elastic(208e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.surfaces.rolled_surface import roll
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.problems.rolling import linear_theory
 from winkler.problems.rolling.kalker import ACROSS, ALONG
+from winkler.values.errors import NotConverged, OutsideValidity
 
 WORDS = ("longitudinal", "lateral", "spin", "turning")
 

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
@@ -26,7 +25,8 @@ from winkler.profiles.profile import Sum
 from winkler.profiles.sphere import Sphere
 from winkler.profiles.wavy import Wavy
 from winkler.reference.rolling import cubic_creep_force
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 MU = 0.3
 FRICTION = Coulomb(MU)

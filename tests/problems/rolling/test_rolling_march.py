@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Coulomb
-from winkler.loading import Radius, ShearForce
+from winkler.loading.loads import Radius, ShearForce
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
@@ -23,6 +22,7 @@ from winkler.profiles.conical import Cone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid
 from winkler.reference.rolling import first_rolling_force, rocking_limit
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 MU, RADIUS = 0.3, 0.01
 SOLID = Elastic(2.5, 0.25)
@@ -170,7 +170,7 @@ class TestStart:
 
 
 def _depth(depth: float):
-    from winkler.loading import Depth
+    from winkler.loading.loads import Depth
 
     return Depth(depth)
 

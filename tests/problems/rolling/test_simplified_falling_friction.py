@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.numerics.springs.fastsim import rolled
 from winkler.reference.rolling import simplified_creep_force
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Standing
 
 STATIC, KINETIC, VELOCITY = 0.4, 0.16, 1.0
 FALLING = wk.FallingFriction(STATIC, KINETIC, VELOCITY)

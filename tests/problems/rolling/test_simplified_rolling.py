@@ -13,9 +13,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.materials.layered import Layer
 from winkler.media.halfspace import HalfSpace
@@ -26,6 +25,7 @@ from winkler.problems.rolling.kalker import creep_coefficients
 from winkler.problems.rolling.simplified_theory import SimplifiedRolling
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.reference.rolling import cubic_creep_force, simplified_creep_force
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 MU = 0.3
 CONTACT = Path(__file__).parents[3] / "examples" / "data" / "contact_creep_circle.csv"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 PLACE = (np.arange(48) + 0.5) / 48 * 1e-3 - 0.5e-3

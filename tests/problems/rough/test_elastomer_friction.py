@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic
 from winkler.materials.spring_and_dashpot import KelvinVoigt, StandardSolid
 from winkler.materials.viscoelastic import Prony
@@ -16,7 +15,8 @@ from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Standing
 
 ROUGH = SelfAffine(hurst=0.7, rms_height=0.01, longest=1.0, shortest=1.0 / 64)
 RUBBER = StandardSolid(relaxed_shear=1.0, shear=10.0, relaxation_time=1e-2)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import OutsideValidity
+from winkler.values.errors import OutsideValidity
 
 BASE = wk.Elastic(1.0, 0.3)
 STIFF = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.1)], on=BASE)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import OutsideValidity
 from winkler.problems.rough.layered_lines import slope_modulus
 from winkler.profiles.rough.random_rough import random_topography
+from winkler.values.errors import OutsideValidity
 
 BASE = wk.Elastic(1.0, 0.3)
 SPECTRUM = wk.SelfAffine(hurst=0.8, rms_height=0.003, longest=1.0, shortest=1.0 / 12.0)

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.problems.rough.reduce import Reduction
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STIFF = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.1)], on=wk.Elastic(1.0, 0.4), second=wk.Elastic(3.0, 0.2))
 RUBBER = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.0, 0.5), 0.2)], on=wk.Rigid())

@@ -8,9 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from winkler.checks import free_memory
-from winkler.errors import InvalidInput
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.surfaces import pressed_box
@@ -18,6 +16,8 @@ from winkler.numerics.surfaces.surface_grid import bytes_needed
 from winkler.problems.rough import map_memory
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.topography import Topography
+from winkler.values.checks import free_memory
+from winkler.values.errors import InvalidInput
 
 X = np.arange(32) / 32.0
 WAVY = Topography(1e-6 * np.cos(2.0 * np.pi * X)[:, None] + 1e-6 * np.cos(2.0 * np.pi * X), [1e-3, 1e-3], True)

@@ -11,11 +11,11 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import erf
 
-from winkler.errors import InvalidInput
 from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 WIDE = SelfAffine(hurst=0.8, rms_height=0.025, longest=0.5, shortest=1.0 / 64)
 

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
@@ -19,6 +18,7 @@ from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 UNIT = HalfSpace(Elastic(1.0, 0.3))
 COUNT = 95  # odd, so that the apex is the middle of a pixel

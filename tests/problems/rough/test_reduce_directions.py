@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.footprint import EllipticOutline
 from winkler.foundation.directional import DirectionalBed
+from winkler.foundation.footprint import EllipticOutline
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.surfaces.punched_grid import stuck_stiffness
@@ -18,6 +17,7 @@ from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.reduce import reduce
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 UNIT = HalfSpace(Elastic(1.0, 0.3))
 COUNT = 95

@@ -7,9 +7,8 @@ import csv
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.film import SurfaceFilm
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.elastic import Elastic
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
@@ -19,7 +18,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 ONE = HalfSpace(Elastic(1.0, 0.0))
 WIDE = SelfAffine(hurst=0.7, rms_height=0.01, longest=1.0, shortest=1.0 / 32)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
@@ -20,7 +19,8 @@ from winkler.profiles.rough.random_rough import random_line, random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
 from winkler.profiles.sphere import Sphere
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 ONE = HalfSpace(Elastic(1.0, 0.0))
 BALL = Foundation(Paraboloid(1.0), ONE)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.problems.rough.spring_line import RoughLine, ensemble
+from winkler.values.errors import InvalidInput
 
 
 def test_a_line_is_the_sum_over_its_springs():

@@ -8,8 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
@@ -18,7 +17,8 @@ from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 STEEL = HalfSpace(Elastic(210e9, 0.3))
 UNIT = HalfSpace(Elastic(1.0, 0.0))

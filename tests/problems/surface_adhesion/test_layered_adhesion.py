@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import OutsideValidity
+from winkler.values.errors import OutsideValidity
 
 BODY, OTHER = wk.Elastic(1.0, 0.3), wk.Elastic(2.0, 0.2)
 

@@ -10,11 +10,11 @@ import pytest
 from attracted_rings import pull_off, walled_pull_off
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.attracted.attraction import EightTwo, Exponential, RoundedStep
 from winkler.problems.rough import map_memory
 from winkler.problems.surface_adhesion import march
 from winkler.problems.surface_adhesion.input_checks import memory_of
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.problems.surface_friction.joint_loops import loops_of_stiffness
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 LAW = wk.Coulomb(0.3)
 STIFF = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.1)], on=wk.Elastic(1.0, 0.4), second=wk.Elastic(3.0, 0.2))

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.problems.surface_friction.reduced import SHARES, ReducedFriction
 from winkler.profiles.rough.random_rough import random_topography
+from winkler.values.errors import InvalidInput
 
 MU = 0.3
 OTHER_SHARES = np.array([0.0, 0.4, 0.7, 0.85, 0.35, -0.3, -0.8])

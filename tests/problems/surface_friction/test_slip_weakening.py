@@ -9,7 +9,7 @@ import pytest
 from scipy.special import ellipe, ellipk
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 SIDE, BALL, CONTACT, STATIC, KINETIC = 0.25, 1.0, 0.1, 0.3, 0.15
 DEPTH = CONTACT**2 / BALL

@@ -10,9 +10,9 @@ import pytest
 from scipy.special import ellipk
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.surfaces.traction_grid import TractionGrid
-from winkler.validity import Standing, worst
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Standing, worst
 
 SIDE, BALL, CONTACT, MU = 0.25, 1.0, 0.1, 0.3
 DEPTH = CONTACT**2 / BALL

@@ -12,9 +12,9 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.surfaces import shared_heat
-from winkler.validity import Assumption, Standing, worst
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Standing, worst
 
 STEEL = wk.ThermalConductor.of(conductivity=50.0, density=7850.0, heat_capacity=450.0)
 STEELS = wk.HeatConductors(STEEL, STEEL)

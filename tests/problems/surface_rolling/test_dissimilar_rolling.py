@@ -9,8 +9,8 @@ import pytest
 from scipy.optimize import brentq
 
 import winkler as wk
-from winkler.errors import NotConverged
 from winkler.problems.surface_friction import by_turns
+from winkler.values.errors import NotConverged
 
 STEEL, ALUMINIUM, RUBBER = wk.Elastic(2.0 * 1.28, 0.28), wk.Elastic(0.7, 0.33), wk.Elastic(0.01, 0.4)
 

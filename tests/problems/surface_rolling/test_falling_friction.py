@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STATIC, KINETIC, VELOCITY = 0.4, 0.16, 1.0
 STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.28), wk.Elastic(210e9, 0.28))

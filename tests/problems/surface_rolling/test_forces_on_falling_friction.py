@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import NotConverged
+from winkler.values.errors import NotConverged
 
 STEEL = wk.Elastic(210e9, 0.28)
 ALIKE = wk.HalfSpace.between(STEEL, STEEL)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.surfaces.rolled_surface import roll
 from winkler.problems.surface_rolling import creepages
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 RADIUS, MU = 100.0, 0.3
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces import rolled_surface
 from winkler.numerics.surfaces.halved_rolling import doubled_traction, halved_grid, halved_means
 from winkler.numerics.surfaces.rolled_surface import roll
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
+from winkler.values.errors import NotConverged
 
 SOFT = Compliance(1.0, 0.3 / 0.7)
 

@@ -11,8 +11,8 @@ import pytest
 from scipy.optimize import fsolve
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.numerics.surfaces import rolled_surface
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 RADIUS, MU = 100.0, 0.3
 

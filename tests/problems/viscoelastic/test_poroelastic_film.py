@@ -9,8 +9,8 @@ import pytest
 from mpmath import mp, mpc, mpf
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.relaxing.poroelastic_waves import drained_waves, film_creep, undrained_waves
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 BALL = wk.Paraboloid(1.0)
 RELAXING = wk.StandardSolid(relaxed_shear=1.0, shear=3.0, relaxation_time=1.0, poisson=0.3)

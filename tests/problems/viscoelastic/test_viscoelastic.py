@@ -13,14 +13,14 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path
 from winkler.materials.fractional import PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 MAXWELL = Maxwell(0.25, 0.3)
 STANDARD = StandardSolid(0.05, 0.2, 0.3)

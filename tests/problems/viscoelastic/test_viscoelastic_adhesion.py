@@ -9,14 +9,14 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.crack import RateDependentWork, SaturatingWork
-from winkler.loading import Depth, Force, Shift
+from winkler.loading.loads import Depth, Force, Shift
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion
-from winkler.validity import Standing, worst
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing, worst
 
 R, W, YOUNG = 1e-3, 0.05, 1e6
 MODULUS = YOUNG / 0.75

@@ -8,13 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import winkler as wk
-from winkler.errors import OutsideValidity
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import OutsideValidity
 
 MAXWELL, STANDARD, VOIGT = Maxwell(0.25, 0.3), StandardSolid(0.05, 0.2, 0.3), KelvinVoigt(0.25, 0.075)
 BOTH = Prony(0.01, [0.1, 0.2], [0.01, 5.0], 0.02)

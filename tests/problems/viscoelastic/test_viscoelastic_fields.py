@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import OutsideValidity
-from winkler.fields import restore, restore_body
-from winkler.loading import Depth
+from winkler.fields.peaks import peak_stress
+from winkler.fields.restoration import restore, restore_body
+from winkler.loading.loads import Depth
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
-from winkler.peaks import peak_stress
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import OutsideValidity
 
 SOFT = StandardSolid(1.0, 4.0, 0.3, poisson=0.3)
 STEEL = wk.Elastic(10.0, 0.2)

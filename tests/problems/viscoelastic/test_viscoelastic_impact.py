@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact
+from winkler.values.errors import InvalidInput
 
 
 def strike(solid, profile=None, mass=1.0, velocity=1.0, **more):

@@ -16,12 +16,12 @@ from hypothesis import strategies as st
 from scipy.special import ellipkm1
 
 import winkler as wk
-from winkler.fields import restore
-from winkler.loading import Depth, Force
+from winkler.fields.restoration import restore
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 MAXWELL, STANDARD = Maxwell(0.25, 0.3), StandardSolid(0.05, 0.2, 0.3)

@@ -7,18 +7,18 @@ import pytest
 from scipy.special import ellipe, ellipk, j0, j1
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.material_tests import CreepTest, RelaxationTest
 from winkler.problems.viscoelastic.oscillation import HarmonicIndentation
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 BALL = wk.Paraboloid(1.0)
 FILM = StandardSolid(relaxed_shear=1.0, shear=4.0, relaxation_time=1.0, poisson=0.4)

@@ -9,13 +9,13 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.viscoelastic.sliding import SlidingResistance
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Standing
 
 R, DEPTH, TAU = 2.0, 0.02, 1.3
 VOIGT = KelvinVoigt(0.25, 0.25 * TAU)

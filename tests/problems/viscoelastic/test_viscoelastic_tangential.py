@@ -11,15 +11,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading import Angle, Depth, Force, ShearForce, Shift
+from winkler.loading.loads import Angle, Depth, Force, ShearForce, Shift
+from winkler.loading.path import Path
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.path import Path
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.viscoelastic.tangential_march import shear_relaxation
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STANDARD = StandardSolid(0.05, 0.2, 0.2)
 MU = 0.3

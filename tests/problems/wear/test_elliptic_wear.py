@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad
 
 import winkler as wk
-from winkler.values import value
+from winkler.values.value import value
 
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)

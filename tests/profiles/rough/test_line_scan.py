@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from winkler.errors import InvalidInput
 from winkler.profiles.rough.line_scan import LineScan, spectrum_of_lines
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
+from winkler.values.errors import InvalidInput
 
 
 def along_a_line(density, q, bend):

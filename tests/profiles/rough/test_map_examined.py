@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.profiles.rough.correlation import correlation_lengths
 from winkler.profiles.rough.map_notes import border_leap, map_notes
 from winkler.profiles.rough.map_statistics import map_statistics
@@ -15,7 +14,8 @@ from winkler.profiles.rough.random_surface import RandomTopography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.tip_limit import curvature_over_distance, share_below, tip_limit
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Standing
 
 COUNT = 256
 X = (np.arange(COUNT) + 0.5) / COUNT

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.profiles.rough.map_statistics import bearing_heights, correlation_length, map_statistics
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 X = np.arange(512) / 512
 

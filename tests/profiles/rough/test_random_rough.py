@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.profiles.rough.random_rough import random_line, random_topography
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
+from winkler.values.errors import InvalidInput
 
 BLASTED = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=1e-5, roll_off=2.5e-4)
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf, quad, sqrt
 
-from winkler.errors import InvalidInput
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 BLASTED = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=1e-5, roll_off=2.5e-4)
 

@@ -9,9 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from winkler.errors import InvalidInput
 from winkler.io.topography_file import read_topography
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.rough.surface_contact import SurfaceContact
@@ -19,6 +18,7 @@ from winkler.profiles.rough.map_notes import map_notes
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import SelfAffine
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 
 def wave(nx=64, ny=48):

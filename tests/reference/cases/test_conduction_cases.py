@@ -13,7 +13,7 @@ import winkler
 import winkler as wk
 from winkler.numerics.fields.flux_tube import relief
 from winkler.reference import conduction
-from winkler.units import to_si
+from winkler.values.units import to_si
 
 CASES = Path(winkler.__file__).parent / "cases"
 

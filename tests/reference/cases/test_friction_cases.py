@@ -12,7 +12,7 @@ from ledger_solutions import REFERENCES as LAST
 from theory_solutions import REFERENCES
 
 import winkler
-from winkler.units import to_si
+from winkler.values.units import to_si
 
 CASES = Path(winkler.__file__).parent / "cases"
 

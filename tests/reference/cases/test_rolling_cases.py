@@ -12,7 +12,7 @@ from theory_solutions import REFERENCES
 
 import winkler
 from winkler.reference import rolling as closed
-from winkler.units import to_si
+from winkler.values.units import to_si
 
 CASES = Path(winkler.__file__).parent / "cases"
 

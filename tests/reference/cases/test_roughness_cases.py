@@ -9,7 +9,7 @@ import mpmath as mp
 import pytest
 
 import winkler
-from winkler.units import to_si
+from winkler.values.units import to_si
 
 CASES = Path(winkler.__file__).parent / "cases"
 

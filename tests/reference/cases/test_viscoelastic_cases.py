@@ -16,7 +16,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import winkler
-from winkler.units import to_si
+from winkler.values.units import to_si
 
 FOLDER = Path(winkler.__file__).parent / "cases"
 CASES = [

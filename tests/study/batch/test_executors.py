@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged
 from winkler.study.batch.run import run
 from winkler.study.language.study import Axis, Study
+from winkler.values.errors import InvalidInput, NotConverged
 
 BED = wk.Foundation(wk.Sphere(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 STUDY = Study(

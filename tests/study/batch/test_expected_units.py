@@ -6,11 +6,11 @@ import pytest
 from example_answers import example_problem
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.study.batch.outcome import number_names
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.compared.expected_units import solution_types, unit_of_quantity
-from winkler.vocabulary import word
+from winkler.values.errors import InvalidInput
+from winkler.values.vocabulary import word
 
 
 @pytest.mark.slow

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.study.batch import fit_run
@@ -21,6 +20,7 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.language.fit_reading import read_fit_study
 from winkler.study.language.fit_study import FitStudy, Free
+from winkler.values.errors import InvalidInput, NotConverged
 
 BED = wk.Foundation(wk.Paraboloid(5e-6), wk.HalfSpace.between(wk.Elastic(1e3, 0.5)))
 YOUNG = Free("problem.bed.medium.first.young")

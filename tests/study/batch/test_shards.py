@@ -9,8 +9,8 @@ import pytest
 import xarray as xr
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.study.batch.shards import Shard
+from winkler.values.errors import InvalidInput
 
 STUDY = """title = "Balls"
 

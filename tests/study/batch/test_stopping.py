@@ -14,10 +14,10 @@ import weakref
 import pytest
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.io.processes import stopping
 from winkler.study.language import reading
 from winkler.study.report import writing
+from winkler.values.errors import InvalidInput
 
 BALL = """title = "A ball"
 

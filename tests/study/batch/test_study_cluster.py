@@ -21,7 +21,6 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.cli.run import run as cli_run
-from winkler.errors import InvalidInput, NotConverged
 from winkler.study.batch import cluster
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
@@ -31,6 +30,7 @@ from winkler.study.batch.sweep import solve_points
 from winkler.study.language.designs import Sobol
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
+from winkler.values.errors import InvalidInput, NotConverged
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 STUDY = Study(

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.io.software import software
 from winkler.study.batch import sweep
 from winkler.study.batch.journal import Journal
@@ -21,6 +20,7 @@ from winkler.study.batch.run import gather, run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Axis, Expectation, Fields, Places, Study
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 FORCES = Axis("problem.load.force", (1.0, -1.0, 2.0, 3.0, 4.0))

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study.batch.run import run
 from winkler.study.batch.sensitivity import sensitivity
 from winkler.study.language.designs import Sensitivity, Sobol
@@ -19,6 +18,7 @@ from winkler.study.report.archive import archive_files, dataset
 from winkler.study.report.report import page
 from winkler.study.report.sweep_figures import clouds, parts
 from winkler.study.report.writing import write_files
+from winkler.values.errors import InvalidInput
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))

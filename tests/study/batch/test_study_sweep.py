@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.problems.particles.trace import ContactTrace
 from winkler.study.batch import stream
 from winkler.study.batch.outcome import Failed, Solved, answers_of
@@ -27,7 +26,8 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Fields, Places, Study
 from winkler.study.language.writing import study_text
 from winkler.study.report.describe import in_words, setting_text
-from winkler.validity import Standing
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Standing
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.run import run
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation, Study
 from winkler.study.ledger.ledger import CASES, case_files, ledger, run_case
 from winkler.study.ledger.ledger_page import markdown
+from winkler.values.errors import InvalidInput
 
 # Hertz: E* = 1, R = 1, a = 1/2
 BED = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))

@@ -13,11 +13,11 @@ from typing import Any, get_type_hints
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput, WinklerError
 from winkler.foundation.bed import Bed
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import CATALOGUE, slot_of
 from winkler.study.language.explain import example_study, place_of, table_at
+from winkler.values.errors import InvalidInput, WinklerError
 
 PROBLEMS = sorted(CATALOGUE["problem"])
 OTHERS = sorted(name for slot, table in CATALOGUE.items() if slot != "problem" for name in table)

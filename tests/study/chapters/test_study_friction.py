@@ -12,7 +12,6 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.io.processes.stopping import INTERRUPTED
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.friction.torsion import Torsion
@@ -34,6 +33,7 @@ from winkler.study.report.describe import in_words, inputs
 from winkler.study.report.figures import figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 BED = wk.Foundation(wk.Paraboloid(10e-3), STEEL)

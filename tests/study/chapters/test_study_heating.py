@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.chapters.contents import formulas_of
@@ -12,6 +11,7 @@ from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.citing import cite
 from winkler.study.report.mathml import formula
+from winkler.values.errors import InvalidInput
 
 TEXT = """title = "Rubbing"
 

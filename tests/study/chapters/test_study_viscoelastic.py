@@ -11,7 +11,6 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.io.processes.stopping import INTERRUPTED
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
@@ -32,6 +31,7 @@ from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
 BED = wk.Foundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(RUBBER))

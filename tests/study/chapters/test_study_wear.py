@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.io.software import software
 from winkler.problems.wear import march as wear_march
 from winkler.problems.wear.fretting import FrettingSolution
@@ -11,6 +10,7 @@ from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
+from winkler.values.errors import InvalidInput, NotConverged
 
 FRETTING = """
 title = "Fretting"

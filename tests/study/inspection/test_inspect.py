@@ -9,9 +9,9 @@ import pytest
 from made_files import DATA, made_files, table
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.study.inspection import inspect
 from winkler.study.inspection.inspect import inspect_file, inspect_files
+from winkler.values.errors import InvalidInput
 
 
 def test_each_kind_is_recognised(tmp_path):

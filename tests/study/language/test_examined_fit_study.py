@@ -9,7 +9,6 @@ import math
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.fitting.fit import fit
 from winkler.io.curves import read_curve
 from winkler.study.batch.fit_recording import recalled_fits
@@ -18,6 +17,7 @@ from winkler.study.batch.journal import Journal
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.report.examined.sentences import further_sentences
 from winkler.study.report.writing import outcome_files, write_files
+from winkler.values.errors import InvalidInput
 
 BASE = """
 [problem]

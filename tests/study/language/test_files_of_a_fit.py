@@ -5,11 +5,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.canonical import how_fitted
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.report.fit_report import page
+from winkler.values.errors import InvalidInput
 
 YOUNG, RADIUS = 5e6, 10e-6
 STUDY = """

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.io.curves import PlacedCurve, read_curve
@@ -23,6 +22,7 @@ from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.fit_writing import dataset, map_grid
 from winkler.study.report.writing import outcome_files, write_files
+from winkler.values.errors import InvalidInput
 
 STUDY = """
 [problem]

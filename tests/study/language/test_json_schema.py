@@ -11,11 +11,11 @@ import jsonschema
 import pytest
 
 from winkler.cli import main
-from winkler.errors import WinklerError
 from winkler.study.json_schema import DIALECT, json_schema
 from winkler.study.language.json_forms import quantity as form_of
 from winkler.study.language.template import SCHEMA_FILE, template
-from winkler.units import quantity
+from winkler.values.errors import WinklerError
+from winkler.values.units import quantity
 
 TREE = Path(__file__).parents[3]
 STUDIES = [

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.fitting.fit import fit
 from winkler.io.curves import read_curve
 from winkler.io.segments import directions
@@ -19,6 +18,7 @@ from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
 from winkler.study.report.fit_writing import dataset
 from winkler.study.report.writing import outcome_files, write_files
+from winkler.values.errors import InvalidInput
 
 SOLID = "problem.bed.medium.first."
 

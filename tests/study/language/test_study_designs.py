@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study.batch.run import run
 from winkler.study.language.canonical import digest
 from winkler.study.language.designs import Crossed, LatinHypercube, Sensitivity, Sobol, Zipped
@@ -19,6 +18,7 @@ from winkler.study.language.writing import study_text
 from winkler.study.report.archive import archive_files, dataset
 from winkler.study.report.describe import in_words, inputs
 from winkler.study.report.writing import write_files
+from winkler.values.errors import InvalidInput
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study.language import keys
+from winkler.values.errors import InvalidInput
 
 PROBLEM = wk.Indentation(
     wk.Foundation(wk.Paraboloid(1e-3) + wk.Formula("r**4/c", c=2.0), wk.HalfSpace(wk.Elastic(1e9, 0.25))),

@@ -10,13 +10,13 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.errors import InvalidInput, Mistake, OutsideValidity, mistake_in
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Recalled, Solved
 from winkler.study.batch.run import gather, run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language.study import Axis, Expectation, Study
 from winkler.study.language.writing import study_text
+from winkler.values.errors import InvalidInput, Mistake, OutsideValidity, mistake_in
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 STUDY = Study("x", wk.Indentation(BED, wk.Force(1.0)), sweep=(Axis("problem.load.force", (-1.0, 1.0, 2.0, 3.0)),))

@@ -11,7 +11,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.canonical import canonical, digest
 from winkler.study.language.catalogue import CATALOGUE, REFUSED, kind_of, kinds, slot_of
@@ -21,6 +20,7 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.schema import form, hints, options
 from winkler.study.language.study import Axis, Expectation, Fields, Output, Places, Study
 from winkler.study.language.writing import study_text
+from winkler.values.errors import InvalidInput
 
 positive = st.floats(1e-12, 1e12)
 angle = st.floats(0.01, 1.56)
@@ -87,7 +87,7 @@ def test_the_catalogue_knows_every_public_value_that_a_study_could_name():
     """A new shape, solid, medium, load or problem needs its line."""
     public_items = [getattr(wk, name) for name in wk.__all__]
     in_catalogue = {line.cls for line in kinds().values()} | {line.cls for line in REFUSED.values()}
-    folders = ("winkler.profiles", "winkler.materials", "winkler.media", "winkler.loading", "winkler.problems")
+    folders = ("winkler.profiles", "winkler.materials", "winkler.media", "winkler.loading.loads", "winkler.problems")
     expected = {
         item
         for item in public_items

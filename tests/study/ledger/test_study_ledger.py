@@ -8,7 +8,6 @@ import tomllib
 
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import read_study
 from winkler.study.language.study import Study
@@ -18,7 +17,8 @@ from winkler.study.ledger.functions import FUNCTIONS
 from winkler.study.ledger.ledger import CASES, case_files, run_case
 from winkler.study.ledger.ledger_page import chapters, markdown
 from winkler.study.ledger.physics import CHAPTERS, FITS, physics_of
-from winkler.vocabulary import GLOSSARY
+from winkler.values.errors import InvalidInput
+from winkler.values.vocabulary import GLOSSARY
 
 SWEPT = """\
 title = "Two balls"

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from winkler.cli import main
-from winkler.errors import InvalidInput
 from winkler.io.indenter_file import read_indenter
 from winkler.study.nanoindentation.reading import is_nanoindentation, read_nanoindentation_study
+from winkler.values.errors import InvalidInput
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
 DATA = EXAMPLES / "data" / "nanoindentation"

@@ -18,7 +18,7 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Axis, Study
 from winkler.study.report import archive, archive_maps
 from winkler.study.report.writing import write_files
-from winkler.vocabulary import GLOSSARY, Word
+from winkler.values.vocabulary import GLOSSARY, Word
 
 xarray = pytest.importorskip("xarray")
 

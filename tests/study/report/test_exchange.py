@@ -12,7 +12,7 @@ import xarray
 import winkler as wk
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
-from winkler.vocabulary import GLOSSARY
+from winkler.values.vocabulary import GLOSSARY
 
 BED = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 FORCES = np.array([1.0, 10.0, 100.0])

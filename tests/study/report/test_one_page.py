@@ -9,12 +9,12 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from winkler.cli import main
-from winkler.readable import with_unit
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study, read_study
 from winkler.study.language.template import template
 from winkler.study.report.figures import figures_of
 from winkler.study.report.headline.one_page import laid_out, one_page
+from winkler.values.readable import with_unit
 
 STUDIES = Path(__file__).resolve().parents[3] / "examples" / "studies"
 

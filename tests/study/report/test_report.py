@@ -26,7 +26,7 @@ from winkler.study.report.citing import cite
 from winkler.study.report.figures import answers_over
 from winkler.study.report.page_parts import REPORT
 from winkler.study.report.writing import write_files
-from winkler.validity import Standing
+from winkler.values.validity import Standing
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
 

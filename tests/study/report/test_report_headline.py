@@ -19,7 +19,7 @@ from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.section import doubt_line, doubt_of, headline_section
 from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.tables import contact_section
-from winkler.validity import Assumption, Note, Standing, in_words
+from winkler.values.validity import Assumption, Note, Standing, in_words
 
 MODULUS = 210e9 / (1.0 - 0.3**2)
 """Effective modulus of steel against a rigid body [Pa]."""

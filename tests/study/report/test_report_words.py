@@ -11,7 +11,6 @@ import pytest
 from study_samples import SAMPLES, pressed
 
 import winkler as wk
-from winkler.errors import InvalidInput
 from winkler.study import chapters
 from winkler.study.batch.run import run
 from winkler.study.chapters.answer import Equation
@@ -21,6 +20,7 @@ from winkler.study.report.figure import svg_element
 from winkler.study.report.figures import answers_over
 from winkler.study.report.markup import safe, table, with_fixed_units
 from winkler.study.report.mathml import formula, inline, symbol
+from winkler.values.errors import InvalidInput
 
 FORMULAS = [
     item

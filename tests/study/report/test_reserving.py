@@ -9,11 +9,11 @@ import sys
 
 import pytest
 
-from winkler.errors import InvalidInput
 from winkler.io.processes import locking
 from winkler.io.processes.locking import locked
 from winkler.study.report import reserving
 from winkler.study.report.reserving import reserved
+from winkler.values.errors import InvalidInput
 
 MARK, STATES = "0123456789ab", "0123456789abcdef.states.npz"
 WHOLE = json.dumps({"program": "winkler", "files": ["provenance.json"]})

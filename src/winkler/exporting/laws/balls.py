@@ -6,11 +6,11 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.numerics.types import Array
 from winkler.problems.particles.ball_step import step_ball
 from winkler.problems.particles.contacts import Contacts
+from winkler.values.errors import InvalidInput
 
 __all__ = ["BALL_ANSWER", "BALL_MOTION", "ball_law"]
 

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.exporting.step_law import LawTable, StepLaw, StepNumber
-from winkler.footprint import EllipticOutline
+from winkler.exporting.translation.plain import plain
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth
+from winkler.foundation.footprint import EllipticOutline
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.particles.contact_law import CHECK_POSITIONS, SAFETY_FACTOR, first_radius
 from winkler.problems.particles.table_step import cubic_energy, follow_table, monotone_intervals, step_table
-from winkler.translation.plain import plain
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["BEYOND", "force_table", "normal_law", "normal_notes"]
 

@@ -6,17 +6,17 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import numbers_of
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.particles.elastic_plastic import ELASTIC, ENGINEERING, ElasticPlasticParticle
 from winkler.problems.particles.elastic_plastic_springs import DEPTH_LIMIT, material_of
 from winkler.problems.particles.particle_step import step_particle
+from winkler.values.errors import InvalidInput
 
 __all__ = ["adhesive_law", "ball_of", "checked_depth", "particle_law"]
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.laws.damped import damped_law
 from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.springs.relaxing_springs import STEP_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
@@ -18,6 +17,7 @@ from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxation_of
 from winkler.problems.viscoelastic.relaxing_step import step_relaxing
+from winkler.values.errors import InvalidInput
 
 __all__ = ["relaxing_law"]
 

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.laws.normal import force_table, normal_notes
 from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
-from winkler.footprint import EllipticOutline
 from winkler.foundation.directional import DirectionalBed
+from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.friction.spring_states import spring_notes
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.sheared_step import step_sheared
+from winkler.values.errors import InvalidInput
 
 __all__ = ["sheared_law"]
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.exporting.many.loops import first_beyond
 from winkler.numerics.types import Array
+from winkler.values.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["checked_depth_of", "checked_entry", "checked_places", "whole_numbers"]
 

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Whole, checked
-from winkler.errors import InvalidInput
 from winkler.exporting.many.array_inputs import checked_depth_of, checked_entry
 from winkler.exporting.many.contact_array_file import ArrayFile, write_array_file
 from winkler.exporting.many.contact_store import PRECISIONS, ContactStore
 from winkler.exporting.many.stacked_laws import stacked_laws
 from winkler.io.foreign import reader
 from winkler.numerics.threads import run_in_threads
+from winkler.values.checks.number_checks import POSITIVE, Whole, checked
+from winkler.values.errors import InvalidInput
 
 __all__ = ["ContactArray"]
 

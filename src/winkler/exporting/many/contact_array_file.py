@@ -18,9 +18,9 @@ from typing import IO, Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.text_file import existing
 from winkler.io.whole_file import written_whole
+from winkler.values.errors import InvalidInput
 
 __all__ = ["ArrayFile", "write_array_file"]
 

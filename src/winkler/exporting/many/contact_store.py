@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.free_memory import free_memory
-from winkler.checks.number_checks import Whole, checked
-from winkler.errors import InvalidInput, suggest
 from winkler.exporting.many.array_inputs import checked_places, whole_numbers
 from winkler.exporting.many.stacked_laws import StackedLaws
 from winkler.numerics.types import Array
+from winkler.values.checks.free_memory import free_memory
+from winkler.values.checks.number_checks import Whole, checked
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["ContactStore"]
 

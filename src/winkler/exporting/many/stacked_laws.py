@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.choose import law_of
 from winkler.exporting.laws.balls import ball_rows
 from winkler.exporting.many.loops import (
@@ -24,6 +23,7 @@ from winkler.exporting.step_law import StepLaw
 from winkler.numerics.jit import Kernel
 from winkler.numerics.types import Array
 from winkler.problems.particles.contacts import Contacts
+from winkler.values.errors import InvalidInput
 
 __all__ = ["ContactLoop", "StackedLaws", "stacked_laws"]
 

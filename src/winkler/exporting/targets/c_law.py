@@ -10,9 +10,9 @@ import numpy as np
 from winkler.exporting.step_law import SIZE_POWERS, StepLaw, StepNumber
 from winkler.exporting.targets.c_example import TRACE_TOLERANCE, c_main
 from winkler.exporting.targets.heading import heading_lines
-from winkler.translation.c_writer import INCLUDES, c_source
-from winkler.translation.translate import Translation
-from winkler.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, TranslationUnit, array_of
+from winkler.exporting.translation.c_writer import INCLUDES, c_source
+from winkler.exporting.translation.translate import Translation
+from winkler.exporting.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, TranslationUnit, array_of
 
 __all__ = ["c_law", "factors_of_size", "law_parts", "translated_step"]
 

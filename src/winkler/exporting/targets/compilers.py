@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["compiled_by_zig", "compiled_here", "has_compiler"]
 

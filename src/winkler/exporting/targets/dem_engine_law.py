@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 import re
 
-from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StatePart, StepLaw
 from winkler.exporting.targets.c_law import law_parts
 from winkler.exporting.targets.heading import heading_lines
 from winkler.exporting.targets.one_export import MARK, marked
+from winkler.values.errors import InvalidInput
 
 __all__ = ["dem_engine_law"]
 

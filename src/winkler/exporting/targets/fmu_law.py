@@ -8,7 +8,6 @@ import sys
 import zipfile
 from collections.abc import Mapping
 
-from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.compilers import compiled_here, has_compiler
@@ -16,6 +15,7 @@ from winkler.exporting.targets.fmu3_description import build_description3, descr
 from winkler.exporting.targets.fmu3_source import fmu3_source
 from winkler.exporting.targets.fmu_description import description, unit_guid
 from winkler.exporting.targets.fmu_source import fmu_source
+from winkler.values.errors import InvalidInput
 
 __all__ = ["fmu3_law", "fmu_law"]
 

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.lammps_contact import CONTACT, MADE
@@ -14,7 +13,8 @@ from winkler.exporting.targets.lammps_granular import granular_law
 from winkler.exporting.targets.lammps_pair import PAIR
 from winkler.exporting.targets.lammps_wall import WALL
 from winkler.exporting.targets.one_export import marked
-from winkler.translation.plain import plain
+from winkler.exporting.translation.plain import plain
+from winkler.values.errors import InvalidInput
 
 __all__ = ["farthest_hold", "lammps_law"]
 

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.exporting.step_law import StepLaw, StepNumber
 from winkler.exporting.targets.c_law import factors_of_size, translated_step
 from winkler.exporting.targets.heading import heading_lines
-from winkler.translation.python_writer import python_source
+from winkler.exporting.translation.python_writer import python_source
 
 __all__ = ["python_law"]
 

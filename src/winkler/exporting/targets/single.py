@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
-from winkler.translation.plain import plain
+from winkler.exporting.translation.plain import plain
+from winkler.values.errors import InvalidInput
 
 __all__ = ["in_single", "single_law"]
 

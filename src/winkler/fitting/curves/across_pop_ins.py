@@ -12,7 +12,7 @@ from winkler.fitting.curves.directions import IN
 from winkler.fitting.curves.events.popins import pop_ins
 from winkler.fitting.curves.events.stated import MARKS
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
+from winkler.values.readable import with_unit
 
 __all__ = ["across_pop_ins"]
 

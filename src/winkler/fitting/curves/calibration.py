@@ -12,10 +12,10 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, checked
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array, ArrayLike
+from winkler.values.checks.number_checks import NON_NEGATIVE, POSITIVE, checked
+from winkler.values.errors import InvalidInput
 
 __all__ = ["deflection_sensitivity", "force_from_deflection", "on_frame", "tip_travel"]
 

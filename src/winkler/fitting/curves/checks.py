@@ -23,7 +23,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.events.saturation import saturated_rows
 from winkler.fitting.curves.outline import (
@@ -36,7 +35,8 @@ from winkler.fitting.curves.outline import (
     single_direction,
 )
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["CurveOutline", "Flag", "examined", "outline", "refuse", "unsaturated", "without_baseline"]
 

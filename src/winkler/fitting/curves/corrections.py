@@ -9,12 +9,12 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.events.found import drag_in, kept_points
 from winkler.fitting.curves.events.interference import Interference
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = [
     "FreeLine",

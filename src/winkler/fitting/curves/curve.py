@@ -20,8 +20,6 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import found_directions
 from winkler.fitting.curves.events.found import events_of
 from winkler.fitting.curves.events.kinds import CurveEvents
@@ -29,8 +27,10 @@ from winkler.fitting.curves.events.record import Record
 from winkler.fitting.curves.events.stated import stated_marks
 from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.readable import with_unit
+from winkler.values.value import value, words
 
 __all__ = ["ForceCurve"]
 

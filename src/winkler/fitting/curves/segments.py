@@ -7,10 +7,10 @@ from enum import Enum
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.directions import HELD, IN, OUT
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value, words
 
 __all__ = ["Segment", "SegmentKind", "segments_of", "stated_directions"]
 

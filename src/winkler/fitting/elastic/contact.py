@@ -12,7 +12,6 @@ from typing import Any, NamedTuple, cast
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.model_tables import EACH_ANEW, ModelTables, Response
 from winkler.fitting.elastic.response import ResponseValues, response
@@ -24,6 +23,7 @@ from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortSt
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import Indentation
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "DirectionRun",

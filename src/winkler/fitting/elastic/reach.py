@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.elastic.panels import Pair
 from winkler.foundation.bed import Bed
 from winkler.media.body_of import thickness_of
@@ -16,6 +15,7 @@ from winkler.problems.adhesion.edge_states import EdgeStates, force_under
 from winkler.problems.adhesion.stability import least_radius
 from winkler.problems.normal.length_scale import own_length
 from winkler.problems.normal.solve_contact import end_of, flat_radius
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["kinks_between", "machine_curves", "radius_range"]
 

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.elastic.contact import states_for
 from winkler.fitting.elastic.model_tables import ModelTables
@@ -20,6 +19,7 @@ from winkler.fitting.task import FitTask
 from winkler.fitting.varied import CURVE_PARAMETERS
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["starts"]
 

@@ -14,7 +14,6 @@ from typing import Any, Self
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import (
@@ -36,9 +35,10 @@ from winkler.fitting.task import FitTask, Prediction, even_weights, moved
 from winkler.fitting.validity import Model
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.fitting.viscoelastic.acceleration import tip_acceleration
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["ElasticTask", "elastic_task"]
 

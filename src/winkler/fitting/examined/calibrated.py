@@ -18,8 +18,6 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, checked
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.noise.whitening import whitening_of
@@ -27,7 +25,9 @@ from winkler.fitting.outcome import AnyFit
 from winkler.fitting.several.population import quantile
 from winkler.fitting.several.same_task import same_task
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NON_NEGATIVE, checked
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["CalibrationShares", "calibration_shares", "recalibrated"]
 

@@ -22,7 +22,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import Fit
@@ -30,8 +29,9 @@ from winkler.fitting.several.population import quantile
 from winkler.fitting.validity import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.readable import with_unit
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.readable import with_unit
+from winkler.values.value import value, words
 
 __all__ = ["DepthSeries", "over_depth"]
 

@@ -13,14 +13,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.holds.held_force import HeldForce, checked_holds
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import estimate_spectrum
 from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.temperature_groups import in_own_units, spread_times
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["DepthScaling", "HoldVerdict", "depth_scaling", "distinct_radii"]
 

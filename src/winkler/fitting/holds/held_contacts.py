@@ -11,16 +11,16 @@ import functools
 import math
 from typing import Annotated, ClassVar
 
-from winkler.checks.number_checks import Advice
 from winkler.fitting.holds.depth_scaling import DepthScaling, HoldVerdict, depth_scaling, distinct_radii
 from winkler.fitting.holds.held_force import HeldForce, checked_holds
 from winkler.fitting.holds.poroelastic import PoroelasticFit, fit_poroelastic
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.poroelastic.held import shape_of
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["HeldContacts", "HeldContactsSolution"]
 

@@ -6,13 +6,13 @@ import functools
 from collections.abc import Sequence
 from typing import Annotated
 
-from winkler.checks.number_checks import POSITIVE, Advice, Numbers, Positive
-from winkler.errors import InvalidInput
-from winkler.limits import MEASURED_TIMES
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.poroelastic.held import HeldProfile, held_contact, shape_of
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Advice, Numbers, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MEASURED_TIMES
+from winkler.values.value import value, words
 
 __all__ = ["HeldForce", "checked_holds"]
 

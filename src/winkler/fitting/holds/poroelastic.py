@@ -14,12 +14,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.fitting.holds.held_force import HeldForce, checked_holds
 from winkler.numerics.types import Array
 from winkler.problems.poroelastic.held import shape_of
 from winkler.problems.poroelastic.relaxation_table import GREATEST_POISSON, relaxed_share
-from winkler.values import value, words
+from winkler.values.errors import NotConverged
+from winkler.values.value import value, words
 
 __all__ = ["PoroelasticFit", "fit_poroelastic"]
 

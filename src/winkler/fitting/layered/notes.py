@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.fitting.layered.response import TooWide, along_path, relaxing_solid, stack_waves
 from winkler.fitting.validity import coating_notes
 from winkler.foundation.bed import Bed
@@ -15,7 +14,8 @@ from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.validity import shape_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import WinklerError
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["layered_fit_notes"]
 

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import Rigid
@@ -23,6 +22,7 @@ from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.springs.driven_cells import cosine_basis, march
 from winkler.numerics.transforms.modulus_waves import ModulusWaves, creep_of_poles, fit_modulus_waves
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, NotConverged
 
 __all__ = ["LayeredHistory", "StackWaves", "TooWide", "along_path", "relaxing_solid", "stack_waves"]
 

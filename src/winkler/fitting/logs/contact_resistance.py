@@ -15,13 +15,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.logs.estimated import Estimate, inflation
 from winkler.foundation.bed import Bed
 from winkler.laws.film import SurfaceFilm
-from winkler.limits import MEASURED_TIMES
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array
@@ -29,9 +26,12 @@ from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.constriction import Constriction
 from winkler.problems.conduction.disc import resistances_of
 from winkler.problems.normal.indentation import Indentation
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing, standing_of
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, NonNegative, Numbers
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import MEASURED_TIMES
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["MeasuredConstriction", "MeasuredConstrictionSolution", "ResistanceLog"]
 

@@ -13,12 +13,12 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import FINITE, POSITIVE, Numbers
-from winkler.errors import InvalidInput
 from winkler.fitting.logs.estimated import Estimate, mean_of
-from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FINITE, POSITIVE, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import PATH_POINTS
+from winkler.values.value import value, words
 
 __all__ = ["FEWEST_POINTS", "Cycle", "FrictionLog", "noise_of"]
 

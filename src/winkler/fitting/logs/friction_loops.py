@@ -17,20 +17,20 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.logs.estimated import Estimate, inflation, mean_of
 from winkler.fitting.logs.friction_log import FrictionLog, noise_of
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
-from winkler.loading import Shift
+from winkler.loading.loads import Shift
+from winkler.loading.path import OneNormal
 from winkler.numerics.types import Array
-from winkler.path import OneNormal
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping import FrictionDamping
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing, standing_of
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["FrictionLoops", "FrictionLoopsSolution"]
 
@@ -94,7 +94,7 @@ class FrictionLoops:
     --------
     >>> import numpy as np
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.flat import FlatPunch

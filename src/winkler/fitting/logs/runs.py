@@ -14,10 +14,10 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.logs.estimated import Estimate, last_of_line, mean_of
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["BounceTimes", "PinOnDisc"]
 

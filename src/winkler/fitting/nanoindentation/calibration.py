@@ -31,7 +31,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.area_fit import (
     AreaFit,
@@ -49,6 +48,7 @@ from winkler.fitting.several.standing_out import copies, outlying
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, NotConverged
 
 __all__ = ["calibrate_indenter"]
 

@@ -11,8 +11,8 @@ from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.notes import calibration_notes
 from winkler.fitting.nanoindentation.readings import area_of
 from winkler.numerics.types import Array
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["IndenterCalibration"]
 

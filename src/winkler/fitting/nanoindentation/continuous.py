@@ -7,17 +7,17 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, PoissonRatio
-from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.notes import calibration_note
 from winkler.fitting.nanoindentation.readings import Peaks, factors_of, moved_by, readings_of
 from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.fitting.unloading.unloading_notes import PILE_UP
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, PoissonRatio
+from winkler.values.errors import InvalidInput
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["ContinuousIndentation", "ContinuousIndentationSolution", "WindowMean"]
 

@@ -12,7 +12,7 @@ from winkler.fitting.curves.calibration import on_frame
 from winkler.fitting.curves.events.kinds import EventKind
 from winkler.fitting.nanoindentation.touch import white_noise
 from winkler.fitting.unloading.unloading_law import EXPONENT_BOUNDS, LEAST_FINAL_DEPTH
-from winkler.readable import with_unit
+from winkler.values.readable import with_unit
 
 __all__ = ["doubts_of"]
 

@@ -6,12 +6,12 @@ import dataclasses
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, Positive
-from winkler.errors import InvalidInput
 from winkler.fitting.unloading.contact_reading import CalibratedArea
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["DIAMOND", "CalibratedIndenter"]
 

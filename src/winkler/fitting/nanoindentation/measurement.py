@@ -31,8 +31,6 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import Fraction, NonNegative, PoissonRatio
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.corrections import without_drift
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.doubts import doubts_of
@@ -45,8 +43,10 @@ from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.fitting.unloading.contact_reading import intercept_factor
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Fraction, NonNegative, PoissonRatio
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["COMMON_SOURCES", "Nanoindentation", "NanoindentationSolution", "Prepared", "contributions", "prepared"]
 

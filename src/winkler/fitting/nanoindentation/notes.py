@@ -9,8 +9,8 @@ from typing import Any
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.unloading.unloading_notes import PILE_UP, PILE_UP_LIMIT, READING, REVIEW, USUAL_EXPONENTS
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["calibration_note", "calibration_notes", "nanoindentation_notes"]
 

@@ -21,10 +21,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, checked
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, checked
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["PopInStatistics", "first_yield_stress", "pop_in_statistics"]
 

@@ -35,7 +35,7 @@ from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
 from winkler.fitting.nanoindentation.touch import white_noise
 from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["IndentationQuantities", "indentation_quantities"]
 

@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["Peaks", "Readings", "area_of", "factors_of", "moved_by", "readings_of"]
 

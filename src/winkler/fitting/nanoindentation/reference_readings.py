@@ -6,13 +6,13 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput, WinklerError
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.nanoindentation.area_fit import COMMON_ZERO, ReferenceReadings
 from winkler.fitting.nanoindentation.measurement import Prepared, prepared
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, WinklerError
 
 __all__ = ["prepared_references", "reference_readings"]
 

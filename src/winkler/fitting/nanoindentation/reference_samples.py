@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from winkler.checks.number_checks import NonNegative, PoissonRatio, Positive
 from winkler.materials.elastic import Elastic
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, PoissonRatio, Positive
+from winkler.values.value import value, words
 
 __all__ = ["FUSED_SILICA", "SAPPHIRE", "ReferenceSample"]
 

@@ -22,11 +22,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.nanoindentation.measurement import COMMON_SOURCES, NanoindentationSolution
 from winkler.fitting.several.standing_out import BatchQuantity
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["RepeatedMean", "compared_quantities", "repeated_mean"]
 

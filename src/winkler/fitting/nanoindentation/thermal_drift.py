@@ -11,14 +11,14 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.nanoindentation.touch import white_noise
 from winkler.fitting.nanoindentation.zero_point import IN_CONTACT, ZeroPoint, found_zero_point
 from winkler.fitting.noise.estimate import noise_of
-from winkler.readable import with_unit
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.readable import with_unit
+from winkler.values.value import value, words
 
 __all__ = ["ThermalDrift", "found_drift"]
 

@@ -13,12 +13,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.pooled_noise import NoiseRecord, PooledNoise, pooled_noise
 from winkler.fitting.unloading.unloading_law import UnloadingLaw, fitted_power_law
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, NotConverged
 
 __all__ = ["FittedUnloadings", "fitted_unloadings"]
 

@@ -16,12 +16,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.touch import LEAST_POINTS, Touch, fitted_touch, white_noise
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["ZeroPoint", "found_zero_point"]
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.fit import fit
@@ -19,6 +18,7 @@ from winkler.fitting.validity import Model
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["begun_alone", "errors_of", "same_start"]
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 
-from winkler.errors import InvalidInput
 from winkler.fitting.several.population import Population, quantile
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["GroupRatio", "ratio_of"]
 

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.generalised import Generalised
 from winkler.fitting.least_squares import bounds
 from winkler.fitting.noise.estimate import noise_of
@@ -21,6 +20,7 @@ from winkler.fitting.several.arrowhead import CurveBlock, reduced, solved_blocks
 from winkler.fitting.several.same_task import SameTask
 from winkler.fitting.task import FitTask
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["Joined", "joined"]
 

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.several.population import quantile
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value, words
 
 __all__ = ["JointFit"]
 

@@ -29,10 +29,10 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.several.standing_out import outlying
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["Population", "population", "quantile"]
 

@@ -19,8 +19,8 @@ import numpy as np
 
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array, ArrayLike
-from winkler.readable import with_unit
-from winkler.values import value, words
+from winkler.values.readable import with_unit
+from winkler.values.value import value, words
 
 __all__ = ["LEAST_STATED", "BatchQuantity", "copies", "doubts_of_batch", "outlying", "standing_out"]
 

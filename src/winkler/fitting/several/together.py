@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.outcome import AnyFit, CreepFit
 from winkler.fitting.search import Search
@@ -24,6 +23,7 @@ from winkler.fitting.several.same_task import SameTask, same_task
 from winkler.fitting.validity import Model
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["fit_together", "joint_of"]
 

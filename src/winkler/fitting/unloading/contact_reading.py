@@ -13,8 +13,6 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, PositiveOrInfinite
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
@@ -23,7 +21,9 @@ from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.profiles.profile import Profile
 from winkler.profiles.pyramids.pyramid import PyramidShape
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, PositiveOrInfinite
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = [
     "CalibratedArea",

@@ -8,10 +8,10 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["ContinuousStiffness"]
 

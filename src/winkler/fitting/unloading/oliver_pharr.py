@@ -26,8 +26,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, Fraction, Positive
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.unloading.contact_reading import Tip, area_at, contact_reading, intercept_factor
@@ -35,8 +33,10 @@ from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import unloading_notes
 from winkler.fitting.unloading.unloading_peak import FEWEST, UnloadingFromPeak, unloading_from_peak
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Finite, Fraction, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["OliverPharr", "OliverPharrSolution"]
 

@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["UnloadingLaw", "fitted_power_law"]
 

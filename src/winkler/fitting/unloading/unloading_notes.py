@@ -24,8 +24,8 @@ from winkler.fitting.unloading.unloading_peak import FEWEST
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["unloading_notes"]
 

@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["FEWEST", "UnloadingFromPeak", "unloading_from_peak"]
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["tip_acceleration"]
 

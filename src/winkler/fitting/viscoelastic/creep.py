@@ -17,7 +17,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.noise.disturbances import disturbances_of
 from winkler.fitting.outcome import CreepFit
@@ -25,14 +24,15 @@ from winkler.fitting.task import Prediction
 from winkler.fitting.viscoelastic.corners import Corners, corners_of, with_corners
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
 from winkler.fitting.viscoelastic.task import RelaxingTask
-from winkler.loading import Force
+from winkler.loading.loads import Force
+from winkler.loading.path import Path
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["FORCE_FIT_SHARE", "LEAST_NOISE", "UnderForce"]
 

@@ -14,9 +14,9 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.task import Prediction
 from winkler.fitting.viscoelastic.motion import UnderMotion
 from winkler.fitting.viscoelastic.response import ContactHistory, elastic_table
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import Path
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.viscoelastic.march import elastic_like
 
 __all__ = ["UnderCycles", "goes_in_again"]

@@ -20,13 +20,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.corrections import drag_force, free_line
 from winkler.fitting.task import FitTask
 from winkler.fitting.viscoelastic.start import TIMES, field_name, window
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.values.errors import InvalidInput
 
 __all__ = ["unidentified"]
 

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
@@ -19,10 +18,11 @@ from winkler.fitting.viscoelastic.cycles import UnderCycles, goes_in_again
 from winkler.fitting.viscoelastic.layered_task import LayeredForce, LayeredMotion, refuse_stack_numbers
 from winkler.fitting.viscoelastic.motion import UnderMotion
 from winkler.fitting.viscoelastic.task import RelaxingTask
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.values.errors import InvalidInput
 
 __all__ = ["driven_task", "examined_stroke"]
 

@@ -13,7 +13,6 @@ from typing import Any, Self
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.layered.response import (
     LayeredHistory,
@@ -34,6 +33,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["LayeredForce", "LayeredMotion", "refuse_stack_numbers"]
 

@@ -13,9 +13,9 @@ from winkler.fitting.task import Prediction
 from winkler.fitting.viscoelastic.corners import Corners, corners_of, with_corners
 from winkler.fitting.viscoelastic.response import ContactHistory, elastic_table, forces
 from winkler.fitting.viscoelastic.task import RelaxingTask
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import Path
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 

@@ -11,14 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 from winkler.numerics.springs.hereditary import forces_of_motion, motion_of_forces
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_end
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["ContactHistory", "ElasticTable", "elastic_table", "forces", "positions"]
 

@@ -6,13 +6,13 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.archive_file import refuse_large_archive
 from winkler.io.foreign import path_text
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tests_of_micro_materials
 from winkler.io.text_file import lines_of_bytes
-from winkler.limits import HEADER_LETTERS
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import HEADER_LETTERS
 
 __all__ = ["is_archive_of_tests", "tests_of_archive"]
 

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.memory import limited_memory
 from winkler.io.tables.given_units import GivenFacts
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["ENDING", "is_asylum_half", "tests_of_asylum_columns", "tests_of_asylum_pair"]
 

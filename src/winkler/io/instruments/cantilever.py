@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import measures
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["force_factor"]
 

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, rows_of, split_unit
+from winkler.values.errors import InvalidInput
 
 __all__ = ["is_femtotools", "tests_of_femtotools"]
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
 from winkler.io.instruments.asylum_pair import (
     ENDING,
@@ -27,6 +26,7 @@ from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of
 from winkler.io.workbooks.workbook_cells import is_workbook
+from winkler.values.errors import InvalidInput
 
 __all__ = ["instrument_tests", "states_curves"]
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, rows_of
+from winkler.values.errors import InvalidInput
 
 __all__ = ["is_fischerscope", "tests_of_fischerscope"]
 

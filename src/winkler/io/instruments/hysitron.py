@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, rows_of, split_unit
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["is_hld", "is_nano_dma", "tests_of_hld", "tests_of_nano_dma"]
 

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["InstrumentColumn", "InstrumentTest", "measures"]
 

@@ -14,13 +14,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
 from winkler.io.instruments.number_block import rows_of
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["is_jpk_text", "tests_of_jpk_text"]
 

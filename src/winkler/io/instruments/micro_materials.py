@@ -12,9 +12,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, is_row, rows_of
+from winkler.values.errors import InvalidInput
 
 __all__ = ["NAME", "is_micro_materials", "tests_of_micro_materials"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["refuse_method"]
 

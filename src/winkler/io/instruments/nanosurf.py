@@ -12,14 +12,14 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
 from winkler.io.instruments.number_block import rows_of, split_unit
 from winkler.io.segments import directions, is_written_backwards, segment_fact
 from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["is_nanosurf_text", "tests_of_nanosurf_text"]
 

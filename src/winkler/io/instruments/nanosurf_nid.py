@@ -13,13 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.segments import directions, is_written_backwards, segment_fact
 from winkler.io.tables.given_units import GivenFacts
-from winkler.limits import FILE_BYTES
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FILE_BYTES
 
 __all__ = ["is_nanosurf_nid", "tests_of_nanosurf_nid"]
 

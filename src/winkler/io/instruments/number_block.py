@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.instruments.instrument_test import InstrumentColumn
 from winkler.io.tables.decimal_commas import DecimalCommas
 from winkler.io.tables.table_cells import ABSENT, is_number
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["columns_of", "is_row", "rows_of", "split_unit"]
 

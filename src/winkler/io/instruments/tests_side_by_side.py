@@ -15,7 +15,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES, TIME_NAMES
 from winkler.io.instruments.cantilever import force_factor
@@ -27,6 +26,7 @@ from winkler.io.tables.table_cells import is_number, like_number
 from winkler.io.tables.table_lines import table_head, table_lines, table_sheets
 from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["tests_side_by_side"]
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.continuous_loading import (
     HARDNESS_NAMES,
@@ -32,7 +31,8 @@ from winkler.io.swapped_columns import is_list, signs
 from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["curves_of_test", "is_results"]
 

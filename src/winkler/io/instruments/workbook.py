@@ -14,13 +14,13 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.curve_columns import DEPTH_NAMES, FORCE_NAMES, POSITION_NAMES
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, split_unit
 from winkler.io.instruments.to_curve import is_results
 from winkler.io.workbooks.workbook_cells import Cell, WorkbookSheet, sheets_of
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["tests_of_workbook"]
 

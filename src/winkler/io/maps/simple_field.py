@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.height_matrix import MapContents, refuse_many
 from winkler.io.text_file import content_of
-from winkler.limits import FILE_BYTES
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FILE_BYTES
+from winkler.values.units import scale
 
 __all__ = ["is_simple_field", "simple_field_map"]
 

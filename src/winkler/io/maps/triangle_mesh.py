@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.height_matrix import MapContents, points_on_grid, refuse_many
 from winkler.io.text_file import content_of
-from winkler.limits import FILE_BYTES
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FILE_BYTES
 
 __all__ = ["mesh_map"]
 

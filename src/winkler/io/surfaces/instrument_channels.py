@@ -12,7 +12,6 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.lib.format import MAGIC_PREFIX
 
-from winkler.errors import InvalidInput, suggest
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
@@ -20,7 +19,8 @@ from winkler.io.memory import limited_memory
 from winkler.io.surfaces.repacked import X3P_HEAD, readable_copy
 from winkler.io.surfaces.surface_container import contained_surface, is_container
 from winkler.io.text_file import UTF16_MARKS, content_of, of_other_program, refuse_large
-from winkler.limits import FILE_BYTES
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.limits import FILE_BYTES
 
 __all__ = ["channel_contents", "tip_radius_of"]
 

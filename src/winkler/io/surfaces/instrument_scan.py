@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.surfaces.instrument_channels import channel_contents
-from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["ScanContents", "instrument_scan"]
 

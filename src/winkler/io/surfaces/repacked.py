@@ -9,10 +9,10 @@ import zlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, is_archive, member
 from winkler.io.text_file import content_of
-from winkler.limits import FILE_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FILE_BYTES
 
 __all__ = ["X3P_HEAD", "readable_copy"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput, suggest
 from winkler.io.archive_file import archive, is_archive
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["contained_surface", "is_container", "measurement_names"]
 

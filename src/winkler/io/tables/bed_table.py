@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import os
 
-from winkler.errors import InvalidInput
 from winkler.foundation.measured import MeasuredBed
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_bed"]
 

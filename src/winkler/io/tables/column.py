@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["Column", "example_of"]
 

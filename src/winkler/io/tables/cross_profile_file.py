@@ -9,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, read_table
 from winkler.io.tables.table_cells import number_in
 from winkler.io.text_file import existing, lines_of
 from winkler.numerics.types import Array
 from winkler.profiles.sections.cross_profile import CrossProfile
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_cross_profile"]
 

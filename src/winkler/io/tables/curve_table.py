@@ -16,7 +16,6 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.continuous_loading import (
     HARDNESS_NAMES,
@@ -45,7 +44,8 @@ from winkler.io.tables.several_tests import parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.table_cells import cells_of, named
 from winkler.numerics.types import Array
-from winkler.units import comma_hint
+from winkler.values.errors import InvalidInput
+from winkler.values.units import comma_hint
 
 __all__ = ["is_curve_table", "read_curve_tables"]
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.table_cells import is_number
-from winkler.units import comma_hint, comma_readings
+from winkler.values.errors import InvalidInput
+from winkler.values.units import comma_hint, comma_readings
 
 __all__ = ["DecimalCommas"]
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from winkler.errors import InvalidInput, suggest
 from winkler.io.tables.column import Column, example_of
-from winkler.units import scale
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.units import scale
 
 __all__ = ["GivenFacts", "checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
 

@@ -7,11 +7,11 @@ import os
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.materials.depth_grading import TabulatedGrading
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_grading"]
 

@@ -8,12 +8,12 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column, example_of
 from winkler.io.tables.given_units import filled_units, refuse_contradiction
 from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, unit_in
 from winkler.io.tables.table_lines import table_head
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = [
     "SEPARATORS_TRIED",

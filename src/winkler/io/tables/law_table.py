@@ -13,11 +13,11 @@ import math
 import os
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.traces import CONVENTIONS, inputs_of
 from winkler.io.whole_file import write_whole_text
 from winkler.problems.particles.contact_law import ContactLawSolution
-from winkler.vocabulary import word
+from winkler.values.errors import InvalidInput
+from winkler.values.vocabulary import word
 
 __all__ = ["write_law"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
-from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
-from winkler.path import Path
+from winkler.loading.loads import Angle, Depth, Force, ShearForce, Shift, Torque
+from winkler.loading.path import Path
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_path"]
 

@@ -6,8 +6,8 @@ import math
 import re
 from collections.abc import Sequence
 
-from winkler.errors import InvalidInput
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["place_in"]
 

@@ -6,10 +6,10 @@ import os
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
 from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.profiles.sections.cross_profile import CrossProfile
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_profile_pair"]
 

@@ -12,12 +12,12 @@ import warnings
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.table import Column, read_table
 from winkler.numerics.types import Array
 from winkler.profiles.measured import Measured
 from winkler.profiles.sections.measured_section import MeasuredSection
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_profile", "read_section"]
 

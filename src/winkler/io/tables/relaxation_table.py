@@ -12,7 +12,6 @@ from typing import TypeVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.column import example_of
 from winkler.io.tables.header import names_columns
@@ -20,6 +19,7 @@ from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.tests_of_table import of_one_test
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.surfaces.instrument_scan import instrument_scan
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import existing
 from winkler.profiles.rough.line_scan import LineScan
-from winkler.units import scale
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
 
 __all__ = ["is_scan", "read_scan"]
 

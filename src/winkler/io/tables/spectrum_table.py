@@ -7,13 +7,13 @@ import os
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.scan_table import is_scan, read_scan
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.profiles.rough.line_scan import spectrum_of_lines
 from winkler.profiles.rough.spectrum import PowerSpectrum
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_spectrum"]
 

@@ -7,15 +7,15 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.text_file import existing
-from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["read_surface_load"]
 

@@ -9,7 +9,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.relaxation_table import (
@@ -24,6 +23,7 @@ from winkler.io.tables.table import Column
 from winkler.io.tables.tests_of_table import parts_of_table
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
 

@@ -20,8 +20,6 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from winkler.checks.physical_size import LARGEST_NUMBER
-from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
 from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, stated_header, zero_of
@@ -29,8 +27,10 @@ from winkler.io.tables.table_cells import cells_of, like_number, number_in
 from winkler.io.tables.table_lines import table_lines
 from winkler.io.text_file import headed
 from winkler.numerics.types import Array
-from winkler.units import scale
-from winkler.values import value
+from winkler.values.checks.physical_size import LARGEST_NUMBER
+from winkler.values.errors import InvalidInput
+from winkler.values.units import scale
+from winkler.values.value import value
 
 __all__ = ["Column", "Table", "read_table"]
 

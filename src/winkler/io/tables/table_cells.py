@@ -9,9 +9,9 @@ import functools
 import re
 from collections.abc import Iterator
 
-from winkler.errors import InvalidInput
-from winkler.limits import CELL_LETTERS
-from winkler.units import comma_hint, comma_readings, scale
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import CELL_LETTERS
+from winkler.values.units import comma_hint, comma_readings, scale
 
 __all__ = ["cells_of", "is_number", "like_number", "named", "number_in", "unit_in"]
 

@@ -9,12 +9,12 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.table_cells import is_number, named
 from winkler.io.text_file import existing, head_of, headed, lines_of
 from winkler.io.workbooks.workbook_cells import Cell, is_workbook, sheets_of
-from winkler.limits import HEADER_LINES, TEXT_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import HEADER_LINES, TEXT_BYTES
 
 __all__ = ["TablePart", "sheets_naming", "table_head", "table_lines", "table_sheets"]
 

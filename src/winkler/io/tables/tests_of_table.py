@@ -15,12 +15,12 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeVar
 
-from winkler.errors import InvalidInput
 from winkler.io.tables.column import Column
 from winkler.io.tables.header import COMMENT_MARKS, SEPARATORS_TRIED, needs_of, zero_of
 from winkler.io.tables.table import read_table
 from winkler.io.tables.table_cells import cells_of, is_number, like_number, named
 from winkler.io.tables.table_lines import TablePart, sheets_naming, table_head, table_lines
+from winkler.values.errors import InvalidInput
 
 __all__ = ["of_one_test", "parts_of_table"]
 

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.parsers import expat
 
-from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive
-from winkler.limits import TEXT_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import TEXT_BYTES
 
 __all__ = ["Cell", "WorkbookSheet", "is_open_document", "open_document_sheets"]
 

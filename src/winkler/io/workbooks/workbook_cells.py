@@ -9,13 +9,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput
 from winkler.io.archive_file import refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.memory import limited_memory
 from winkler.io.text_file import refuse_large
 from winkler.io.workbooks.open_document import Cell, WorkbookSheet, is_open_document, open_document_sheets
-from winkler.limits import TEXT_BYTES
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import TEXT_BYTES
 
 __all__ = ["Cell", "WorkbookSheet", "is_workbook", "sheets_of"]
 

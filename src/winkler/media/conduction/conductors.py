@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.checks.field_checks import Condition
 from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.materials.conducting_body import ConductingBody, surface_of
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.media.conduction.disc_resistance import Resistances, conduction_notes, disc_resistances
 from winkler.numerics.types import Array
-from winkler.validity import Note
-from winkler.values import value
+from winkler.values.checks.field_checks import Condition
+from winkler.values.validity import Note
+from winkler.values.value import value
 
 __all__ = ["ElectricalConductors", "HeatConductors"]
 

@@ -20,7 +20,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.materials.conducting_body import (
     ConductingBody,
     Plated,
@@ -37,8 +36,9 @@ from winkler.numerics.transforms import fredholm
 from winkler.numerics.transforms.kernel_matrix import kernel_matrix, panel_nodes
 from winkler.numerics.transforms.punch_tables import punch_at
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["PlatedResponse", "Resistances", "conduction_notes", "disc_resistances"]
 

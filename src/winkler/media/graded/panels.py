@@ -18,7 +18,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.designed import Designed
 from winkler.profiles.measured import Measured
 from winkler.profiles.smoothing import Spline
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["designed", "measured"]
 

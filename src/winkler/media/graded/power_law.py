@@ -22,7 +22,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Rigid
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.profile import transform
@@ -33,8 +32,9 @@ from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["GradedHalfSpace"]
 

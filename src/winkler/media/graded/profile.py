@@ -17,7 +17,6 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.media.graded.panels import designed, measured
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array
@@ -28,7 +27,8 @@ from winkler.profiles.pieces import PowerPieces
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile, Sum
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["Transform", "transform"]
 

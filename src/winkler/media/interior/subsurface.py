@@ -20,13 +20,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from winkler.errors import InvalidInput
 from winkler.media.interior.surface_limit import PAIRS_PER_CHUNK, POINTS_PER_BLOCK, Indices, point_groups, superposed_on
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField, Potentials, combine, punch_below
 from winkler.media.punch_superposition import CLUSTER_DISTANCE, LoadPanel, PunchCluster, punch_superposition
 from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["field", "superposed_below"]
 

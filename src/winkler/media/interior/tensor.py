@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "Measure",

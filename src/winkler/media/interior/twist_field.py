@@ -21,11 +21,11 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.media.medium import Displacement
 from winkler.numerics.integrals.bisected_quadrature import refined
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "TwistBelow",

@@ -33,7 +33,6 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
 from winkler.media.interior import shear_field, subsurface
@@ -52,8 +51,9 @@ from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveRe
 from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 if TYPE_CHECKING:
     from winkler.media.offers import PairWaves

@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.interior import subsurface
 from winkler.media.layered.blocks import Four, add, scaled, times
@@ -29,6 +28,7 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = [
     "WaveState",

@@ -21,7 +21,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.chunks import chunks
@@ -29,7 +28,8 @@ from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.errors import NotConverged
+from winkler.values.value import value
 
 __all__ = ["CarriedLoad", "settled_sums", "spread", "surface"]
 

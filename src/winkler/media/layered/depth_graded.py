@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.checks.number_checks import between
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import RIGID, Solid
 from winkler.media.layered import depth_interior
@@ -21,8 +20,9 @@ from winkler.media.layered.depth_response import DepthResponse, GradedBody
 from winkler.media.layered.pair_response import Mode
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import between
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["DepthGradedHalfSpace"]
 

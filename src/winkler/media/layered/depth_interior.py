@@ -18,7 +18,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Elastic
 from winkler.media.interior import subsurface
@@ -33,6 +32,7 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.transforms.cosine_transform import NODES
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["field", "sunk"]
 

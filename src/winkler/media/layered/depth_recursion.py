@@ -22,11 +22,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.layered.across import across_above
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values.errors import NotConverged
 
 __all__ = [
     "CellState",

@@ -32,8 +32,8 @@ from winkler.media.layered.wave_constants import Wave, half_space_compliance, in
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.transforms.cosine_transform import on_axis
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Standing
-from winkler.values import value
+from winkler.values.validity import Standing
+from winkler.values.value import value
 
 __all__ = [
     "DepthResponse",

@@ -24,7 +24,7 @@ from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["FloatingAcross"]
 

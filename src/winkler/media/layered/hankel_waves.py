@@ -12,13 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.chunks import wave_sums
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, NODES, wave_numbers
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = [
     "LARGEST_PHASE",

@@ -21,7 +21,7 @@ from winkler.media.layered.stack import Layered, StackBody
 from winkler.media.layered.wave_constants import Body, Wave, half_space_compliance
 from winkler.numerics.caching import rounded
 from winkler.numerics.types import ComplexArray
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["MODE_WORDS", "Mode", "PairResponse", "WavePair"]
 

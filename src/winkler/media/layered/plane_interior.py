@@ -24,7 +24,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.layered.coated_interior import refuse_base, wave_states
 from winkler.media.layered.hankel_waves import SHORTEST_WAVES, fading
 from winkler.media.layered.stack import StackBody
@@ -32,6 +31,7 @@ from winkler.media.offers import LayerStack
 from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["PlaneWaves", "added_stresses", "plane_waves"]
 

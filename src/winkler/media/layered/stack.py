@@ -22,8 +22,8 @@ from winkler.media.layered.wave_constants import (
 )
 from winkler.numerics.caching import rounded
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Standing
-from winkler.values import value
+from winkler.values.validity import Standing
+from winkler.values.value import value
 
 __all__ = ["Layered", "StackBody", "stack_waves"]
 

@@ -26,10 +26,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.layered.blocks import Four
 from winkler.numerics.types import ComplexArray
+from winkler.values.errors import OutsideValidity
 
 __all__ = [
     "Body",

@@ -9,12 +9,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.wave_constants import IsotropicAt, Wave, half_space_compliance
 from winkler.numerics.springs.exponential_sums import CreepSeries, of_relaxation
 from winkler.numerics.types import ComplexArray
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "GLASSY",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import ClassVar, Protocol
 
-from winkler.errors import OutsideValidity
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.wave_constants import Wave
 from winkler.media.relaxing.relaxing_medium import RelaxingLayers, RelaxingMedium
 from winkler.numerics.transforms.wave_creep import WaveCreep
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["RelaxingByWaves"]
 

@@ -19,7 +19,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
@@ -44,8 +43,9 @@ from winkler.numerics.springs.exponential_sums import of_relaxation
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
 from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["ViscoelasticCoatedHalfSpace"]
 

@@ -14,8 +14,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Number, Positive, PositiveNotTiny
-from winkler.errors import OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.viscoelastic import ViscoelasticSolid
@@ -35,8 +33,10 @@ from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.poroelastic_waves import drained_waves, film_creep
 from winkler.numerics.transforms.wave_creep import WaveCreep
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Number, Positive, PositiveNotTiny
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["PoroelasticFilm"]
 

@@ -15,8 +15,6 @@ from typing import Annotated, Any, ClassVar, cast
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive
-from winkler.errors import OutsideValidity
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
@@ -32,8 +30,10 @@ from winkler.media.relaxing.relaxing_medium import LEE, RelaxingLayers
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, Positive
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["RelaxingInProportion"]
 

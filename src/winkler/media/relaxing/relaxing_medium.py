@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.medium import Displacement, Medium, PunchFacts
 from winkler.media.offers import PlaneMedium, offers
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array, ComplexArray
 from winkler.profiles.profile import Profile
+from winkler.values.errors import OutsideValidity
 
 if TYPE_CHECKING:  # layers are loaded with media that have some
     from winkler.media.layered.wave_constants import Wave

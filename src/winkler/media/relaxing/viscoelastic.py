@@ -15,7 +15,6 @@ import functools
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
@@ -27,8 +26,9 @@ from winkler.media.relaxing.at_rate import both, half_space_creep, solid_at
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["ViscoelasticHalfSpace", "share_of_creep"]
 

@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.media.offers import PowerOfDepth, TwistedWaves, TwistModuli, offers
 from winkler.numerics.panels.kink_panels import Stretches
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.twist_field import Twisted, clean_slope, twist_displacement, twist_traction
 from winkler.media.medium import Medium
@@ -21,6 +20,7 @@ from winkler.media.offers import PowerOfDepth, TwistedWaves, offers
 from winkler.media.twisting.kernels import no_kernel
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import WaveResponse

@@ -15,11 +15,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.attracted.attraction import Attraction
 from winkler.numerics.attracted.elastic_surface import ElasticSurface
 from winkler.numerics.attracted.region_step import region_step
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["AttractedSurface", "Rest"]
 

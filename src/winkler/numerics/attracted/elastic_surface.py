@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["ElasticSurface", "attracted_bytes"]
 

@@ -20,8 +20,6 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.equations.taylor import (
     FUNCTIONS,
     OPERATORS,
@@ -34,7 +32,9 @@ from winkler.numerics.equations.taylor import (
     times,
 )
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value
 
 __all__ = ["CONSTANTS", "Expression"]
 

@@ -16,9 +16,9 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.stabilised import step_error
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["ImplicitStep", "StiffSystem", "implicit_step"]
 

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["Condition", "IntegratedStates", "StopCondition", "integrate_to_stop"]
 

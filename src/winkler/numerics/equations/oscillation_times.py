@@ -9,9 +9,9 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import PATH_POINTS
 
 __all__ = ["oscillation_moments", "sine"]
 

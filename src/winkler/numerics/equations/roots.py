@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged, WinklerError
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, WinklerError
 
 __all__ = ["between", "bracketed", "invert", "rough_root"]
 

@@ -24,7 +24,7 @@ import numpy as np
 
 from winkler.numerics.integrals.quadrature import tanh_sinh
 from winkler.numerics.types import Array, Curve
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["FAST", "BandPeak", "BandSource", "warmest_of_band"]
 

@@ -25,7 +25,7 @@ import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["EllipticSource", "PeakPlace"]
 

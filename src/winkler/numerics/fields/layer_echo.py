@@ -24,7 +24,7 @@ import numpy as np
 
 from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array, ComplexArray
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["LayerEcho", "Stack"]
 

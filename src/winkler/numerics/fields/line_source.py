@@ -25,7 +25,7 @@ from winkler.numerics.fields.warmest_place import LEAST_TEMPERATURE_GAIN, PeakTe
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.cosine_pieces import cosine_places, place_on
 from winkler.numerics.types import Array, Curve
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["TOLERANCE", "LineSource", "PeakTemperature"]
 

@@ -11,7 +11,7 @@ from winkler.numerics.fields.band_source import BandPeak, BandSource, warmest_of
 from winkler.numerics.fields.layer_echo import LayerEcho, Stack
 from winkler.numerics.integrals.quadrature import tanh_sinh
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["StackedBand"]
 

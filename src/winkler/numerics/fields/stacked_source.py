@@ -14,7 +14,7 @@ from winkler.numerics.fields.source_tables import cosine_rule, powers
 from winkler.numerics.fields.warmest_place import PeakTemperature, warmest_place
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["StackedSource"]
 

@@ -8,7 +8,7 @@ from winkler.numerics.fields.band_source import BandPeak, BandSource
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["ThickBand", "ThickBody"]
 

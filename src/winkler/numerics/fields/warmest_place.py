@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["LEAST_TEMPERATURE_GAIN", "PeakTemperature", "warmest_place"]
 

@@ -14,10 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["JointFlux", "joint_flux"]
 

@@ -17,10 +17,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["settled"]
 

@@ -16,8 +16,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["along_springs", "refined", "towards"]
 

@@ -11,9 +11,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.integrals.adaptive_quadrature import TOLERANCE, settled
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["gauss_jacobi", "settled_power"]
 

@@ -21,8 +21,8 @@ import functools
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
 __all__ = ["gauss_legendre", "tanh_sinh"]
 

@@ -6,9 +6,9 @@ import functools
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.types import Array, ComplexArray, Curve
-from winkler.values import value
+from winkler.values.errors import NotConverged
+from winkler.values.value import value
 
 __all__ = ["Panels", "fit_panels", "stationary"]
 

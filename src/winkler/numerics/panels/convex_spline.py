@@ -21,7 +21,7 @@ from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["ConvexCurve", "first_concave_part", "fit_convex", "local_scatter"]
 

@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, Curve
+from winkler.values.errors import NotConverged
 
 __all__ = ["Octaves"]
 

@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.errors import NotConverged
+from winkler.values.value import value
 
 __all__ = ["RootPanels", "doubled", "fit", "nodes", "root"]
 

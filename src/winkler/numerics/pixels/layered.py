@@ -11,13 +11,13 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.pixels.integrals import over_pixels, over_slices
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.radial_kernel import RadialKernel, radial_kernel
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["GridResponse", "LayeredSurface", "SurfaceBelow"]
 

@@ -17,12 +17,12 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.pixels.integrals import over_pixels
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.radial_kernel import RadialKernel, radial_kernel, turning_kernel
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["LayeredShear", "ShearResponse"]
 

@@ -14,12 +14,12 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.plates.face import step_on
 from winkler.numerics.plates.pressed_sums import left_over, shared
 from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.plates.screened_inverse import kernel_of
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["PlateContact"]
 

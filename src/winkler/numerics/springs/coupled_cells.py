@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["EDGE_SHIFT", "BorneCells", "CoupledCells", "LoadedCells"]
 

@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 
 from winkler.numerics.types import Array, ComplexArray
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["CreepSeries", "RelaxationSeries", "merged", "of_creep", "of_relaxation", "zeros"]
 

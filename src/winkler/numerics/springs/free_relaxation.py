@@ -11,7 +11,7 @@ import numpy as np
 
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, zeros
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["Law", "Recovery"]
 

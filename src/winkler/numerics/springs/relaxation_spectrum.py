@@ -21,9 +21,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.springs.spectrum_response import Measurements, Response, SpectrumLayout, bending, linearised
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["SpectrumEstimate", "estimate_spectrum"]
 

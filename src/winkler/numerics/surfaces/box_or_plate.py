@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.arrays import namespace_of, to_numpy
 from winkler.numerics.plates.plate_contact import PlateContact
 from winkler.numerics.surfaces.pressed_box import BoxContact
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
+from winkler.values.errors import NotConverged
 
 __all__ = ["box_or_plate"]
 

@@ -11,12 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.surfaces.pressed_slender import Pose, PressedSlender, press_slender
 from winkler.numerics.surfaces.slender_grid import SlenderGrid, graded
 from winkler.numerics.surfaces.slender_start import first_overlap
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["Generator", "SlenderContact", "pressed_levels"]
 

@@ -10,11 +10,11 @@ import logging
 import math
 from typing import Any, NamedTuple
 
-from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, namespace_of
 from winkler.numerics.plates.pressed_sums import left_over, shared
 from winkler.numerics.row_blocks import RowBlocks
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
+from winkler.values.errors import NotConverged
 
 __all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around"]
 

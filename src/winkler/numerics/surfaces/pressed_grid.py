@@ -14,13 +14,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.arrays import cast, given, namespace_of
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.plates.pressed_sums import overlap_and_work, shared
 from winkler.numerics.surfaces.box_or_plate import box_or_plate
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
 

@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.fields.strips_below import Below
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["PressedLine", "press_line"]
 

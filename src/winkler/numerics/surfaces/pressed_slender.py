@@ -16,9 +16,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces.slender_grid import SlenderGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["Pose", "PressedSlender", "press_slender"]
 

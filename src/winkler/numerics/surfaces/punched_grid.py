@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.arrays import cast, dot, given, namespace_of, to_numpy
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.plates.face import step_on
@@ -21,6 +20,7 @@ from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["punch", "stuck_stiffness"]
 

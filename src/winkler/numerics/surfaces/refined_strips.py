@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.fields.strip_potential import StripTerms
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots, equations, moved, nodes_of
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["Examined", "examined", "gaps", "refined"]
 

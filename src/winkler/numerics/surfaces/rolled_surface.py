@@ -21,11 +21,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces.halved_rolling import doubled_traction, halved_grid, halved_means, in_own_units
 from winkler.numerics.surfaces.sheared_surface import AT_BOUND, STIFFEST, within
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["RolledSurface", "roll"]
 

@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces.heated_grid import HeatedGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["HeatSharing"]
 

@@ -19,9 +19,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["AT_BOUND", "STIFFEST", "RigidStep", "ShearedSurface", "shear", "within"]
 

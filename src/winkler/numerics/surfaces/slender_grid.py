@@ -18,9 +18,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["SlenderGrid", "graded"]
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["StripStep", "StuckStrip", "first_to_stick", "strip_compliance", "strip_step"]
 

@@ -16,8 +16,8 @@ from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["Slipping", "Varied", "vary"]
 

@@ -14,12 +14,12 @@ from typing import Protocol, cast
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
-from winkler.values import value
+from winkler.values.errors import NotConverged
+from winkler.values.value import value
 
 __all__ = [
     "ScaledResponse",

@@ -17,12 +17,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
 from winkler.numerics.transforms.wave_creep import CHECKED_WAVES, CUTOFF, WaveCreep
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values.errors import NotConverged
 
 __all__ = ["ModulusWaves", "creep_of_poles", "fit_modulus_waves"]
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
 from winkler.numerics.types import ComplexArray
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["OddResponse", "parity"]
 

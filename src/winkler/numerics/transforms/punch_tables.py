@@ -15,13 +15,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["Punches", "first_radius", "octave_of", "punch_at", "tables"]
 

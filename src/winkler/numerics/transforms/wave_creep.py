@@ -21,12 +21,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial.chebyshev import chebvander
 
-from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values.errors import NotConverged
 
 __all__ = ["WaveCreep", "fit_wave_creep"]
 

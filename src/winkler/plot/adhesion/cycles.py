@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.loading import Depth, Force, ShearForce, Shift
+from winkler.loading.loads import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, points, zero

@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.laws.adhesion import ShortRange
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Rule, note, points, zero
@@ -19,6 +18,7 @@ from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOffSolution
+from winkler.values.errors import InvalidInput
 
 __all__ = ["around_panel", "curve_around", "equilibrium_panel", "pull_off_panel", "radii_panel"]
 

@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity, WinklerError
 from winkler.laws.current import Voltage
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
@@ -20,6 +19,7 @@ from winkler.plot.series import Series, common_scale, middle_scale, series, with
 from winkler.problems.conduction.constriction import ConstrictionSolution
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
+from winkler.values.errors import OutsideValidity, WinklerError
 
 __all__ = ["constriction_sheet", "joule_sheet", "thermal_sheet"]
 

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
@@ -16,6 +15,7 @@ from winkler.plot.series import Series, places, scale_of, series
 from winkler.problems.conduction.fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
+from winkler.values.errors import InvalidInput
 
 __all__ = ["conduction_map", "crossing_panel", "fields_sheet"]
 

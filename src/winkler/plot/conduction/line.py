@@ -6,13 +6,13 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.loading import LineForce
+from winkler.loading.loads import LineForce
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points
 from winkler.plot.series import middle_scale, scale_of, series, with_unit
 from winkler.problems.conduction.line_constriction import LineConstrictionSolution
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["line_constriction_sheet"]
 

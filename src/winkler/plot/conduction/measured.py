@@ -11,7 +11,7 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.series import Series
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["measured_resistance_sheet"]
 

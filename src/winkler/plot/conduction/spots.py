@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Bars, Line, Map, Panel, PanelAxis, Rule, Sheet, plane

@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, titled
 from winkler.plot.series import Series
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["curve_sheet"]
 

@@ -16,7 +16,7 @@ from winkler.plot.fitting.fits import measured_dots
 from winkler.plot.marks import Area, Line, Rule
 from winkler.plot.panel import Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["comparison_sheet", "depth_sheet", "shared_sheet"]
 

@@ -13,7 +13,7 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Bars, Dots, Line, Map, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = [
     "DIRECTIONS",

@@ -16,7 +16,7 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Series
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["calibration_sheet", "continuous_sheet", "nanoindentation_sheet", "over_depth", "pop_in_sheet"]
 

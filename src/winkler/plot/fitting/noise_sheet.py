@@ -8,7 +8,7 @@ from winkler.fitting.compare import AnyFit
 from winkler.plot import style
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Scale, Series
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["noise_sheet"]
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fields import restore
+from winkler.fields.restoration import restore
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.numerics.types import Array

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading import ShearForce, Shift
+from winkler.loading.loads import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent

@@ -8,13 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.outline import refuse_unless_round
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading import ShearForce
+from winkler.loading.loads import ShearForce
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of, without_extent
 from winkler.plot.extent import around, checked_extent
@@ -42,6 +40,8 @@ from winkler.problems.friction.tangential import TangentialSolution
 from winkler.problems.friction.tangential_states import TangentialState
 from winkler.problems.friction.torsion import TorsionSolution
 from winkler.problems.friction.torsion_states import TorsionState
+from winkler.values.checks.outline import refuse_unless_round
+from winkler.values.errors import OutsideValidity
 
 __all__ = [
     "ENERGY_NAMES",

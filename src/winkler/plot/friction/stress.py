@@ -6,17 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.fields import restore_body
+from winkler.fields.peaks import peak_stress
+from winkler.fields.restoration import restore_body
 from winkler.foundation.bed import Bed
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
-from winkler.peaks import peak_stress
 from winkler.plot import style
 from winkler.plot.normal.stresses import depths_through, faces_above, interface_rules, stress_map
 from winkler.plot.panel import Line, Panel, note
 from winkler.plot.series import series, with_unit
 from winkler.problems.answer import Dragged, SelfRestoring, is_dragged, is_self_restoring
+from winkler.values.errors import InvalidInput
 
 __all__ = ["body_stress_panel", "dragged_stress_panel", "in_first"]
 

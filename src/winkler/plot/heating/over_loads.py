@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Quantity
 from winkler.plot import style
 from winkler.plot.panel import Panel, PanelAxis, Sheet, among, titled
 from winkler.plot.series import middle_scale, scale_of, series
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["curves_sheet", "refuse_cold"]
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of, without_extent
 from winkler.plot.panel import Panel, PanelAxis, Rule, Sheet, among, titled

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading import HalfWidth
+from winkler.loading.loads import HalfWidth
 from winkler.materials.elastic import Elastic
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.plot import style

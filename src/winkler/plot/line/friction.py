@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of, without_extent
@@ -18,6 +17,7 @@ from winkler.plot.series import places, scale_of, series, with_unit
 from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.line_friction.tangential import LineTangentialSolution
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["line_tangential_sheet", "line_tangential_state_sheet"]
 

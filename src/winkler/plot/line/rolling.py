@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading import LineShearForce
+from winkler.loading.loads import LineShearForce
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of

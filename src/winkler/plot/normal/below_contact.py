@@ -7,7 +7,7 @@ from typing import TypeGuard
 
 import numpy as np
 
-from winkler.fields import SubsurfaceFields, restore
+from winkler.fields.restoration import SubsurfaceFields, restore
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.tensor import measure_named
 from winkler.media.offers import LayerStack, offers

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.fields import restore
+from winkler.fields.restoration import restore
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fields import SurfaceFields, restore
+from winkler.fields.restoration import SurfaceFields, restore
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.fields import restore
+from winkler.fields.punch_staircase import Staircase
+from winkler.fields.restoration import restore
 from winkler.plot import style
 from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule
 from winkler.plot.series import places, scale_of, series
-from winkler.punch_staircase import Staircase
 
 __all__ = ["pressures_panel", "steps_panel"]
 

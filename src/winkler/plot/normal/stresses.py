@@ -8,19 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.fields import SubsurfaceFields, restore
+from winkler.fields.peaks import peak_stress
+from winkler.fields.restoration import SubsurfaceFields, restore
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
-from winkler.peaks import peak_stress
 from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, among, note
 from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "along_panel",

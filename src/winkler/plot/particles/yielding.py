@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent

@@ -6,7 +6,6 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
@@ -18,6 +17,7 @@ from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_yielding import EllipticYieldOnsetSolution
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["ellipse_sheet", "ellipse_yield_sheet"]
 

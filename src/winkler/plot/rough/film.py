@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.plot.marks import Map
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, titled
 from winkler.plot.rough.shear import Zones, frame_of, traction_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame, frame_at
-from winkler.readable import scale_of
+from winkler.values.errors import InvalidInput
+from winkler.values.readable import scale_of
 
 __all__ = ["film", "film_panels", "film_sheet", "has_film"]
 

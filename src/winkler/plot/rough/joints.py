@@ -12,7 +12,7 @@ from winkler.plot.series import Series, row_of, scale_of, series, with_unit
 from winkler.problems.pressed_maps.flow_factors import FlowFactors
 from winkler.problems.pressed_maps.seal_states import gap_of
 from winkler.problems.pressed_maps.thermal_joint import ThermalJointSolution
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["flow_factors_sheet", "thermal_joint_sheet"]
 

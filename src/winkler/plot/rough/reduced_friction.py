@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from winkler.foundation.directional import DirectionalBed
-from winkler.loading import Depth, ShearForce
+from winkler.loading.loads import Depth, ShearForce
+from winkler.loading.path import Path
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled, zero

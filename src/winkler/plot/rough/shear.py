@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.loading import Angle, ShearForce, Torque
+from winkler.loading.loads import Angle, ShearForce, Torque
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent

@@ -21,7 +21,7 @@ from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["conduction_sheet", "contact_maps", "reduction_sheet", "surface_sheet"]
 

@@ -16,7 +16,7 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.fitting.fits import fit_panels, measured_dots, origin_of
 from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["relaxing_fit_sheet", "relaxing_loop"]
 

@@ -13,7 +13,7 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.series import Series, with_unit
 from winkler.problems.poroelastic.held import PoroelasticRelaxation
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["holds_sheet"]
 

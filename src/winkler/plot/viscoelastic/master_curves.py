@@ -14,7 +14,7 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet, points, titled, zero
 from winkler.plot.series import Series, middle_scale
 from winkler.problems.master_curves.master_curve import MasterCurveSolution
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["master_curve_sheet"]
 

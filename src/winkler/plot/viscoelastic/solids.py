@@ -19,7 +19,7 @@ from winkler.plot.decades import Quantity, decades_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["coated_sheet", "half_space_sheet", "poroelastic_sheet", "proportional_sheet", "solid_sheet"]
 

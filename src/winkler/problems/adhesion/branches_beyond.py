@@ -7,7 +7,6 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.media.offers import PressedWaves, offers
@@ -23,6 +22,7 @@ from winkler.problems.adhesion.stability import (
     typical_radius,
 )
 from winkler.problems.normal.solve_contact import at_end
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["branches_beyond"]
 

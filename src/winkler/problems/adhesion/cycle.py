@@ -18,14 +18,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_OR_INFINITE
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
@@ -33,8 +31,10 @@ from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.last_cycle import Looped, PathLoop
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["AdhesiveJump", "AdhesiveState", "EdgeState"]
 

@@ -19,7 +19,6 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.equations.turning import Slopes
@@ -28,7 +27,8 @@ from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, stored_energy
 from winkler.problems.adhesion.stability import branches, least_radius
 from winkler.problems.normal.solve_contact import end_of, flat_radius
-from winkler.values import value
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["AdhesiveEdge", "DeadLoad", "LoadingMachine", "adhesive_edge", "last_radius"]
 

@@ -21,7 +21,7 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
 from winkler.problems.normal.solve_contact import end_of
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = [
     "EdgeStates",

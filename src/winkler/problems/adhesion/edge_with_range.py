@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale
 from winkler.media.halfspace import HomogeneousMedium
@@ -32,6 +31,7 @@ from winkler.problems.adhesion.layered_states import DiscOnLayers, LayeredStates
 from winkler.problems.adhesion.maugis import CohesiveStates
 from winkler.problems.adhesion.stability import branches
 from winkler.problems.normal.solve_contact import end_of
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["RangedEdge", "ranged_edge"]
 

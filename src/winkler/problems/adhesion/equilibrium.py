@@ -12,8 +12,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, Whole
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
 from winkler.numerics.equations.bracketing import between
@@ -25,8 +23,10 @@ from winkler.problems.adhesion.stability import Branch, branches
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.normal.solve_contact import end_of
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Positive, Whole
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
 

@@ -11,15 +11,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
+from winkler.loading.path import load_number
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, PerLoad, Q, like
-from winkler.path import load_number
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge_states import EdgeStates, depth_under, force_under, margin
 from winkler.problems.adhesion.law_states import states_of
@@ -29,8 +28,9 @@ from winkler.problems.adhesion.widest_contact import stable_counts, widest
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.normal.solve_contact import at_end, end_of
 from winkler.problems.one_load import picked, single
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["AdhesiveIndentation", "AdhesiveSolution"]
 

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.media.offers import PressedWaves, offers
@@ -14,6 +13,7 @@ from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortSt
 from winkler.problems.adhesion.layered_states import LayeredStates
 from winkler.problems.adhesion.maugis import CohesiveStates
 from winkler.problems.normal.length_scale import shape_length
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["states_of"]
 

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale
@@ -30,7 +29,8 @@ from winkler.problems.adhesion.layered_zone import (
 )
 from winkler.problems.adhesion.maugis import CLOSEST_OTHERWISE, RingedSprings, beyond_profile, no_zone
 from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["DiscOnLayers", "LayeredStates", "RingedLayers"]
 

@@ -21,13 +21,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.layered_ring import LayeredRing, layered_ring, read
 from winkler.problems.adhesion.maugis_integrals import RingSprings, Rule, profile_moment
+from winkler.values.errors import NotConverged
 
 __all__ = ["LayeredZone", "RingOnLayers", "layered_zone", "widest_on_layers"]
 

@@ -16,7 +16,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import Dugdale
 from winkler.media.body_of import exponent_of
@@ -26,7 +25,8 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import RingSprings, edges_of, gap_moment, pulled
 from winkler.problems.adhesion.maugis_zone import CohesiveZone, widest_within, zone
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["CLOSEST_OTHERWISE", "CohesiveStates", "RingedSprings", "beyond_profile", "no_zone"]
 

@@ -24,11 +24,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.maugis_integrals import RingSprings, Rule, moment, profile_part, turn
+from winkler.values.errors import NotConverged
 
 __all__ = ["CohesiveZone", "widest_within", "zone"]
 

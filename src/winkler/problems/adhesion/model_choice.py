@@ -13,18 +13,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOff
 from winkler.problems.adhesion.tabor import MAUGIS_OVER_TABOR
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, PULL_OFF_STRETCH
 from winkler.problems.normal.indentation import Indentation
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["ModelError", "Recommendation", "which_model"]
 

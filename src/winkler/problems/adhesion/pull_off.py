@@ -10,7 +10,6 @@ from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import Number
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
 from winkler.problems.adhesion.branches_beyond import branches_beyond
@@ -18,8 +17,9 @@ from winkler.problems.adhesion.edge_states import force_of, position
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.checks.number_checks import Number
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["MachineStiffness", "PullOff", "PullOffSolution"]
 

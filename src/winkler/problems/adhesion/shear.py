@@ -18,15 +18,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
-from winkler.loading import Depth, Force, ShearForce, Shift
+from winkler.loading.loads import Depth, Force, ShearForce, Shift
+from winkler.loading.path import numbers_of
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge import DeadLoad, LoadingMachine
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -35,8 +34,9 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.normal.solve_contact import indices_of
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
 

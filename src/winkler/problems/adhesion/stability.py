@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, margin
 from winkler.problems.adhesion.expected_radius import expected_radius
+from winkler.values.errors import OutsideValidity
 
 __all__ = [
     "OCTAVES_PER_BLOCK",

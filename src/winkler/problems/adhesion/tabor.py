@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from winkler.checks.number_checks import POSITIVE, checked
+from winkler.values.checks.number_checks import POSITIVE, checked
 
 __all__ = ["MAUGIS_OVER_TABOR", "maugis_parameter", "tabor_parameter"]
 

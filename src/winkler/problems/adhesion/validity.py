@@ -14,7 +14,7 @@ from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import shape_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["adhesive_notes"]
 

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import EdgeStates, position
 from winkler.problems.adhesion.stability import Branch
 from winkler.problems.normal.solve_contact import indices_of
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["stable_counts", "widest"]
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["MOLECULAR_RANGE", "PULL_OFF_STRETCH", "range_note"]
 

@@ -20,7 +20,7 @@ from winkler.media.medium import Medium
 from winkler.media.offers import LayerStack, PlaneMedium, offers
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = [
     "NEGLIGIBLE_COUPLING",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from winkler.validity import Assumption
+from winkler.values.validity import Assumption
 
 __all__ = [
     "ADHESIVE",

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from winkler.footprint import EllipticOutline, UnknownOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
-from winkler.validity import Assumption, Note, Standing
+from winkler.foundation.footprint import EllipticOutline, UnknownOutline
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["direction_notes"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import ArrayLike
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["energy_note", "missing_energy"]
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from winkler.foundation.bed import Bed
 from winkler.media.offers import LayerStack, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["film_note", "film_notes", "film_strain"]
 

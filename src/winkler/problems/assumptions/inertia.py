@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Quantity
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["wave_loss", "wave_note"]
 

@@ -12,7 +12,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
@@ -22,7 +21,8 @@ from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.profiles.pyramids.pyramid import FORCE_CONSTANTS, PyramidShape, cross_section_constant
 from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["pyramid_layer_error", "pyramid_notes"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["HIGHEST_MELTING_POINT", "temperature_note"]
 

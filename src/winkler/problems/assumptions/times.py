@@ -8,7 +8,7 @@ from winkler.foundation.bed import Bed
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["path_notes", "times_notes"]
 

@@ -16,10 +16,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, Positive
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import BARBER
 from winkler.media.halfspace import HomogeneousMedium
@@ -27,8 +25,10 @@ from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffne
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import NonNegative, Positive
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["ConductanceBounds", "ConductanceBoundsSolution"]
 

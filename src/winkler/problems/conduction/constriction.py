@@ -15,16 +15,16 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc, mean_free_path_note
 from winkler.problems.conduction.solution import ConductingSolution
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.checks.number_checks import NonNegative
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["Constriction", "ConstrictionSolution"]
 
@@ -58,7 +58,7 @@ class Constriction(PerLoad[Q]):
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.conductor import ElectricalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

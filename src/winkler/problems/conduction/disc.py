@@ -6,12 +6,10 @@ import math
 
 import numpy as np
 
-from winkler.checks.outline import refuse_unless_round
-from winkler.errors import OutsideValidity
-from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
-from winkler.loading import Depth, Force, Radius
+from winkler.foundation.footprint import RoundOutline
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
@@ -20,7 +18,9 @@ from winkler.numerics.types import Array, Q
 from winkler.problems.conduction.stiffness_analogy import plain
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.validity import shape_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.checks.outline import refuse_unless_round
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["conducting_disc", "mean_free_path_note", "resistances_of", "scope_notes"]
 

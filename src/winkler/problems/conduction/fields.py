@@ -11,8 +11,6 @@ from typing import overload
 
 import numpy as np
 
-from winkler.checks.outline import refuse_unless_round
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
@@ -24,7 +22,9 @@ from winkler.problems.conduction.joule_heating import JouleHeatingSolution, cold
 from winkler.problems.conduction.stiffness_analogy import plain
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
 from winkler.problems.one_load import single
-from winkler.values import value
+from winkler.values.checks.outline import refuse_unless_round
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["CurrentFields", "HeatFields", "restore_conduction"]
 

@@ -18,10 +18,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.current import WiedemannFranz
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["ColdContact", "HotContact", "hot_at_current", "hot_at_voltage", "profile", "temperatures"]
 

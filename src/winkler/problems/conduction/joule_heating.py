@@ -10,11 +10,9 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conducting_body import ConductingBody, Rod, parts_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
@@ -30,8 +28,10 @@ from winkler.problems.conduction.heated_contact import (
     temperatures,
 )
 from winkler.problems.conduction.solution import ConductingSolution
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Positive
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
 
@@ -72,7 +72,7 @@ class JouleHeating(PerLoad[Q]):
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Radius
+    >>> from winkler.loading.loads import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

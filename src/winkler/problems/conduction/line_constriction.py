@@ -17,20 +17,20 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import InvalidInput
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
-from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import HOLM
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["LineConstriction", "LineConstrictionSolution"]
 

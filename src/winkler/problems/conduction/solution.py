@@ -13,8 +13,8 @@ from winkler.problems.conduction.disc import scope_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.yield_statement import yield_notes_of_bed
 from winkler.problems.one_load import picked, single
-from winkler.validity import Note
-from winkler.values import value
+from winkler.values.validity import Note
+from winkler.values.value import value
 
 __all__ = ["ConductingSolution"]
 

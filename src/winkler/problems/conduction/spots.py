@@ -16,14 +16,14 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Advice, FiniteRow, Numbers
-from winkler.errors import InvalidInput
 from winkler.materials.conducting_body import resistivity_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing, standing_left
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Advice, FiniteRow, Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing, standing_left
+from winkler.values.value import value, words
 
 __all__ = ["SpotCluster", "SpotClusterSolution"]
 

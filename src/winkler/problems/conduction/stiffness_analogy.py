@@ -5,10 +5,10 @@ r"""Conductance from stiffness: both are fixed by the same spots, whatever their
 
 from __future__ import annotations
 
-from winkler.errors import OutsideValidity
 from winkler.materials.conducting_body import Plated, Rod, resistivity_of, surface_of
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["conductance_of_stiffness", "plain"]
 

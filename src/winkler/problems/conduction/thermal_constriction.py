@@ -12,9 +12,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conducting_body import parts_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
@@ -22,8 +21,9 @@ from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.solution import ConductingSolution
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Finite
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
 
@@ -55,7 +55,7 @@ class ThermalConstriction(PerLoad[Q]):
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Radius
+    >>> from winkler.loading.loads import Radius
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

@@ -22,24 +22,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import (
-    FINITE_QUANTITY,
-    NON_NEGATIVE_QUANTITY,
-    Advice,
-    Count,
-    Finite,
-    NonNegative,
-    affordable,
-)
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
-from winkler.limits import MOST_SPRINGS
-from winkler.loading import Depth, Shift
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import Path
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import Path
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping import DampingSolution
 from winkler.problems.friction.damping_springs import oscillating_contact
@@ -53,8 +41,20 @@ from winkler.problems.ring_slip.push_bound import pushed_body
 from winkler.problems.ring_slip.ring_table import RingTable
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.problems.ring_slip.steady_loss import STEPS_PER_CYCLE, cycle_steps, loss_of_cycle
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import (
+    FINITE_QUANTITY,
+    NON_NEGATIVE_QUANTITY,
+    Advice,
+    Count,
+    Finite,
+    NonNegative,
+    affordable,
+)
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_SPRINGS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["BimodalDamping", "BimodalDampingSolution"]
 

@@ -19,12 +19,11 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.loading import ShearForce, Shift
+from winkler.loading.loads import ShearForce, Shift
+from winkler.loading.path import SWING, OneNormal, numbers_of
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import SWING, OneNormal, numbers_of
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
@@ -34,8 +33,9 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.problems.ring_slip.push_bound import exact_ratio, pushed_body
 from winkler.problems.ring_slip.pushed_rings import PushedRings, pushed_rings
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["DampingSolution", "FrictionDamping", "FrictionDampingSolution"]
 
@@ -81,7 +81,7 @@ class FrictionDamping(PerLoad[Q]):
 
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

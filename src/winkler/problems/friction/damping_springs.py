@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
-from winkler.values import value
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["SlippingSprings", "oscillating_contact", "stuck_stiffness"]
 

@@ -10,7 +10,7 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.ring_slip.push_bound import push_bound
 from winkler.problems.ring_slip.push_notes import push_note, tables_note
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["STEADY", "damping_notes"]
 

@@ -16,13 +16,13 @@ from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields, body_of_pressed, body_under
 from winkler.foundation.torsion_bound import TwistBound
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import Path
 from winkler.media.interior.twist_field import clean_slope
 from winkler.media.layered import coated_load
 from winkler.media.medium import Medium
 from winkler.media.twisting.surface import summed_discs, table_rounding
 from winkler.numerics.types import Array, ArrayLike
-from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.friction.torsion_states import TwistedSprings
 from winkler.problems.normal.validity import indentation_notes
@@ -32,8 +32,8 @@ from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.problems.ring_slip.ring_notes import ring_notes
 from winkler.problems.ring_slip.ring_path import ring_points
 from winkler.problems.round_march import RoundSlip
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["MovedSprings", "PushedSprings", "PushedState", "pushed_notes", "pushed_states"]
 

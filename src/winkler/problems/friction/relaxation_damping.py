@@ -17,7 +17,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, Positive
 from winkler.foundation.bed import Bed
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array
@@ -26,8 +25,9 @@ from winkler.problems.friction.damping_springs import oscillating_contact, stuck
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import Finite, Positive
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["RelaxationDamper", "RelaxationDamperSolution"]
 

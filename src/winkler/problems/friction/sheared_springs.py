@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared import ShearedSprings
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import common_ratio

@@ -28,7 +28,7 @@ from winkler.problems.friction.straight_step import (
     SpringPiece,
     StraightStep,
 )
-from winkler.values import words
+from winkler.values.value import words
 
 __all__ = ["LossPiece", "SlipMemory", "SlipRing", "WorkedStep"]
 

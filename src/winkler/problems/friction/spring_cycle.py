@@ -23,7 +23,7 @@ import numpy as np
 
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["SpringCycle"]
 

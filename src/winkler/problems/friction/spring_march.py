@@ -17,12 +17,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import ShearForce, Shift
+from winkler.loading.loads import ShearForce, Shift
+from winkler.loading.path import Path
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
@@ -31,8 +29,10 @@ from winkler.problems.friction.spring_run import SingleSprings, pressed_along, s
 from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.stiffness_ratio import refuse_plane
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Whole
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SpringMarch", "SpringState", "SpringTrace"]
 

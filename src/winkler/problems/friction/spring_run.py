@@ -7,20 +7,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, slipping_springs
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading import Depth, Force, Shift
+from winkler.loading.loads import Depth, Force, Shift
+from winkler.loading.path import Path
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.springs.slip_pull import pull_line
 from winkler.numerics.springs.spring_work import work_on_springs
 from winkler.numerics.types import Array, Quantity
-from winkler.path import Path
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.row import Reached, Row, follow
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["SingleSprings", "SpringPlaces", "pressed_along", "springs_under"]
 

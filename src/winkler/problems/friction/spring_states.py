@@ -6,16 +6,16 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from winkler.checks.contract import offered
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.round_march import RoundNormal
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.contract import offered
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["OwnLaw", "SpringLaw", "SpringState", "spring_notes"]
 

@@ -19,14 +19,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, between
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, slipping_depth, slipping_springs
 from winkler.laws.friction import Coulomb
-from winkler.limits import RELAXING_SPRINGS
-from winkler.loading import Depth, Force, ShearForce, Shift
+from winkler.loading.loads import Depth, Force, ShearForce, Shift
+from winkler.loading.path import Path
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.energy import energy_note
@@ -43,8 +40,11 @@ from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
 from winkler.problems.round_march import RoundSlip
 from winkler.problems.viscoelastic.tangential import DraggedState, dragged_notes, dragged_states, pressed_alone
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Whole, between
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import RELAXING_SPRINGS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["Tangential", "TangentialSolution"]
 

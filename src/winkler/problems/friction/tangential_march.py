@@ -12,10 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Shift
-from winkler.path import Path
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import Path
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.friction.steady_gaps import GapPlays, turned_memories
@@ -24,6 +23,7 @@ from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.ring_slip.steady_path import steady_history
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["SlipGoal", "SlipRow", "SlipState"]
 

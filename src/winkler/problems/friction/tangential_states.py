@@ -25,8 +25,8 @@ from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.problems.round_march import RoundSlip
 from winkler.problems.row import CURVED_STEP_TOLERANCE
 from winkler.problems.viscoelastic.tangential import DraggedState
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["TangentialState", "friction_notes", "stick_radii"]
 

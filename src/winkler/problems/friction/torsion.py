@@ -16,14 +16,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
-from winkler.loading import Angle, Depth, Torque
+from winkler.loading.loads import Angle, Depth, Torque
+from winkler.loading.path import Path
 from winkler.media.twisting.kernels import twisted_medium
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
@@ -34,8 +33,9 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
 from winkler.problems.round_march import RoundTwist
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["Torsion", "TorsionSolution"]
 
@@ -72,7 +72,7 @@ class Torsion:
 
     >>> import math
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

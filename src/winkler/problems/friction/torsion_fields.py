@@ -8,7 +8,7 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_pressed
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["TwistedFields", "body_of_twisted", "twisted_surface"]
 

@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import TwistBound, twist_bound
 from winkler.media.halfspace import HomogeneousMedium
@@ -16,7 +15,8 @@ from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory, pieces_of
 from winkler.problems.round_march import RoundTwist
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["TorsionState", "TwistedSprings"]
 

@@ -23,7 +23,7 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import SurfaceFriction, yield_notes_of_bed
 from winkler.problems.ring_slip.ring_notes import ring_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_notes", "torsion_yield_notes"]
 

@@ -10,7 +10,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
 from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["twisted_layer_notes"]
 

@@ -7,14 +7,14 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import PositiveQuantity
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.fields.band_source import BandSource
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
-from winkler.values import value
+from winkler.values.checks.number_checks import PositiveQuantity
+from winkler.values.value import value
 
 __all__ = ["EvenBand", "HeatedLine", "band_sources"]
 

@@ -15,7 +15,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FINITE_QUANTITY, NON_NEGATIVE_QUANTITY, POSITIVE_QUANTITY
 from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Q, shaped
@@ -23,8 +22,9 @@ from winkler.problems.heating.band_flux import EvenBand
 from winkler.problems.heating.one_result import SPEEDS, one_problem, one_result
 from winkler.problems.heating.strip_heating import StripHeating, StripTemperatures
 from winkler.problems.heating.validity import EVEN
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FINITE_QUANTITY, NON_NEGATIVE_QUANTITY, POSITIVE_QUANTITY
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["BandHeating", "BandHeatingSolution"]
 

@@ -12,15 +12,13 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FINITE_QUANTITY, Advice
-from winkler.errors import InvalidInput
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import load_number
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import PerLoad, Q, Quantity, shaped
-from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.elliptic_sharing import estimated_ellipse, shared_ellipse_temperatures
@@ -33,8 +31,10 @@ from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import single
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FINITE_QUANTITY, Advice
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["EllipticFrictionHeating", "EllipticFrictionHeatingSolution"]
 

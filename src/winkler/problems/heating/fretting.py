@@ -18,8 +18,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared_fields import sheared_surface
 from winkler.media.conduction.conductors import HeatConductors
@@ -33,8 +31,10 @@ from winkler.problems.friction.pushed import PushedState
 from winkler.problems.friction.tangential import State, Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import RubbingBodies
 from winkler.problems.viscoelastic.tangential import DraggedState
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["FrettingHeat", "FrettingHeatSolution"]
 
@@ -83,7 +83,7 @@ class FrettingHeat(RubbingBodies):
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
-    >>> from winkler.path import Path
+    >>> from winkler.loading.path import Path
     >>> from winkler.profiles.power import Paraboloid
     >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
     >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))

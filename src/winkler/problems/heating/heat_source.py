@@ -17,7 +17,7 @@ from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import line_source, projected
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["HeatSource", "heat_source", "heat_sources", "loads_over"]
 

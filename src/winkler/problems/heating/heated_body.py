@@ -11,7 +11,7 @@ from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.heat_source import heat_source
 from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_body
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["HeatedBody"]
 

@@ -7,12 +7,12 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import Number
-from winkler.checks.place_checks import common_places
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.elliptic_source import EllipticSource, PeakPlace
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Number
+from winkler.values.checks.place_checks import common_places
+from winkler.values.value import value, words
 
 __all__ = ["HeatedEllipse", "Turn", "half_length", "sliding_line"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.place_checks import finite_places
 from winkler.numerics.fields.band_source import BandPeak
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.band_flux import HeatedLine, band_sources
 from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band
-from winkler.values import value, words
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.value import value, words
 
 __all__ = ["HeatedStrip"]
 

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.conducting_body import Plated
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.heating.moved_body import HeatBody, diffusivities
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["RubbingBodies", "RubbingPlatedBodies", "peclet_numbers"]
 

@@ -17,13 +17,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FINITE_QUANTITY
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
-from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Q, shaped
 from winkler.problems.assumptions.coupling import sliding_note
@@ -31,8 +30,9 @@ from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.strip_heating import StripHeating, StripTemperatures
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FINITE_QUANTITY
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
 

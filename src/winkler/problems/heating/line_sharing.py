@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.laws.heat import HeatPartition
 from winkler.numerics.fields.band_source import FAST, BandSource
 from winkler.numerics.types import Array
@@ -15,6 +14,7 @@ from winkler.problems.heating.band_flux import EvenBand, HeatedLine, band_source
 from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band, top
 from winkler.problems.line.peak_pressure import rim_load
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["fast_strip_temperature", "shared_strip_temperatures"]
 

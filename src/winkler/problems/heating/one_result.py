@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Quantity
+from winkler.values.errors import InvalidInput
 
 __all__ = ["contact_at", "one_problem", "one_result"]
 

@@ -18,15 +18,13 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FINITE_QUANTITY
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
+from winkler.loading.path import load_number
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import load_number
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
 from winkler.problems.heating.heat_source import HeatSource
@@ -38,8 +36,10 @@ from winkler.problems.heating.sharing import estimated, shared_temperatures
 from winkler.problems.heating.validity import heating_notes, sliding_contact_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.one_load import single
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FINITE_QUANTITY
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
@@ -84,7 +84,7 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
 
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Radius
+    >>> from winkler.loading.loads import Radius
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

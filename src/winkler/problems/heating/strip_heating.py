@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.laws.heat import FixedShare, HeatPartition
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.heating.band_flux import HeatedLine
@@ -16,8 +15,9 @@ from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_nu
 from winkler.problems.heating.line_sharing import fast_strip_temperature, shared_strip_temperatures
 from winkler.problems.heating.validity import RUBBED, moving_notes
 from winkler.problems.one_load import single
-from winkler.validity import Note
-from winkler.values import words
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Note
+from winkler.values.value import words
 
 __all__ = ["StripHeating", "StripTemperatures"]
 

@@ -16,15 +16,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, PositiveRow
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, FixedShare, HeatPartition
+from winkler.loading.path import OneLoad
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
-from winkler.path import OneLoad
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heating.estimates import first_share, idle_share, shared
@@ -32,8 +31,9 @@ from winkler.problems.heating.heat_source import heat_source
 from winkler.problems.heating.input_checks import RubbingBodies
 from winkler.problems.heating.validity import STEADY_SOURCE, sliding_contact_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, PositiveRow
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
@@ -77,7 +77,7 @@ class TransientHeating(RubbingBodies):
 
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Radius
+    >>> from winkler.loading.loads import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

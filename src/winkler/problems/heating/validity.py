@@ -12,7 +12,7 @@ from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["EVEN", "RUBBED", "STEADY_SOURCE", "heating_notes", "moving_notes", "sliding_contact_notes"]
 

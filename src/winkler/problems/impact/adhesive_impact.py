@@ -19,10 +19,9 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, PositiveNotTiny
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
@@ -35,8 +34,9 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.impact.approach_and_rebound import impact_motion
 from winkler.problems.impact.states import AdhesiveImpactHistory, AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, Positive, PositiveNotTiny
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
 

@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.equations.marching import IntegratedStates, StopCondition, integrate_to_stop
@@ -24,6 +23,7 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine, adhesive_edge
 from winkler.problems.normal.force_curve import rough_depth
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["ImpactMotion", "impact_motion"]
 

@@ -19,8 +19,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Coulomb
@@ -39,8 +37,10 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["Impact", "ImpactSolution"]
 

@@ -21,11 +21,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.marching import IntegratedStates, StopCondition
 from winkler.numerics.types import Array
 from winkler.problems.impact.memory import NO_HISTORY, EnteredSprings, RecalledPoint, SlidSprings, Stuck, ring
 from winkler.problems.impact.motion import ImpactMoment, ImpactProblem, Stage, integrate, integrate_stuck, stuck_stage
+from winkler.values.errors import NotConverged
 
 __all__ = ["stages"]
 

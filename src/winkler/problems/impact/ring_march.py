@@ -16,11 +16,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.equations.marching import StopCondition
 from winkler.numerics.types import Array
 from winkler.problems.impact.motion import ImpactProblem, integrate
 from winkler.problems.ring_slip.ring_table import PressedStep, RingTable, SlidingRings, pressed_step, slide, stored
+from winkler.values.errors import NotConverged
 
 __all__ = ["RingMarch", "march_rings"]
 

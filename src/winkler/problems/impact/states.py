@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.numerics.types import PerLoad, Q
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["AdhesiveImpactHistory", "AdhesiveImpactState", "ImpactHistory", "ImpactStage", "ImpactState"]
 

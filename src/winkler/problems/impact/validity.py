@@ -6,13 +6,13 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.ring_slip.moving_notes import IN_IMPACTS, moving_ring_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.checks.number_checks import Whole
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["PLANAR", "Moments", "gravity_note", "slip_notes"]
 

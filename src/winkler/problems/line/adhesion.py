@@ -18,12 +18,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
-from winkler.loading import HalfWidth, LineForce
+from winkler.loading.loads import HalfWidth, LineForce
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import margin
@@ -36,8 +35,9 @@ from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.one_load import one_of, single
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LayeredLineAdhesionSolution", "LineAdhesion", "LineAdhesionSolution"]
 

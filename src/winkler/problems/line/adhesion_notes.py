@@ -18,7 +18,7 @@ from winkler.problems.line.layered_notes import strip_notes, yield_notes
 from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["adhesion_notes"]
 

@@ -20,13 +20,13 @@ from numbers import Real
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["Place", "approach", "depth_of", "nearing"]
 

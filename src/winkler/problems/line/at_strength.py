@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
@@ -17,6 +16,7 @@ from winkler.problems.line.greatest_stress import Measure, Placed, greatest
 from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.stress import LineContact
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["at_strength", "first_at_strength", "refuse_sharp", "refuse_without_strength"]
 

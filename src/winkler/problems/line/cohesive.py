@@ -21,14 +21,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings, StretchedSprings
 from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
 from winkler.problems.line.load_springs import LoadSprings
-from winkler.values import value
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["CohesiveLineStates", "LineZone"]
 

@@ -12,12 +12,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.equations.roots import bracketed, invert, rough_root
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Sum
 from winkler.profiles.wavy import Wavy
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["borne_at_most", "grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
 

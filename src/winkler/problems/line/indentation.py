@@ -13,11 +13,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
-from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
 from winkler.numerics.types import ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
@@ -32,8 +31,9 @@ from winkler.problems.line.validity import shape_notes
 from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.one_load import one_of, single
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["LayeredLineSolution", "LineIndentation", "LineSolution", "PowerLawLineSolution"]
 

@@ -23,7 +23,6 @@ from typing import cast
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.strip_waves import averages
 from winkler.materials.elastic import Elastic, Rigid
@@ -36,6 +35,7 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_number
 from winkler.numerics.transforms.strips.strip_equation import LOCAL_PHASE, excess_at
 from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["has_depth", "layered_approach"]
 

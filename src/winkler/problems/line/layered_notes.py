@@ -18,7 +18,7 @@ from winkler.problems.line.validity import shape_notes
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["WAVES", "greatest_of_part", "layered_notes", "strip_notes", "yield_notes"]
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.layered.plane_interior import PlaneWaves, added_stresses
@@ -19,7 +18,8 @@ from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Measure, von_mises
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.line.strip import Strip
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = [
     "LayerStress",

@@ -6,7 +6,6 @@ from typing import Any, cast
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import ArrayLike, PerLoad, Q, shaped
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
@@ -18,7 +17,8 @@ from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line.strip import OfStrip, Stressed, Strip
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.which_body import in_first_body
-from winkler.validity import Note
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Note
 
 __all__ = ["OnLayers", "StressedOnLayers"]
 

@@ -8,7 +8,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
@@ -17,6 +16,7 @@ from winkler.problems.line.layered_stress import REFINEMENTS, greatest_within, w
 from winkler.problems.line.stress import LineContact
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["at_strength_on_layers", "full_on_layers", "greatest_in_part"]
 

@@ -7,14 +7,14 @@ from typing import cast
 
 import numpy as np
 
-from winkler.errors import NotConverged
-from winkler.footprint import Footprint, footprint_of
+from winkler.foundation.footprint import Footprint, footprint_of
 from winkler.foundation.line_bed import LineBed
 from winkler.media.medium import Medium
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.errors import NotConverged
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["LoadSprings"]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.loading import HalfWidth, LineForce, MeanPressure, NominalPressure
+from winkler.loading.loads import HalfWidth, LineForce, MeanPressure, NominalPressure
 from winkler.numerics.types import Array, Quantity
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["PressingLoad", "given_by", "pressing"]
 

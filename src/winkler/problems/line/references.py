@@ -24,8 +24,8 @@ from __future__ import annotations
 import functools
 import math
 
-from winkler.checks.number_checks import Positive
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.value import value, words
 
 __all__ = ["PlateBase", "Reference", "RollerCentre"]
 

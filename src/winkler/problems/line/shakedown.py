@@ -43,8 +43,8 @@ from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yielding import FRICTIONLESS
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["LineShakedown", "LineShakedownSolution"]
 

@@ -17,12 +17,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["InBody", "LineContact", "LineFields", "fields_of", "one_coefficient", "poisson_of", "stresses"]
 

@@ -11,13 +11,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields, one_coefficient, poisson_of, stresses
 from winkler.problems.which_body import in_first_body
+from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["OfStrip", "Stressed", "Strip"]
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.foundation.line_bed import LineBed
 from winkler.problems.normal.validity import large_body_note, steepness_note
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["line_notes", "shape_notes"]
 

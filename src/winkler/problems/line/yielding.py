@@ -11,7 +11,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb, Overcome
@@ -26,8 +25,9 @@ from winkler.problems.line.layered_yield import at_strength_on_layers
 from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.onset.part_onset import NAME, PART, onset_note
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["FRICTIONLESS", "LinePartOnset", "LineYieldOnset", "LineYieldOnsetSolution"]
 

@@ -18,11 +18,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.line_bed import LineBed
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.path import LinePath
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["bulk_note", "has_closed_form", "lean_of", "refuse_bulk"]
 

@@ -26,7 +26,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
 from winkler.numerics.types import Array
@@ -34,6 +33,7 @@ from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.elements import elements_for, pressed_elements
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.row import Reached, Row
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["ElementRow", "LineCells", "LineGoal", "TouchingElements", "refuse_sliding"]
 

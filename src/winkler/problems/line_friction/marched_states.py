@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.place_checks import finite_places
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
@@ -15,7 +13,9 @@ from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, poisson_of, stresses
 from winkler.problems.line_friction.element_row import TouchingElements
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
-from winkler.values import value, words
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["LineMarchedState", "marched_state", "stuck_strip"]
 

@@ -12,11 +12,11 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity, Whole, affordable
-from winkler.errors import InvalidInput
-from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FiniteQuantity, NonNegativeQuantity, Whole, affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import PATH_POINTS
+from winkler.values.value import value, words
 
 __all__ = ["LinePath"]
 

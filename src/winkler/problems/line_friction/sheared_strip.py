@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q
 from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineFields
 from winkler.problems.which_body import in_first_body
-from winkler.values import value
+from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["LineSlip", "ShearedStrip"]
 

@@ -23,12 +23,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array, Curve
 from winkler.problems.line.half_width import under_force
+from winkler.values.errors import NotConverged
 
 __all__ = ["SlipCurve", "slip_curve"]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.place_checks import finite_places
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
@@ -15,7 +14,8 @@ from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, poisson_of, stresses
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
 from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_of, traction
-from winkler.values import value, words
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.value import value, words
 
 __all__ = ["LineTangentialState"]
 

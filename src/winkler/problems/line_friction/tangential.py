@@ -20,8 +20,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.place_checks import finite_places
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
@@ -41,8 +39,10 @@ from winkler.problems.line_friction.validity import sheared_line_notes
 from winkler.problems.method import Method, refuse_method
 from winkler.problems.one_load import OfPath
 from winkler.problems.row import follow
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineTangential", "LineTangentialSolution"]
 

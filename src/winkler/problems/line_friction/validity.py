@@ -9,14 +9,14 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Coulomb
-from winkler.loading import LineForce
+from winkler.loading.loads import LineForce
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line_friction.bulk import bulk_note
 from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["SLIP_SUMS", "sheared_line_notes", "slid_yield_notes"]
 

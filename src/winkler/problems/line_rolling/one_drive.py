@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineContact, LineFields, poisson_of
@@ -16,6 +14,8 @@ from winkler.problems.line_rolling.pressed import rolling_stresses
 from winkler.problems.line_rolling.rolled_strip import RolledStrip, sliding_creepage
 from winkler.problems.line_rolling.strip_stresses import strip_stresses
 from winkler.problems.which_body import in_first_body
+from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["UnderOneDrive"]
 

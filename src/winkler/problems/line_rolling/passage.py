@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.loading import HalfWidth, LineForce, MeanPressure
+from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
 from winkler.media.layered.wave_constants import Wave
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
@@ -18,6 +17,7 @@ from winkler.numerics.transforms.passing_strip import PassingStrip, passing_stri
 from winkler.numerics.transforms.strips.passing_waves import PassingModes, passing_modes
 from winkler.numerics.types import Array, ComplexArray
 from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["Passage", "passage"]
 

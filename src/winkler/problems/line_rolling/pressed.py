@@ -7,11 +7,9 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
-from winkler.loading import HalfWidth, LineForce, LineShearForce, MeanPressure
+from winkler.loading.loads import HalfWidth, LineForce, LineShearForce, MeanPressure
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
@@ -23,8 +21,10 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.rolling.creepage import Creepage
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.field_checks import Condition
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = [
     "OneLineLoad",

@@ -23,12 +23,9 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_QUANTITY
-from winkler.checks.place_checks import finite_places
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.loading import HalfWidth
+from winkler.loading.loads import HalfWidth
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like, shaped
@@ -39,8 +36,11 @@ from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_rou
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.one_load import single
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_QUANTITY
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["LineRollingResistance", "LineRollingResistanceSolution"]
 

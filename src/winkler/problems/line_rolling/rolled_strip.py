@@ -33,11 +33,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.foundation.line_bed import LineBed
 from winkler.media.layered.wave_constants import Wave
 from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["RolledStrip", "creepage_error", "loss_error", "rolled_strip", "sliding_creepage"]
 

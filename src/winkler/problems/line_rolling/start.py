@@ -27,13 +27,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Advice, Positive, PositiveOrInfinite, Whole
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
-from winkler.loading import LineShearForce
+from winkler.loading.loads import LineShearForce
 from winkler.numerics.surfaces.strip_grid import StripStep, StuckStrip, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
@@ -57,8 +54,11 @@ from winkler.problems.line_rolling.start_states import (
 )
 from winkler.problems.line_rolling.steady import LineRolling, LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Advice, Positive, PositiveOrInfinite, Whole
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineRollingStart", "LineRollingStartSolution"]
 
@@ -114,7 +114,7 @@ class LineRollingStart:
     Pulled with 64 % of what friction bears: the creepage passes its steady value before it comes back to it.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import HalfWidth
+    >>> from winkler.loading.loads import HalfWidth
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

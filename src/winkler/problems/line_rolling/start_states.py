@@ -6,8 +6,8 @@ import numpy as np
 
 from winkler.numerics.surfaces.strip_grid import StripStep
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["DRAGGED", "ELEMENTS", "ELEMENTS_ON_LAYERS", "LineRollingState", "rolled_state"]
 

@@ -23,11 +23,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
-from winkler.loading import LineShearForce
+from winkler.loading.loads import LineShearForce
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import SHEARED
@@ -44,8 +43,9 @@ from winkler.problems.line_rolling.pressed import (
 from winkler.problems.line_rolling.rolled_strip import RolledStrip, loss_error, rolled_strip, sliding_creepage
 from winkler.problems.line_rolling.strip_stresses import FULL_COUPLING, strip_note, strip_yield_notes
 from winkler.problems.rolling.creepage import Creepage
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["CARTER", "LineRolling", "LineRollingSolution"]
 
@@ -104,7 +104,7 @@ class LineRolling(PerLoad[Q]):
     A locomotive wheel that pulls with 64 % of what friction bears.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import LineForce
+    >>> from winkler.loading.loads import LineForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

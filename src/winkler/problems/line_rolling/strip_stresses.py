@@ -12,7 +12,7 @@ from winkler.problems.line_rolling.rolled_strip import RolledStrip, creepage_err
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["FULL_COUPLING", "strip_note", "strip_stresses", "strip_yield_notes"]
 

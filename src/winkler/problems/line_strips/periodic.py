@@ -17,14 +17,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.foundation.periodic import PeriodicBed, as_high, from_line, to_line, unrolled
-from winkler.loading import HalfWidth, LineForce, NominalPressure
+from winkler.loading.loads import HalfWidth, LineForce, NominalPressure
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
@@ -36,8 +33,11 @@ from winkler.problems.line.strip import Stressed, Strip
 from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["PeriodicIndentation", "PeriodicSolution"]
 

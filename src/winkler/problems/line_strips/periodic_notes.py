@@ -20,7 +20,7 @@ from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import share_of
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["closing_load", "periodic_notes", "periodic_peak"]
 

@@ -16,10 +16,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Whole
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.loading import LineForce, LineOfAction, Tilt
+from winkler.loading.loads import LineForce, LineOfAction, Tilt
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
@@ -31,8 +28,11 @@ from winkler.problems.line_strips.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.sections.measured_section import AnySection
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Whole
+from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineProfileContact", "LineProfileSolution"]
 

@@ -20,7 +20,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import share_of
 from winkler.profiles.sections.section import Section
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["profile_notes"]
 

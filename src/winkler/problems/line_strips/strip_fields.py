@@ -7,7 +7,6 @@ from typing import cast
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
@@ -18,6 +17,7 @@ from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
 from winkler.problems.line.layered_stress import in_layers
 from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["LineMedium", "layers_below", "middle_of", "strip_fields", "strip_waves"]
 

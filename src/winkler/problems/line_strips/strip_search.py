@@ -13,7 +13,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.fields.strips_below import Below
 from winkler.numerics.surfaces.found_strips import ElementStrips, FoundStrips, RefinedStrips, runs
 from winkler.numerics.surfaces.pressed_line import PressedLine, press_line
@@ -22,6 +21,7 @@ from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.profiles.sections.section import Section
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["Pushed", "find_strips"]
 

@@ -14,9 +14,9 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import affordable
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.types import Array
+from winkler.values.checks.number_checks import affordable
 
 __all__ = ["CreptLoad", "Spacing"]
 

@@ -17,12 +17,9 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, affordable, between
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.springs import Springs
-from winkler.limits import MOST_NUMBERS, RELAXING_SPRINGS
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
@@ -40,8 +37,11 @@ from winkler.problems.line_viscoelastic.states import LineViscoelasticState
 from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.viscoelastic.march import SpringRow, refuse_rings
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Whole, affordable, between
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import MOST_NUMBERS, RELAXING_SPRINGS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineViscoelasticIndentation", "LineViscoelasticSolution"]
 

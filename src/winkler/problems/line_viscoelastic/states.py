@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.place_checks import finite_places
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.equations.highest import highest_of_curve
@@ -26,7 +25,8 @@ from winkler.problems.line_viscoelastic.layered_strips import (
     shares_of,
 )
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
-from winkler.values import value, words
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.value import value, words
 
 __all__ = ["LineViscoelasticState"]
 

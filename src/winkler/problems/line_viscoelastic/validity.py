@@ -11,7 +11,7 @@ from winkler.problems.line.load_springs import LoadSprings
 from winkler.problems.line.validity import shape_notes
 from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line
 from winkler.problems.normal.unknown_yield import relaxing_yield
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["relaxing_line_notes"]
 

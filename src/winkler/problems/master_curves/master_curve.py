@@ -15,8 +15,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, Whole
-from winkler.errors import InvalidInput
 from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.springs.pairwise_shifts import pairwise_shifts
 from winkler.numerics.springs.relaxation_spectrum import SpectrumEstimate, estimate_spectrum
@@ -27,8 +25,10 @@ from winkler.problems.master_curves.master_curve_notes import contradiction_note
 from winkler.problems.master_curves.shifted_solid import ShiftedSolid
 from winkler.problems.master_curves.spectrum_solid import Covariances
 from winkler.problems.master_curves.temperature_groups import grouped, in_own_units, spread_times
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, Whole
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["MasterCurve", "MasterCurveSolution", "ShiftedBy"]
 

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.numerics.springs.spectrum_response import Measurements
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.temperature_groups import reached_times
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["contradiction_notes", "determined_note", "master_curve_notes", "shifted_by_note"]
 

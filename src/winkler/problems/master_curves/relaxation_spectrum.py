@@ -12,7 +12,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole
 from winkler.materials.relaxation_data import DynamicData, RelaxationData
 from winkler.numerics.springs.relaxation_spectrum import estimate_spectrum
 from winkler.numerics.springs.spectrum_response import Measurements, Response
@@ -20,8 +19,9 @@ from winkler.numerics.types import Array
 from winkler.problems.master_curves.master_curve_notes import determined_note
 from winkler.problems.master_curves.spectrum_solid import Covariances, SpectrumSolid
 from winkler.problems.master_curves.temperature_groups import spread_times
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Whole
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["RelaxationSpectrum", "SpectrumSolution"]
 

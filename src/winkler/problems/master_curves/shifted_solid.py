@@ -6,14 +6,14 @@ import functools
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.numerics.types import Array
 from winkler.problems.master_curves.shift_laws import FittedLaws, ShiftVerdict, fitted_laws
 from winkler.problems.master_curves.spectrum_solid import SpectrumSolid
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import words
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import words
 
 __all__ = ["ShiftedSolid"]
 

@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Numbers, checked
 from winkler.materials.viscoelastic import Prony
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.master_curves.temperature_groups import longest_run
-from winkler.values import words
+from winkler.values.checks.number_checks import POSITIVE, Numbers, checked
+from winkler.values.value import words
 
 __all__ = ["Covariances", "ModulusBand", "SpectrumSolid"]
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media import body_of
 from winkler.media.body_of import Imprint
 from winkler.media.medium import Medium
@@ -21,6 +20,7 @@ from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve, first_concave_part, fit_convex, local_scatter
 from winkler.numerics.types import Array, ArrayLike, Curve
 from winkler.profiles.designed import Designed
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["design_for_pressure", "design_profile"]
 

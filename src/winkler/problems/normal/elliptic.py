@@ -19,18 +19,15 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice
-from winkler.checks.place_checks import common_places
-from winkler.errors import OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior.peak import StressSpot
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal import elliptic_fields as inside
 from winkler.problems.normal.elliptic_fields import EllipticFields
@@ -43,8 +40,11 @@ from winkler.problems.pressed_shape.pressed_map import PIXELS, PressedMap, edge_
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice
+from winkler.values.checks.place_checks import common_places
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["EDGE_ERROR", "EllipticIndentation", "EllipticSolution", "pressed_ellipse"]
 

@@ -7,7 +7,6 @@ import numbers
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
@@ -15,7 +14,8 @@ from winkler.media.interior.half_ellipsoid_displacement import half_ellipsoid_di
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.tensor import measure_named, principal_of_tensor, von_mises_of_tensor
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "solid_below", "traction_of"]
 

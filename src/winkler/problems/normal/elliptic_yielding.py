@@ -15,9 +15,8 @@ import math
 from dataclasses import replace
 from typing import ClassVar
 
-from winkler.errors import InvalidInput
 from winkler.laws.friction import Coulomb, Overcome
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.problems.assumptions.coupling import sliding_note
@@ -30,8 +29,9 @@ from winkler.problems.normal.onset.part_onset import EllipticPartOnset, onset_no
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["EllipticYieldOnset", "EllipticYieldOnsetSolution"]
 

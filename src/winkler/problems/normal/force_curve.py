@@ -20,10 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.roots import between, invert, rough_root
@@ -32,6 +31,7 @@ from winkler.numerics.types import Array, Curve
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["NormalCurve", "NormalCurves", "deepest", "normal_curve", "rough_depth"]
 

@@ -22,9 +22,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.checks.outline import refuse_unless_round
-from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings, StretchedSprings
+from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
@@ -36,6 +35,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid
+from winkler.values.checks.outline import refuse_unless_round
 
 __all__ = ["INTERFACE_OFFSET", "GreatestStress", "greatest_stress", "sharp_places", "stress_in_plane"]
 

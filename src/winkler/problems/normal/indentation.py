@@ -16,7 +16,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, PerLoad, Q, like
 from winkler.problems.assumptions.declared import PRESSED
@@ -25,8 +25,8 @@ from winkler.problems.normal.solve_contact import at_depth, at_force, at_radius
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction
 from winkler.problems.one_load import picked, single
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["Indentation", "IndentationSolution"]
 

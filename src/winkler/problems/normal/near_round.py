@@ -19,14 +19,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.errors import InvalidInput
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.equations.roots import invert
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EDGE_ERROR
 from winkler.problems.normal.near_round_contour import Directions
@@ -36,8 +34,10 @@ from winkler.problems.pressed_shape.notes import pixel_notes
 from winkler.problems.pressed_shape.pressed_map import edge_error, grid_error, pressed_levels
 from winkler.problems.pressed_shape.rounded_body import RoundedBody
 from winkler.profiles.profile import Profile
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["NearlyRoundIndentation", "NearlyRoundSolution"]
 

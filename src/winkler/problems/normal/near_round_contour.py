@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.equations.bracketing import between
@@ -14,6 +13,7 @@ from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.profiles.profile import Profile
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["Directions"]
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.plane import PlaneFoundation
 from winkler.media.medium import LEAST_SURFACE_RISE
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["RISING_SAMPLES", "SLOPE_ROUNDING", "SLOPE_SAMPLES", "falling_kinks", "refuse_overlap", "rises"]
 

@@ -10,11 +10,11 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
-from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import PressedSprings
+from winkler.foundation.footprint import EllipticOutline
 from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["peak_pressure"]
 

@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.equations.roots import bracketed
 from winkler.numerics.types import Array
 from winkler.problems.normal.overlap import SLOPE_SAMPLES
 from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, too_many
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["forces", "radii_at_depth", "radii_at_force"]
 

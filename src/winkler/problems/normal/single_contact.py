@@ -18,11 +18,11 @@ from typing import cast
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.normal.overlap import SLOPE_SAMPLES, falling_kinks, refuse_overlap
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = [
     "MOST_TURNING_POINTS",

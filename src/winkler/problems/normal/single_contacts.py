@@ -18,11 +18,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.normal.overlap import RISING_SAMPLES, SLOPE_ROUNDING, falling_kinks, refuse_overlap, rises
 from winkler.problems.normal.single_contact import ended, pulls, refuse_tension, surely_pressed
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["refuse_unless_discs"]
 

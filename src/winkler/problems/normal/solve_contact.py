@@ -12,7 +12,6 @@ from functools import partial
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, measured_radii
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import invert, rough_root
@@ -20,6 +19,7 @@ from winkler.numerics.types import Array, Curve
 from winkler.problems.normal import radius_search
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.single_contacts import refuse_unless_discs
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "end_of", "flat_radius", "indices_of"]
 

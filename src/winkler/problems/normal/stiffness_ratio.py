@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
-from winkler.path import Path
+from winkler.foundation.footprint import EllipticOutline
+from winkler.loading.path import Path
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["alike", "common_ratio", "refuse_plane", "stiffness_ratios"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["MISES", "relaxing_yield", "unknown_yield"]
 

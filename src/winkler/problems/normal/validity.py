@@ -12,7 +12,7 @@ from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.single_contact import unfinished
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes_of_bed
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["contact_notes", "indentation_notes", "large_body_note", "shape_notes", "steepness_note"]
 

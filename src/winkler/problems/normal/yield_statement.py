@@ -15,9 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
-from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.foundation import Foundation
 from winkler.media.halfspace import HalfSpace
 from winkler.media.offers import LayerStack, offers
@@ -28,7 +27,8 @@ from winkler.problems.normal.solve_contact import at_depth, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["FRICTIONLESS", "SurfaceFriction", "share_of", "slid_depth", "yield_notes", "yield_notes_of_bed"]
 

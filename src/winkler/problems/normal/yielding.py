@@ -7,7 +7,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Overcome
 from winkler.media.halfspace import HalfSpace
@@ -19,8 +18,9 @@ from winkler.problems.normal.onset.part_onset import PartOnset, onset_note
 from winkler.problems.normal.onset.search import greatest_in, onset_in
 from winkler.problems.normal.single_contact import refuse_unless_disc
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["YieldOnset", "YieldOnsetSolution", "onset_of_part", "part_that_yields"]
 

@@ -15,17 +15,17 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Number, Positive
-from winkler.errors import NotConverged
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import flat_radius
 from winkler.problems.normal.stiffness_ratio import common_ratio
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Number, Positive
+from winkler.values.errors import NotConverged
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["ContactLaw", "ContactLawSolution", "first_radius"]
 

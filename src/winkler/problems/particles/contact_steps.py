@@ -10,9 +10,6 @@ from typing import Annotated, TypeVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Numbers
-from winkler.checks.physical_size import refuse_size
-from winkler.errors import InvalidInput
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array, ArrayLike
@@ -24,7 +21,10 @@ from winkler.problems.particles.ball_forces import (
     twisting_stiffness,
 )
 from winkler.problems.particles.trace import ContactTrace
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NON_NEGATIVE, POSITIVE, Numbers
+from winkler.values.checks.physical_size import refuse_size
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["BallContacts", "follow_contacts", "numbers_of_shape", "with_step_axis"]
 

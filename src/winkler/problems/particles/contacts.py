@@ -13,8 +13,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, checked
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import SHEARED
@@ -26,8 +24,10 @@ from winkler.problems.particles.contact_steps import (
     with_step_axis,
 )
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.checks.number_checks import Whole, checked
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["Contacts"]
 

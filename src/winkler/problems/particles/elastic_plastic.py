@@ -18,20 +18,20 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, PositiveNotTiny
-from winkler.errors import InvalidInput
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.materials.elastic import Elastic
 from winkler.materials.hardening import Hardening
 from winkler.numerics.types import Array, PerLoad, Q
-from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.particles.elastic_plastic_march import ParticleHistory, ParticleMarch
 from winkler.problems.particles.elastic_plastic_springs import material_of
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, PositiveNotTiny
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["ElasticPlasticParticle", "ParticlePress", "ParticleSolution", "ParticleState"]
 

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.problems.particles.elastic_plastic_springs import (
     DEPTH_LIMIT,
@@ -20,6 +19,7 @@ from winkler.problems.particles.elastic_plastic_springs import (
 )
 from winkler.problems.particles.particle_edge import potential
 from winkler.problems.particles.particle_rules import particle_depth
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["ParticleHistory", "ParticleMarch"]
 

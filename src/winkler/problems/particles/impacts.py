@@ -10,8 +10,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NOT_TINY, Count, NonNegativeQuantity, Numbers, PositiveQuantity, Whole
-from winkler.errors import InvalidInput
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.springs.contact_kernels import impact_balls
 from winkler.numerics.threads import run_in_threads
@@ -22,8 +20,10 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SPRINGS
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NOT_TINY, Count, NonNegativeQuantity, Numbers, PositiveQuantity, Whole
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["BallImpacts", "BallImpactsSolution"]
 

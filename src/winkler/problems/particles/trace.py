@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["PLANE", "SIMILAR", "SPRINGS", "UNCOUPLED", "ContactTrace"]
 

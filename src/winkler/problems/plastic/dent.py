@@ -14,11 +14,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, Positive
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Shape
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Finite, Positive
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["Dent", "dimple_integral"]
 

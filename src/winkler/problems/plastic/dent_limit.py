@@ -7,18 +7,18 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.numerics.equations.roots import between
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.plastic.first_loading import LAST_SHARE, WIDENING, FirstLoading, first_loading, refuse_unknown
 from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["DentLimit", "DentLimitSolution"]
 

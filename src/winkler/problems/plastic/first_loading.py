@@ -20,7 +20,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic, Solid
@@ -43,6 +42,7 @@ from winkler.problems.plastic.yielded_response import (
     strain_of_shape,
     yielded,
 )
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = [
     "START_SHARE",

@@ -22,8 +22,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_QUANTITY, PositiveNotTiny
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.numerics.equations.roots import invert
@@ -46,8 +44,10 @@ from winkler.problems.plastic.first_loading import (
 )
 from winkler.problems.plastic.indentation import law_notes, refuse_other_shapes
 from winkler.problems.plastic.release import Release
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_QUANTITY, PositiveNotTiny
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["PlasticImpact", "PlasticImpactSolution"]
 

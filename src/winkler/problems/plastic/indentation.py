@@ -14,13 +14,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.materials.hardening import Hardening
 from winkler.numerics.types import Array, PerLoad, Q
-from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.last_cycle import Looped, PathLoop
@@ -29,8 +28,9 @@ from winkler.problems.normal.validity import shape_notes
 from winkler.problems.plastic.first_loading import FirstLoading, first_loading, refuse_unknown, stored_energy
 from winkler.problems.plastic.release import Release
 from winkler.problems.plastic.yielded_response import round_part
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = [
     "PlasticIndentation",

@@ -8,11 +8,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Force, Radius
+from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
@@ -20,8 +18,10 @@ from winkler.numerics.equations.roots import between
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.plastic.first_loading import LEAST_STIFFNESS, refuse_unknown
 from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["StrengthFromDent", "StrengthFromDentSolution"]
 

@@ -9,10 +9,8 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from winkler.checks.number_checks import Positive, PositiveRow
-from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
@@ -23,8 +21,10 @@ from winkler.profiles.conical import Cone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, PositiveRow
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["HeldProfile", "PoroelasticRelaxation", "PoroelasticSolution", "held_contact", "shape_of"]
 

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import affordable
-from winkler.errors import InvalidInput
-from winkler.limits import MOST_FILM_PIXELS
 from winkler.numerics.films.joined import widest_way
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.pressed_maps.seal_states import passage
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value, words
+from winkler.values.checks.number_checks import affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_FILM_PIXELS
+from winkler.values.value import value, words
 
 __all__ = ["FlowFactors", "flow_factors"]
 

@@ -13,11 +13,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, affordable
-from winkler.limits import MOST_FILM_PIXELS
+from winkler.loading.path import numbers_of
 from winkler.numerics.films.thin_film import FilmFlow
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_notes import seal_notes
 from winkler.problems.pressed_maps.seal_states import FilmPassage, factor_of, gap_of, passage
@@ -30,8 +28,10 @@ from winkler.problems.pressed_maps.second_points import (
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, affordable
+from winkler.values.limits import MOST_FILM_PIXELS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["Seal", "SealSolution"]
 
@@ -66,7 +66,7 @@ class Seal(PerLoad[Q]):
     with its harmonic mean, which is zero where they touch.
 
     >>> import numpy as np
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.rough.topography import Topography

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["seal_notes"]
 

@@ -8,12 +8,12 @@ from typing import TypeVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.numerics.types import Array, Q, Quantity
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 __all__ = ["measured", "on_second_points", "refuse_without_second_points", "spread"]
 

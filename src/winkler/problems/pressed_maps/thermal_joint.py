@@ -15,22 +15,22 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.loading.path import numbers_of
 from winkler.materials.conducting_body import resistivity_of, surface_of
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.media.conduction.spot_resistances import plated_surface
 from winkler.numerics.films.joint_flux import JointFlux, joint_flux
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.seal_states import gap_of
 from winkler.problems.pressed_maps.second_points import measured
 from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["ThermalJoint", "ThermalJointSolution"]
 
@@ -66,7 +66,7 @@ class ThermalJoint(PerLoad[Q]):
 
     Examples
     --------
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

@@ -15,9 +15,9 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.loading.path import numbers_of
 from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.pressed_maps.second_points import (
     measured,
@@ -28,8 +28,8 @@ from winkler.problems.pressed_maps.second_points import (
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_notes import YASTREBOV
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.validity import Assumption, Note, standing_of
-from winkler.values import value, words
+from winkler.values.validity import Assumption, Note, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["TrueArea", "TrueAreaSolution"]
 
@@ -60,7 +60,7 @@ class TrueArea(PerLoad[Q]):
     A wave pressed half flat (Westergaard: half of it touches at half the pressure that closes it).
 
     >>> import numpy as np
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.rough.topography import Topography

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from winkler.errors import NotConverged
+from winkler.values.errors import NotConverged
 
 __all__ = ["force_at_yield"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.media.mapped import MappedMedium
 from winkler.media.offers import GradedInDepth, PowerOfDepth, offers
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["PIXELS_ON_LAYERS", "SULLIVAN", "graded_notes", "pixel_notes"]
 

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
 from winkler.problems.pressed_shape.pressed_map import PressedMap
 from winkler.profiles.profile import Profile
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["RoundedBody"]
 

@@ -13,7 +13,7 @@ from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["pair_notes", "placed_notes", "yield_of_patches"]
 

@@ -14,10 +14,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite, NonNegative, between
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.creepages import Drift
@@ -27,8 +25,10 @@ from winkler.problems.profile_pair.rolled_patch import RolledPatch, rolled_patch
 from winkler.problems.profile_pair.rolling_notes import pair_rolling_notes
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.problems.rough.compliance import compliance_of
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Finite, NonNegative, between
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["ProfilePairRolling", "ProfilePairRollingSolution"]
 

@@ -15,7 +15,7 @@ from winkler.problems.profile_pair.pressing import Region
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["ProfilePatch", "patches_of"]
 

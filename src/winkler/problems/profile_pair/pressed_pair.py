@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.problems.profile_pair.patch import ProfilePatch, patches_of
 from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_body, upper_body
 from winkler.problems.profile_pair.pressing import PressedWindows, pressed_by_drop, pressed_by_force
+from winkler.values.errors import InvalidInput
 
 __all__ = ["PlacedPair", "placed_bodies", "pressed_pair"]
 

@@ -7,13 +7,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.surfaces.pressed_grid import ByDepth, press
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
 from winkler.problems.profile_pair.placing import PlacedBody, Placing
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["PressedWindows", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
 

@@ -17,9 +17,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Advice, Finite, NonNegative, PositiveOrInfinite, Whole, between
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.media.mapped import MappedMedium
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.profile_pair.notes import pair_notes
@@ -28,8 +26,10 @@ from winkler.problems.profile_pair.placing import Placing
 from winkler.problems.profile_pair.pressed_pair import placed_bodies, pressed_pair
 from winkler.problems.profile_pair.pressing import change_of, pressed_by_drop
 from winkler.profiles.sections.cross_profile import CrossProfile
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Advice, Finite, NonNegative, PositiveOrInfinite, Whole, between
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["ProfilePair", "ProfilePairSolution"]
 

@@ -15,7 +15,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.media.mapped import MappedMedium
@@ -33,7 +32,8 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.creepages import AHEAD
 from winkler.problems.surface_rolling.falling import roll_under
-from winkler.values import value, words
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["RolledPatch", "rolled_patches"]
 

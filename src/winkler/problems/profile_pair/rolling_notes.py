@@ -16,7 +16,7 @@ from winkler.problems.profile_pair.rolled_patch import RolledPatch
 from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.problems.surface_rolling.notes import named
 from winkler.problems.surface_rolling.small_creep import small_creep_note
-from winkler.validity import Assumption, Note, Standing, standing_left, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_left, standing_of
 
 __all__ = ["pair_rolling_notes"]
 

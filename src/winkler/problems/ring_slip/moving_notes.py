@@ -8,7 +8,7 @@ from winkler.foundation.bed import Bed
 from winkler.media.offers import LayerStack, offers
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.ring_slip.push_notes import push_note
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["IN_CYCLES", "IN_IMPACTS", "moving_ring_notes"]
 

@@ -13,9 +13,8 @@ import functools
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.footprint import DISC
 from winkler.foundation.bed import Bed
+from winkler.foundation.footprint import DISC
 from winkler.foundation.torsion_bound import TwistBound
 from winkler.media.offers import PushedWaves, offers
 from winkler.media.twisting.kernels import TwistKernel
@@ -26,6 +25,7 @@ from winkler.numerics.transforms.slip_tables import slip_table
 from winkler.numerics.types import Array
 from winkler.problems.method import Method
 from winkler.problems.normal.stiffness_ratio import common_ratio
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["PushBound", "exact_ratio", "layers_of_rings", "push_bound", "pushed_body"]
 

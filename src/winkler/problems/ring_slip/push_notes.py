@@ -11,7 +11,7 @@ from winkler.foundation.torsion_bound import TwistBound
 from winkler.numerics.transforms import fredholm
 from winkler.problems.ring_slip.push_bound import pushed_body
 from winkler.problems.ring_slip.ring_notes import TABLES_ERROR
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["push_note", "tables_note"]
 

@@ -11,7 +11,7 @@ from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.ring_slip.ring_path import ANGLE_TOLERANCE
 from winkler.problems.ring_slip.torsion_march import LOSS_TOLERANCE
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["TABLES_ERROR", "RingState", "ring_notes"]
 

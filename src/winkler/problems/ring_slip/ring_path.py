@@ -9,10 +9,10 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import PressedState, TwistBound
-from winkler.loading import Angle, Depth, Shift
+from winkler.loading.loads import Angle, Depth, Shift
+from winkler.loading.path import Path
 from winkler.media.offers import TwistedWaves, offers
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.ring_slip.steady_path import HistoryPoint, falls, steady_points
 from winkler.problems.ring_slip.torsion_march import (

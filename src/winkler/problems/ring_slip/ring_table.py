@@ -13,12 +13,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import BOUND_ROUNDING
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.push_bound import PushBound, pushed_body
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["PressedStep", "RingTable", "SlidingRings", "pressed_step", "ring_table", "slide", "stored"]
 

@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.ring_table import PressedStep, RingTable, pressed_step, slide
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["STEPS_PER_CYCLE", "CycleSteps", "cycle_steps", "loss_of_cycle"]
 

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.problems.ring_slip.torsion_memory import TwistAhead, TwistMove, slid_along, stuck_work
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = [
     "LOSS_TOLERANCE",

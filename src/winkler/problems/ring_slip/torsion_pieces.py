@@ -14,7 +14,7 @@ import numpy as np
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.play import Branches
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["NO_CONTACT", "TurnHistory", "TurnedTwist", "TwistMemory", "TwistPiece", "fresh", "pieces_of"]
 

@@ -17,20 +17,20 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, Whole
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.loading import Depth, Force, Moment, Tilt
+from winkler.loading.loads import Depth, Force, Moment, Tilt
+from winkler.loading.path import numbers_of
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.surfaces.boxed_slender import Generator, SlenderContact, pressed_levels
 from winkler.numerics.surfaces.pressed_slender import Pose
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rollers.roller_notes import roller_notes
 from winkler.problems.rollers.roller_state import ROLLER_WORDS, RollerState
 from winkler.profiles.roller_ends import RollerEnds
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Positive, Whole
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["RollerContact", "RollerSolution"]
 

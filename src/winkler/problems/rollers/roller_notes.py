@@ -15,7 +15,7 @@ from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["roller_notes"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import MappingProxyType
 
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["ROLLER_WORDS", "RollerState"]
 

@@ -20,8 +20,8 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.rolling.distances import MEASURED_BY, MEASURED_ON_LAYERS, ON_LAYERS, ball_distances
 from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 if TYPE_CHECKING:
     from winkler.media.mapped import MappedMedium

@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import ZERO, Array, PerLoad, Q, shaped
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["Creepage", "CreepageSolution"]
 

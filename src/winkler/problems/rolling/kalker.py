@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["CreepCoefficients", "RollingPair", "creep_coefficients", "rolling_pair"]
 

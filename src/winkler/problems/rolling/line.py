@@ -23,7 +23,7 @@ from winkler.numerics.integrals.bisected_quadrature import towards
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["RollingLine", "StickZones"]
 

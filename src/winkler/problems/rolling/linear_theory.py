@@ -24,9 +24,9 @@ import math
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.value import value, words
 
 __all__ = ["LinearCreepCoefficients", "linear_creep_coefficients"]
 

@@ -17,13 +17,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import NonNegative, Positive, Whole
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
+from winkler.loading.path import OneLoad
 from winkler.numerics.springs.rolling_kernels import push
 from winkler.numerics.types import Array
-from winkler.path import OneLoad
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import IndentationSolution
@@ -32,8 +30,10 @@ from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.line import RollingLine
 from winkler.problems.rolling.springs import springs
 from winkler.problems.rolling.steady import check_rolling, rolling_notes, touching
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import NonNegative, Positive, Whole
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
 
@@ -85,7 +85,7 @@ class OscillatingRolling:
 
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Radius
+    >>> from winkler.loading.loads import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

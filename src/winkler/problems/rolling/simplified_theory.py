@@ -20,11 +20,8 @@ from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Advice, NonNegative, Whole
-from winkler.errors import InvalidInput
 from winkler.laws.varying_friction import FallingFriction, Rolled, greatest_coefficient
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.springs.fastsim import mapped, rolled
@@ -38,8 +35,11 @@ from winkler.problems.rolling.simplified_validity import distance_notes, falling
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Advice, NonNegative, Whole
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 

@@ -11,7 +11,7 @@ from winkler.problems.rolling.distances import MEASURED_BY, ellipse_distances
 from winkler.problems.rolling.kalker import CreepCoefficients
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["distance_notes", "falling_note", "moment_note", "size_note"]
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from winkler.errors import InvalidInput
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["idle_speed_notes", "refuse_rest"]
 

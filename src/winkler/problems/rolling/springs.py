@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.problems.rolling.line import RollingLine
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["RollingSprings", "springs"]
 

@@ -17,13 +17,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Sliding
+from winkler.loading.path import OneLoad
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PowerOfDepth, PushedWaves, offers
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -31,8 +30,9 @@ from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage, CreepageSolution
 from winkler.problems.rolling.line import RollingLine
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
 
@@ -75,7 +75,7 @@ class Rolling(PerLoad[Q]):
     A steel ball that pulls at two thirds of the creepage from which it slides: 1 - (1/3)^3 of what friction bears.
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

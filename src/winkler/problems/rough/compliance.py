@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import cast
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HalfSpace
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.media.offers import LayerStack, PowerOfDepth, PushedWaves, offers
@@ -13,6 +12,7 @@ from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.surfaces.traction_grid import Compliance
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["compliance_of"]
 

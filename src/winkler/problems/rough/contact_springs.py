@@ -11,13 +11,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.equations.roots import invert
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["ContactPoints", "MeasuredSprings", "force_uncertainty", "radii_of", "springs_of"]
 

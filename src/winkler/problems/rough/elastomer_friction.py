@@ -15,12 +15,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Numbers
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Numbers
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
 

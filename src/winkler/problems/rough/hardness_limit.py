@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.numerics.types import Array, Quantity
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["hardened_share", "hardness_notes"]
 

@@ -12,12 +12,12 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["conducting_medium", "line_stiffnesses", "moduli_of_waves", "slope_modulus"]
 

@@ -14,8 +14,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, Seed
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import PerLoad, Q, shaped
@@ -25,8 +24,9 @@ from winkler.problems.rough.persson import area_fraction, separation_under
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Positive, Seed
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["NO_AREA", "RoughContact", "RoughContactSolution"]
 

@@ -13,16 +13,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, Seed
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
 from winkler.problems.rough.layered_lines import line_stiffnesses, slope_modulus
@@ -31,8 +29,10 @@ from winkler.problems.rough.persson import area_fraction
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
 from winkler.profiles.rough.random_rough import random_lines
 from winkler.profiles.rough.spectrum import Spectrum
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, Seed
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["RoughIndentation", "RoughIndentationSolution"]
 

@@ -7,20 +7,20 @@ from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, affordable
-from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS, MOST_SPRINGS
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
 from winkler.problems.rough.layered_lines import conducting_medium
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import Whole, affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS, MOST_SPRINGS
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["LineSprings", "Realisations", "RoughSolution", "check_ensemble"]
 

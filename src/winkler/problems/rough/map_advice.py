@@ -8,7 +8,7 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.surface_notes import border_notes
 from winkler.problems.subsurface.map_yield import map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Note
+from winkler.values.validity import Note
 
 __all__ = ["last_load_notes"]
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from winkler.errors import OutsideValidity
 from winkler.materials.conducting_body import ConductingBody, Plated, Rod, layers_of
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["plating_notes", "refuse_bodies"]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.loading import Depth, Force
-from winkler.path import numbers_of
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["check_loads"]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import logging
 
-from winkler.checks.free_memory import free_memory, whole_memory
-from winkler.errors import InvalidInput
 from winkler.numerics.surfaces.surface_grid import bytes_needed
+from winkler.values.checks.free_memory import free_memory, whole_memory
+from winkler.values.errors import InvalidInput
 
 __all__ = ["refuse_too_large", "state_memory"]
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from winkler.errors import OutsideValidity
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.types import Quantity
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, SULLIVAN, graded_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["homogeneous", "medium_notes"]
 

@@ -20,10 +20,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
+from winkler.values.errors import InvalidInput
 
 __all__ = ["area_fraction", "mean_separation", "separation_under"]
 

@@ -13,13 +13,11 @@ from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.foundation.plane import PlaneFoundation
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.media.medium import Medium
@@ -32,8 +30,10 @@ from winkler.problems.rough.stuck_contacts import StuckContacts
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_left
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, Positive, between
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing, standing_left
+from winkler.values.value import value
 
 __all__ = ["Reduction", "ReductionSolution", "reduce"]
 

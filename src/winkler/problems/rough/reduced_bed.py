@@ -8,13 +8,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.footprint import UnknownOutline
 from winkler.foundation.directional import DirectionalBed
+from winkler.foundation.footprint import UnknownOutline
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array
 from winkler.problems.rough.reduce import Reduction
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["ReducedBed"]
 

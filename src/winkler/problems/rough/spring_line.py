@@ -16,11 +16,11 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import Numbers, Positive
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Numbers, Positive
+from winkler.values.value import value, words
 
 __all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds"]
 

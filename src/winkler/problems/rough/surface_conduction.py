@@ -22,11 +22,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Seed, Whole
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.film import SurfaceFilm
-from winkler.limits import MOST_SPRINGS
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
@@ -41,8 +38,11 @@ from winkler.problems.rough.map_conductors import plating_notes, refuse_bodies
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.map_spectrum import spectrum_of
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Seed, Whole
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.limits import MOST_SPRINGS
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
 

@@ -18,10 +18,8 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, PositiveOrInfinite, affordable, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.limits import MOST_NUMBERS
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.arrays import given, library_of, to_numpy
@@ -29,7 +27,6 @@ from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
@@ -43,8 +40,11 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.map_yield import greatest_share
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice, PositiveOrInfinite, affordable, between
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.limits import MOST_NUMBERS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.profiles.rough.map_notes import map_notes
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_left
+from winkler.values.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["border_notes", "surface_notes"]
 

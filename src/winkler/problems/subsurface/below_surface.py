@@ -6,8 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.checks.place_checks import common_places, finite_places
-from winkler.errors import InvalidInput
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Elastic
 from winkler.media.interior.map_peak import greatest_below_map
@@ -16,6 +14,8 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.normal.elliptic_fields import solid_below
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.which_body import in_first_body
+from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.errors import InvalidInput
 
 __all__ = ["BelowSurface", "fields_at", "fields_at_depth", "fields_on_plane", "greatest_stress"]
 

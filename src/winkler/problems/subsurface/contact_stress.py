@@ -16,7 +16,6 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Rigid
 from winkler.media.halfspace import HalfSpace
@@ -35,8 +34,9 @@ from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers, ref
 from winkler.problems.normal.onset.part_onset import NAME
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.one_load import single
-from winkler.validity import Assumption, Note, standing_of
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["ContactStress", "ContactStressSolution", "PartStress"]
 
@@ -79,7 +79,7 @@ class ContactStress:
     --------
     A bearing ball in its groove, where it rolls: the shear stress along the surface over the greatest pressure.
 
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.profiles.ellipse import CurvedBodies
     >>> steel = Elastic(208e9, 0.3)

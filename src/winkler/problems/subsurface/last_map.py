@@ -8,7 +8,7 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.loaded_history import LoadedMap
 from winkler.problems.subsurface.map_yield import history_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Note
+from winkler.values.validity import Note
 
 __all__ = ["LastMap"]
 

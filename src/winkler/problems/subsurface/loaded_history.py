@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.problems.subsurface.traction_frames import FrameKeeper
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["GatheredMaps", "LoadedMap", "gathered_maps"]
 

@@ -15,8 +15,8 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.subsurface.below_surface import BelowSurface, greatest_stress
 from winkler.problems.subsurface.map_yield import map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Assumption, Note, Standing, standing_of
-from winkler.values import value, words
+from winkler.values.validity import Assumption, Note, Standing, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["MapStress", "MapStressSolution"]
 

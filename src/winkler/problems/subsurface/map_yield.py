@@ -9,7 +9,7 @@ from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.subsurface.below_surface import greatest_stress
 from winkler.problems.subsurface.loaded_history import LoadedMap
 from winkler.problems.subsurface.surface_load import SurfaceLoad
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["greatest_share", "history_yield_notes", "map_yield_notes"]
 

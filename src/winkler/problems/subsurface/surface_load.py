@@ -7,13 +7,13 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE, Advice, Numbers, affordable
-from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE, Advice, Numbers, affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceLoad"]
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["FrameKeeper", "TractionFrame", "frame_at"]
 

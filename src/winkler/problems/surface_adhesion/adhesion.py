@@ -16,15 +16,13 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, between
-from winkler.errors import NotConverged, OutsideValidity
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import numbers_of
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.attracted.attracted_surface import AttractedSurface
 from winkler.numerics.attracted.elastic_surface import ElasticSurface
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ATTRACTED, BALANCED
 from winkler.problems.last_cycle import Looped, PathLoop
@@ -44,8 +42,10 @@ from winkler.problems.surface_adhesion.without_range import (
     two_ranges,
 )  # fmt: skip
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, between
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceAdhesion", "SurfaceAdhesionSolution"]
 

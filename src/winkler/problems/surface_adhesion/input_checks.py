@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import affordable
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.limits import MOST_NUMBERS
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import numbers_of
 from winkler.numerics.attracted.elastic_surface import attracted_bytes
-from winkler.path import numbers_of
 from winkler.problems.rough.map_memory import refuse_too_large
 from winkler.profiles.rough.topography import Topography
+from winkler.values.checks.number_checks import affordable
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["check_adhesion", "memory_of"]
 

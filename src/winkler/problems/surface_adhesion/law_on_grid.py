@@ -12,12 +12,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.laws.attraction import ExponentialAttraction, LennardJones
 from winkler.numerics.attracted.attraction import Attraction, EightTwo, Exponential, RoundedStep
 from winkler.problems.adhesion.tabor import tabor_parameter
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["AttractionOnGrid", "RangedLaw", "attraction_on_grid", "curvature_radius", "tabor_of_map"]
 

@@ -11,7 +11,7 @@ from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_left
+from winkler.values.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["surface_adhesion_notes"]
 

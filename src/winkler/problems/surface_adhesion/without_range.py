@@ -14,10 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.attraction import ExponentialAttraction
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["PullOffWithoutRange", "cut_off", "greatest_pull", "limit_of_two", "refuse_long_ranges", "two_ranges"]
 

@@ -13,14 +13,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, Positive, PositiveOrInfinite
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.current import Current, Drive, WiedemannFranz
+from winkler.loading.path import numbers_of
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.spot_resistances import SpotResistances, spot_resistances
 from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.heated_contact import (
     ColdContact,
@@ -34,8 +32,10 @@ from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContac
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.surface_current.notes import current_notes
 from winkler.problems.surface_current.softening import coefficient_of, voltage_to_reach
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, NonNegative, Positive, PositiveOrInfinite
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceConstriction", "SurfaceConstrictionSolution"]
 
@@ -86,7 +86,7 @@ class SurfaceConstriction(PerLoad[Q]):
 
     >>> import numpy as np
     >>> from winkler.laws.current import Voltage
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.conducting_body import Plated
     >>> from winkler.materials.conductor import ElectricalConductor
     >>> from winkler.materials.elastic import Elastic

@@ -10,7 +10,7 @@ from winkler.numerics.types import Quantity
 from winkler.problems.conduction.disc import mean_free_path_note
 from winkler.problems.conduction.joule_heating import KOHLRAUSCH
 from winkler.problems.surface_current.softening import coefficients_of
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["current_notes"]
 

@@ -8,12 +8,12 @@ from typing import Protocol, TypeVar
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.plates.pressed_sums import overlap_and_work
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["Found", "Rubbed", "by_turns", "press_from"]
 

@@ -15,13 +15,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Number, Numbers
-from winkler.errors import OutsideValidity
 from winkler.laws.friction import Sliding
-from winkler.loading import Force, ShearForce
+from winkler.loading.loads import Force, ShearForce
+from winkler.loading.path import Path, numbers_of
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array, N, PerLoad, Q, Quantity, shaped
-from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.last_cycle import loss_factor
 from winkler.problems.rough.compliance import compliance_of
@@ -31,8 +29,10 @@ from winkler.problems.surface_friction.joint_loops import loops_of_elements, loo
 from winkler.problems.surface_friction.joint_states import JointState, disc_ratio, joint_state
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Number, Numbers
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["JointStiffness", "JointStiffnessSolution"]
 

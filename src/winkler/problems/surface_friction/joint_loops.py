@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.laws.friction import Sliding
-from winkler.loading import Force, ShearForce
+from winkler.loading.loads import Force, ShearForce
+from winkler.loading.path import Path
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
 

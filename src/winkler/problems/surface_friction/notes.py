@@ -16,7 +16,7 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import solved_together_note
 from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_left
+from winkler.values.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["UNCOUPLED_LAYERS", "surface_shear_notes"]
 

@@ -18,14 +18,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, between
-from winkler.errors import InvalidInput
 from winkler.foundation.directional import DirectionalBed
 from winkler.laws.friction import Sliding
-from winkler.loading import Depth, ShearForce
+from winkler.loading.loads import Depth, ShearForce
+from winkler.loading.path import Path
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
@@ -33,8 +31,10 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.rough.reduce import Reduction, ReductionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Positive, between
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["ReducedFriction", "ReducedFrictionSolution"]
 

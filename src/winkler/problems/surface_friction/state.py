@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from winkler.numerics.types import Array, PerLoad, Q
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["MapSlip", "SurfaceShearState"]
 

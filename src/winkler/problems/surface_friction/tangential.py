@@ -13,16 +13,13 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, affordable, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Slipped
-from winkler.limits import MOST_NUMBERS
-from winkler.loading import Angle, Depth, ShearForce, Torque
+from winkler.loading.loads import Angle, Depth, ShearForce, Torque
+from winkler.loading.path import Path, numbers_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
-from winkler.path import Path, numbers_of
 from winkler.problems.assumptions.declared import BALANCED, MAPPED
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.unknown_yield import unknown_yield
@@ -35,8 +32,11 @@ from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
 from winkler.problems.surface_friction.state import MapSlip, SurfaceShearState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, affordable, between
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.limits import MOST_NUMBERS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceTangential", "SurfaceTangentialSolution"]
 
@@ -82,7 +82,7 @@ class SurfaceTangential:
     A ball under 7/8 of the shear force at which it slides: half of the radius sticks, a quarter of the area.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

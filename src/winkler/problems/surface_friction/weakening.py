@@ -15,13 +15,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening
 from winkler.numerics.surfaces.sheared_surface import ShearedSurface
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.surfaces.varying_bound import vary
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["bound_of", "loss_of", "shear_weakened"]
 

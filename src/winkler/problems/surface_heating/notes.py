@@ -7,7 +7,7 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.surface_heating.state import SurfaceHeatState
-from winkler.validity import Assumption, Note, Standing, standing_left, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_left, standing_of
 
 __all__ = ["JAEGER", "surface_heating_notes"]
 

@@ -6,12 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.surfaces.heated_grid import HeatedGrid
 from winkler.numerics.surfaces.shared_heat import HeatSharing
 from winkler.numerics.types import Array
 from winkler.problems.surface_heating.state import SurfaceHeatState
+from winkler.values.errors import NotConverged
 
 __all__ = ["HeatedPatch", "half_length"]
 

@@ -14,8 +14,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Finite
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import HEATED, MAPPED
@@ -25,8 +23,10 @@ from winkler.problems.surface_heating.patch import HeatedPatch, half_length
 from winkler.problems.surface_heating.state import SurfaceHeatState
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
-from winkler.validity import Assumption, Note, standing_of
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Finite
+from winkler.values.validity import Assumption, Note, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceRollingHeating", "SurfaceRollingHeatingSolution"]
 
@@ -70,7 +70,7 @@ class SurfaceRollingHeating(RubbingBodies, PerLoad[Q]):
     A wheel that slips by 0.5 % at 30 m/s:
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

@@ -11,8 +11,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Finite
-from winkler.errors import InvalidInput
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
@@ -20,8 +18,10 @@ from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_heating.notes import surface_heating_notes
 from winkler.problems.surface_heating.patch import HeatedPatch, half_length
 from winkler.problems.surface_heating.state import SurfaceHeatState
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Finite
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution"]
 

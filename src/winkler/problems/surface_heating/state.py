@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.numerics.types import Array
 from winkler.problems.surface_rolling.state import SurfaceRollingState
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceHeatState"]
 

@@ -6,13 +6,13 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import FINITE_QUANTITY
-from winkler.errors import InvalidInput
-from winkler.loading import ShearForce, Torque
+from winkler.loading.loads import ShearForce, Torque
 from winkler.numerics.types import ZERO, Array, PerLoad, Q
 from winkler.problems.rolling.creepage import Creepage
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import FINITE_QUANTITY
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["ONE_PUSH", "CreepForce", "Given", "Spin", "first_of", "given_of"]
 

@@ -26,7 +26,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction, greatest_coefficient
 from winkler.numerics.surfaces.rolled_surface import RolledSurface, roll
@@ -34,6 +33,7 @@ from winkler.numerics.types import Array
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_rolling.falling import roll_under
 from winkler.problems.surface_rolling.patch import RollingPatch
+from winkler.values.errors import NotConverged
 
 __all__ = ["AHEAD", "CreepSearch", "CreptPatch"]
 

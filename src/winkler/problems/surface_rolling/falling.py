@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import FallingFriction
 from winkler.numerics.surfaces.rolled_surface import RolledSurface, roll
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.surfaces.varying_bound import vary
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["roll_under"]
 

@@ -19,7 +19,7 @@ from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.surface_friction.by_turns import COUPLED_TOLERANCE
 from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_left
+from winkler.values.validity import Assumption, Note, Standing, standing_left
 
 __all__ = ["named", "surface_rolling_notes"]
 

@@ -7,19 +7,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import affordable
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.limits import MOST_NUMBERS
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import numbers_of
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.surface_friction.by_turns import Found, by_turns, press_from
 from winkler.profiles.rough.topography import Topography
+from winkler.values.checks.number_checks import affordable
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["RollingPatch", "refuse_map", "rolling_patch"]
 

@@ -6,7 +6,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.subsurface.last_map import LastMap
-from winkler.validity import Note
+from winkler.values.validity import Note
 
 __all__ = ["RolledMap"]
 

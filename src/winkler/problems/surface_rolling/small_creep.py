@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import Array, Quantity
-from winkler.validity import Assumption, Note, standing_of
+from winkler.values.validity import Assumption, Note, standing_of
 
 __all__ = ["greatest_slip", "small_creep_note"]
 

@@ -17,14 +17,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, Positive, affordable, between
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.friction import Sliding
-from winkler.limits import PATH_POINTS
+from winkler.loading.path import OnePositiveNormal
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.types import Array
-from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
@@ -37,8 +34,11 @@ from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingStartState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, Positive, affordable, between
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.limits import PATH_POINTS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceRollingStart", "SurfaceRollingStartSolution"]
 
@@ -76,7 +76,7 @@ class SurfaceRollingStart:
     A ball under half of the friction: it creeps while it rolls.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force, ShearForce
+    >>> from winkler.loading.loads import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

@@ -17,13 +17,11 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, NonNegative, between
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.varying_friction import Rolled, greatest_coefficient
-from winkler.loading import ShearForce
+from winkler.loading.loads import ShearForce
+from winkler.loading.path import OnePositiveNormal
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
@@ -38,8 +36,10 @@ from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, NonNegative, between
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
 
@@ -83,7 +83,7 @@ class SurfaceRolling(PerLoad[Q]):
     A locomotive wheel pulls with 0.65 of the friction at a creepage of 0.12 %:
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import Force, ShearForce
+    >>> from winkler.loading.loads import Force, ShearForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.problems.rolling.creepage import Creepage

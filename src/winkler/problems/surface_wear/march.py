@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.surfaces.pressed_grid import PressedSurface
 from winkler.numerics.types import Array
 from winkler.problems.surface_wear.worn_map import WornMap
+from winkler.values.errors import NotConverged
 
 __all__ = ["MapMoment", "begin", "go"]
 

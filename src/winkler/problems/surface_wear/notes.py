@@ -9,7 +9,7 @@ from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.problems.surface_wear.states import SurfaceWearState
 from winkler.problems.wear.validity import DEBRIS, SLIDES_EVERYWHERE
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["wear_notes"]
 

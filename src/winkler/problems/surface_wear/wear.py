@@ -15,15 +15,13 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.laws.wear import Archard
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
+from winkler.loading.path import numbers_of
 from winkler.media.mapped import layers_of
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_contact import SurfaceContact
@@ -33,8 +31,10 @@ from winkler.problems.surface_wear.states import STATE_WORDS, SurfaceWearState
 from winkler.problems.surface_wear.worn_map import WornMap
 from winkler.problems.wear.states import goals_of
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FiniteQuantity, between
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SurfaceWear", "SurfaceWearSolution"]
 
@@ -71,7 +71,7 @@ class SurfaceWear:
 
     >>> import numpy as np
     >>> from winkler.laws.wear import Archard
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.rough.topography import Topography

@@ -16,13 +16,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_OR_INFINITE, Advice
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.crack import CrackLaw
-from winkler.loading import Depth, Shift
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import Path
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.offers import offers
@@ -31,7 +30,6 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array, PerLoad, Q
-from winkler.path import Path
 from winkler.problems.adhesion.edge import LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
@@ -40,8 +38,10 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.viscoelastic.adhesion_crack import Crack
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE, Advice
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["RubberCrack", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
 

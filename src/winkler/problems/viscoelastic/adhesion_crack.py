@@ -14,11 +14,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.crack import CrackLaw
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["Crack"]
 

@@ -14,11 +14,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveNotTiny, Whole, between
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
-from winkler.limits import RELAXING_SPRINGS
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
@@ -30,8 +27,11 @@ from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.viscoelastic.flight import Flight
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxation_of
 from winkler.problems.viscoelastic.validity import relaxing_notes
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive, PositiveNotTiny, Whole, between
+from winkler.values.errors import NotConverged, OutsideValidity
+from winkler.values.limits import RELAXING_SPRINGS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
 

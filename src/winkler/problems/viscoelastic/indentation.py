@@ -17,17 +17,14 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, between
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
-from winkler.limits import RELAXING_SPRINGS
-from winkler.loading import Depth, Force, Shift
+from winkler.loading.loads import Depth, Force, Shift
+from winkler.loading.path import Path
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
@@ -41,8 +38,11 @@ from winkler.problems.viscoelastic.layered_path import is_layered, marched
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.validity import relaxing_notes
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Whole, between
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.limits import RELAXING_SPRINGS
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
 

@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import UnderProfile
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, BorneCells, CoupledCells, LoadedCells
 from winkler.numerics.types import Array
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "cells_of"]
 

@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import shape_notes
 from winkler.problems.viscoelastic.layered_path import STEP_CELLS, marched, stepped
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["layered_notes"]
 

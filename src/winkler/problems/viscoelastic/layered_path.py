@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.footprint import DISC
 from winkler.foundation.bed import Bed
+from winkler.foundation.footprint import DISC
 from winkler.foundation.on_medium import OnMedium, UnderProfile
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.media.halfspace import HalfSpace
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
@@ -18,6 +17,7 @@ from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array, ComplexArray
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoint, TooNarrow, cells_of
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["complex_stiffness", "contact_reach", "is_layered", "marched", "stepped"]
 

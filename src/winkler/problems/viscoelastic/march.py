@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.foundation.springs import Springs
@@ -25,6 +24,7 @@ from winkler.numerics.springs.relaxing_springs import (
     advance_under_forces,
 )
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["RESTING_FORCE", "SpringMemory", "SpringRow", "elastic_like", "refuse_rings", "relaxation_of"]
 

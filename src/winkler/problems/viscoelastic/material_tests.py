@@ -14,9 +14,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive, PositiveRow
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
@@ -27,8 +26,9 @@ from winkler.problems.viscoelastic.layered_notes import layered_notes
 from winkler.problems.viscoelastic.layered_path import is_layered, stepped
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.validity import relaxing_notes
-from winkler.validity import Assumption, Note
-from winkler.values import value
+from winkler.values.checks.number_checks import Positive, PositiveRow
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value
 
 __all__ = ["CreepTest", "RelaxationTest", "StepSolution"]
 

@@ -10,20 +10,20 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_QUANTITY
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import OnePositiveNormal
 from winkler.numerics.types import PerLoad, Q, shaped
-from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.layered_path import complex_stiffness, is_layered
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.validity import relaxing_notes
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_QUANTITY
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["HarmonicIndentation", "HarmonicSolution"]
 

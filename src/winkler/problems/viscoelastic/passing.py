@@ -11,9 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.loading import Depth, Force
+from winkler.loading.loads import Depth, Force
 from winkler.numerics.equations.roots import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.springs.free_relaxation import Recovery
@@ -21,6 +20,7 @@ from winkler.numerics.springs.spring_pass import pass_over
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth, at_end, at_force
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["SlidPast", "pass_at_depth", "pass_under_load"]
 

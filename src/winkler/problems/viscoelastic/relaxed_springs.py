@@ -8,7 +8,7 @@ from numpy.polynomial import chebyshev
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["RelaxedSprings", "SmoothSprings", "smooth"]
 

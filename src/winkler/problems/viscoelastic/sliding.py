@@ -17,13 +17,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import POSITIVE_QUANTITY, Whole
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.limits import RELAXING_SPRINGS
+from winkler.loading.path import OnePositiveNormal
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array, PerLoad, Q, like, shaped
-from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.unknown_yield import relaxing_yield
@@ -31,8 +28,11 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.passing import pass_at_depth, pass_under_load
 from winkler.problems.viscoelastic.sliding_factor import share_of_line
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import POSITIVE_QUANTITY, Whole
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import RELAXING_SPRINGS
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 
@@ -71,7 +71,7 @@ class SlidingResistance(PerLoad[Q]):
     Slowly, a ball meets the resistance tau v F / R (E* = 1 Pa, tau = 1 s), half of that of the line.
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Depth
+    >>> from winkler.loading.loads import Depth
     >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.25)))

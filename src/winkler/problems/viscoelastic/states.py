@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.outline import refuse_unless_round
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
@@ -15,7 +13,9 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.round_march import RoundPress
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
-from winkler.values import value
+from winkler.values.checks.outline import refuse_unless_round
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["ViscoelasticState"]
 

@@ -16,14 +16,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Shift
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import Path
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
-from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.times import path_notes
@@ -35,8 +34,9 @@ from winkler.problems.row import follow
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.tangential_march import DraggedRow, DragGoal, ErrorScales, shear_relaxation
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["DraggedState", "dragged_notes", "dragged_states", "pressed_alone", "stick_radius"]
 

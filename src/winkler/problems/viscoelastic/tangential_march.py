@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
@@ -21,6 +20,7 @@ from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
 from winkler.problems.row import Reached, Row, over
 from winkler.problems.viscoelastic.march import RESTING_FORCE, SpringRow
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation"]
 

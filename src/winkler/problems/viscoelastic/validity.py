@@ -7,7 +7,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like
-from winkler.validity import Note
+from winkler.values.validity import Note
 
 __all__ = ["relaxing_notes"]
 

@@ -20,12 +20,8 @@ from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.checks.number_checks import Advice, Finite, Positive
-from winkler.checks.place_checks import common_places
-from winkler.errors import OutsideValidity
 from winkler.laws.wear import WearLaw, worn_by
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.media.offers import LayerStack, offers
@@ -38,8 +34,12 @@ from winkler.problems.pressed_shape.pressed_map import PressedMap
 from winkler.problems.wear.validity import DEBRIS
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
-from winkler.validity import Assumption, Note, Standing, standing_of
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.checks.number_checks import Advice, Finite, Positive
+from winkler.values.checks.place_checks import common_places
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing, standing_of
+from winkler.values.value import value, words
 
 __all__ = ["EllipticWear", "EllipticWearSolution"]
 

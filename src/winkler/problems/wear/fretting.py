@@ -15,15 +15,13 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
-from winkler.checks.number_checks import FiniteQuantity
-from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
-from winkler.loading import ShearForce
+from winkler.loading.loads import ShearForce
+from winkler.loading.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.types import Array
-from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.friction.damping import FrictionDamping
 from winkler.problems.wear.grids import wear_grid
@@ -43,8 +41,10 @@ from winkler.problems.wear.worn_layers import (
     refuse_wear_of_layers,
 )
 from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FiniteQuantity
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["FrettingSolution", "FrettingWear"]
 
@@ -99,8 +99,8 @@ class FrettingWear(AtGoals):
 
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.laws.wear import Archard
-    >>> from winkler.loading import Depth
-    >>> from winkler.loading import Shift
+    >>> from winkler.loading.loads import Depth
+    >>> from winkler.loading.loads import Shift
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, TypeAlias
 
-from winkler.checks.number_checks import Whole, between
-from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PowerOfDepth, PressedWaves, PushedWaves, offers
+from winkler.values.checks.number_checks import Whole, between
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["Cells", "WearTolerance", "refuse_unless_pressed", "refuse_unless_rubbed"]
 

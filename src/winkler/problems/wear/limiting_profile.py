@@ -17,25 +17,25 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Condition
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
-from winkler.loading import Depth, Shift
+from winkler.loading.loads import Depth, Shift
+from winkler.loading.path import numbers_of
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.round_core import StuckRadii, layered_core, spring_core
 from winkler.problems.wear.validity import DEBRIS, core_notes, slip_note
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.field_checks import Condition
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LimitingProfile", "LimitingSolution"]
 

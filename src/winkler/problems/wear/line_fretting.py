@@ -17,13 +17,12 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
+from winkler.loading.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.numerics.types import Array
-from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.line_friction.tangential import LineTangential
@@ -39,8 +38,9 @@ from winkler.problems.wear.validity import slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
 from winkler.problems.wear.worn_layers import laws_on, layer_loses, refuse_thin, refuse_wear_of_layers
 from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FiniteQuantity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineFrettingSolution", "LineFrettingWear"]
 
@@ -100,7 +100,7 @@ class LineFrettingWear(AtGoals):
 
     >>> from winkler.laws.friction import Coulomb
     >>> from winkler.laws.wear import Archard
-    >>> from winkler.loading import LineForce, LineShearForce
+    >>> from winkler.loading.loads import LineForce, LineShearForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

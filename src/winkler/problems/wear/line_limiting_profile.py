@@ -25,21 +25,21 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.checks.place_checks import finite_places
-from winkler.errors import OutsideValidity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.friction import Sliding
+from winkler.loading.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
-from winkler.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line.layered_strip import StressedOnLayers
 from winkler.problems.line.strip import Stressed, Strip
 from winkler.problems.wear.line_validity import line_limiting_notes
 from winkler.problems.wear.stuck_core import stuck_core
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.place_checks import finite_places
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LayeredLineLimitingSolution", "LineLimitingProfile", "LineLimitingSolution"]
 
@@ -85,7 +85,7 @@ class LineLimitingProfile:
     A cylinder that sticks within half of its contact.
 
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading import LineForce, LineShearForce
+    >>> from winkler.loading.loads import LineForce, LineShearForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

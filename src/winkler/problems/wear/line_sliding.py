@@ -14,12 +14,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, FiniteQuantity
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.laws.wear import Archard, OwnWear, WearLaw
+from winkler.loading.path import OnePositiveLineForce
 from winkler.numerics.types import Array
-from winkler.path import OnePositiveLineForce
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.line.half_width import refuse_unless_strips, under_force
 from winkler.problems.wear.input_checks import Cells, WearTolerance
@@ -31,8 +30,9 @@ from winkler.problems.wear.stuck_core import refuse_unless_rising
 from winkler.problems.wear.worn_grid import WornContact
 from winkler.problems.wear.worn_layers import laws_on, refuse_thin, refuse_wear_of_layers
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, worn_history, worn_states
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, FiniteQuantity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["LineSlidingSolution", "LineSlidingWear"]
 
@@ -84,7 +84,7 @@ class LineSlidingWear(OfDistance):
     A roller of 10 mm is worn to a flat, of which the cross-section is the rate times force and distance.
 
     >>> from winkler.laws.wear import Archard
-    >>> from winkler.loading import LineForce
+    >>> from winkler.loading.loads import LineForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

@@ -11,7 +11,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.types import Array
 from winkler.problems.wear.states import WornState
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["LineFrettingState", "LineWearState"]
 

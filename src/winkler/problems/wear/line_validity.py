@@ -10,7 +10,7 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
-from winkler.loading import LineForce
+from winkler.loading.loads import LineForce
 from winkler.media.medium import Medium
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.line.indentation import LineIndentation
@@ -28,7 +28,7 @@ from winkler.problems.wear.validity import (
     worn_yield,
 )
 from winkler.problems.wear.worn_layers import layer_notes, strip_cells_note
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
 

@@ -18,7 +18,6 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.laws.wear import WearLaw, worn_by
 from winkler.numerics.equations.implicit import implicit_step
 from winkler.numerics.equations.stabilised import MOST_STAGES, longest, stages_for, step, step_error
@@ -28,6 +27,7 @@ from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
 from winkler.problems.wear.rates import SlidingSystem, law_slope
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["WearMoment", "WearProblem", "march_wear", "scale_of"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Normal
+from winkler.loading.loads import Depth, Normal
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 

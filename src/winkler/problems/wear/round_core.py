@@ -17,12 +17,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, ShearForce
+from winkler.loading.loads import Depth, ShearForce
+from winkler.loading.path import numbers_of
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.transforms import fredholm
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
 from winkler.problems.friction.damping import FrictionDamping
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.normal.indentation import Indentation, IndentationSolution

@@ -19,9 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.foundation.foundation import Foundation
-from winkler.loading import Depth, Normal
+from winkler.loading.loads import Depth, Normal
 from winkler.media.body_of import exponent_of
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
@@ -29,6 +28,7 @@ from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_grid
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
+from winkler.values.errors import NotConverged
 
 __all__ = ["RoundGrid", "RubbedContact"]
 

@@ -14,11 +14,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Advice, FiniteQuantity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear, WearLaw
+from winkler.loading.path import OnePositiveNormal
 from winkler.numerics.types import Array
-from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.wear.input_checks import Cells, WearTolerance, refuse_unless_pressed
 from winkler.problems.wear.march import WearMoment
@@ -27,8 +26,9 @@ from winkler.problems.wear.validity import sliding_notes
 from winkler.problems.wear.worn_grid import WornContact
 from winkler.problems.wear.worn_layers import cells_note, laws_on, layer_notes, refuse_thin, refuse_without_layer
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, round_nodes, worn_history, worn_states
-from winkler.validity import Assumption, Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, FiniteQuantity
+from winkler.values.validity import Assumption, Note
+from winkler.values.value import value, words
 
 __all__ = ["SlidingSolution", "SlidingWear"]
 
@@ -82,7 +82,7 @@ class SlidingWear(OfDistance):
     A ball of 1 mm is worn to a cap, of which the volume is the rate times force and distance.
 
     >>> from winkler.laws.wear import Archard
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

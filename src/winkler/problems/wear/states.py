@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.march import WearMoment
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["FrettingState", "WearState", "WornState", "goals_of"]
 

@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
-from winkler.loading import LineForce
+from winkler.loading.loads import LineForce
 from winkler.numerics.transforms.grid_transforms import Cuts
 from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_strips

@@ -22,15 +22,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.line_bed import LineBed
 from winkler.laws.friction import Coulomb
-from winkler.loading import LineForce, LineShearForce
+from winkler.loading.loads import LineForce, LineShearForce
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.nodes import graded_nodes
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["StuckCore", "refuse_unless_rising", "stuck_core"]
 

@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.wear import PairWear, Unworn, WearLaw
-from winkler.loading import Force, LineForce
+from winkler.loading.loads import Force, LineForce
 from winkler.media.offers import LayerStack, PressedWaves, offers
 from winkler.numerics.types import Array
 from winkler.problems.line.half_width import under_force
@@ -19,7 +18,8 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.line_states import LineWearState
 from winkler.problems.wear.states import WearState, WornState
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = [
     "MOST_WORN_SHARE",

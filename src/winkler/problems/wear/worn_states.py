@@ -8,7 +8,6 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.laws.wear import WearLaw
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
@@ -18,7 +17,8 @@ from winkler.problems.wear.march import WearMoment, WearProblem, march_wear, sca
 from winkler.problems.wear.nodes import first_nodes
 from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.values import words
+from winkler.values.errors import OutsideValidity
+from winkler.values.value import words
 
 __all__ = [
     "AtGoals",

@@ -14,12 +14,12 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from winkler.checks.number_checks import PositiveNotTiny, Whole
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.profiles.pyramids.pyramid import CONSTANTS, FORCE_CONSTANTS
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
+from winkler.values.checks.number_checks import PositiveNotTiny, Whole
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
 
 __all__ = ["RoundedPyramid"]
 

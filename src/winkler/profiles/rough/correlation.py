@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.transforms.autocorrelation import autocorrelation, fall_distances
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["CORRELATION_LEVEL", "CorrelationLengths", "correlation_lengths"]
 

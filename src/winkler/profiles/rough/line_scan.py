@@ -15,13 +15,13 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import Numbers
-from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Numbers
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["LineScan", "spectrum_of_lines"]
 

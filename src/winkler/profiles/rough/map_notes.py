@@ -7,7 +7,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.profiles.rough.tip_limit import SANNER, share_below, tip_limit
 from winkler.profiles.rough.topography import Topography
-from winkler.validity import Assumption, Note, Standing, standing_of
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["border_leap", "map_notes"]
 

@@ -17,10 +17,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput
 
 __all__ = ["spectrum_of"]
 

@@ -9,12 +9,12 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.correlation import CORRELATION_LEVEL, correlation_lengths
 from winkler.profiles.rough.tip_limit import tip_limit
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value, words
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["MapStatistics", "bearing_heights", "correlation_length", "map_statistics"]
 

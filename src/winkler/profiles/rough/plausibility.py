@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
+from winkler.values.readable import with_unit
 
 __all__ = ["doubts_of_surface", "without_marks"]
 

@@ -18,12 +18,12 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from winkler.checks.number_checks import affordable
-from winkler.errors import InvalidInput
-from winkler.limits import MADE_PIXELS
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.profiles.rough.topography import Topography
+from winkler.values.checks.number_checks import affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MADE_PIXELS
 
 __all__ = ["random_line", "random_lines", "random_topography"]
 

@@ -6,13 +6,13 @@ import dataclasses
 
 import numpy as np
 
-from winkler.checks.number_checks import Seed
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value
+from winkler.values.checks.number_checks import Seed
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["RandomTopography"]
 

@@ -11,7 +11,7 @@ from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.profile import Profile
 from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["RoughProfile"]
 

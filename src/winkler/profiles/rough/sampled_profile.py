@@ -6,12 +6,12 @@ import dataclasses
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.numerics.types import Array
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.profile import Profile
 from winkler.profiles.rough.topography import Topography
-from winkler.values import value
+from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.value import value
 
 __all__ = ["SampledProfile"]
 

@@ -15,11 +15,11 @@ from typing import Annotated, Protocol
 
 import numpy as np
 
-from winkler.checks.contract import offered
-from winkler.checks.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.contract import offered
+from winkler.values.checks.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value, words
 
 __all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import frozen_array, value, words
+from winkler.values.value import frozen_array, value, words
 
 __all__ = ["Spikes"]
 

@@ -8,14 +8,14 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Numbers, affordable
-from winkler.checks.physical_size import refuse_size
-from winkler.errors import InvalidInput
-from winkler.limits import MOST_HOLES
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spikes import Spikes
 from winkler.profiles.rough.trends import LINE_LEVELS, along_x, line_levels, trend_of
-from winkler.values import value
+from winkler.values.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Numbers, affordable
+from winkler.values.checks.physical_size import refuse_size
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_HOLES
+from winkler.values.value import value
 
 __all__ = ["Topography"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["LINE_LEVELS", "along_x", "line_levels", "trend_of"]
 

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteRow, NonNegative
-from winkler.errors import InvalidInput, NotConverged
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FiniteRow, NonNegative
+from winkler.values.errors import InvalidInput, NotConverged
+from winkler.values.value import value, words
 
 if TYPE_CHECKING:
     from scipy.interpolate import PPoly

@@ -14,16 +14,16 @@ from typing import Annotated, Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from winkler.checks.number_checks import Advice, FiniteRow, Positive
-from winkler.errors import InvalidInput
-from winkler.limits import MEASURED_PLACES
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.types import Array
 from winkler.profiles.formula_parts import constants_of
 from winkler.profiles.sections.mirrored_section import MirroredSection
 from winkler.profiles.sections.section import CylinderRow, PunchRow, Section, ascending
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Advice, FiniteRow, Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MEASURED_PLACES
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["AnySection", "FormulaSection", "MeasuredSection"]
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.checks.number_checks import Positive
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
 from winkler.profiles.sections.section import SIDE, Section
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import Positive
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["MirroredSection"]
 

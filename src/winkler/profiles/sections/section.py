@@ -10,11 +10,11 @@ import math
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteRow, PositiveRow
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.validity import Note
-from winkler.values import value, words
+from winkler.values.checks.number_checks import FiniteRow, PositiveRow
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Note
+from winkler.values.value import value, words
 
 __all__ = ["SIDE", "CylinderRow", "PunchRow", "Section", "ascending"]
 

@@ -11,11 +11,11 @@ import glob
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput
 from winkler.io.software import differences
 from winkler.study.chapters.kind import path_of
 from winkler.study.language.canonical import digest_of
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["CheckpointStore", "refuse_other_software"]
 

@@ -14,10 +14,10 @@ import time
 from collections.abc import Callable, Collection, Iterator
 from typing import Annotated, Any, NamedTuple
 
-from winkler.checks.number_checks import Advice
-from winkler.errors import InvalidInput, NotConverged
 from winkler.io.software import differences, software
-from winkler.values import value
+from winkler.values.checks.number_checks import Advice
+from winkler.values.errors import InvalidInput, NotConverged
+from winkler.values.value import value
 
 __all__ = ["Cluster", "Connection", "connected"]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, NamedTuple
 
-from winkler.vocabulary import Word, word
+from winkler.values.vocabulary import Word, word
 
 __all__ = ["EVENTS", "Event", "events_of"]
 

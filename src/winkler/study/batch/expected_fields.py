@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
-from winkler.fields import restore, restore_body
+from winkler.fields.restoration import restore, restore_body
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["number_at"]
 

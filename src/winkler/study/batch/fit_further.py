@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.fitting.compare import AnyFit, Comparison, ranked
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.examined.calibrated import CalibrationShares, calibration_shares
@@ -26,8 +25,9 @@ from winkler.fitting.several.joint import JointFit
 from winkler.fitting.several.together import joint_of
 from winkler.study.batch.outcome import ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free
-from winkler.values import value
-from winkler.vocabulary import Word
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
+from winkler.values.value import value
+from winkler.values.vocabulary import Word
 
 __all__ = [
     "CONTACT_POINT",

@@ -28,9 +28,9 @@ from winkler.numerics.types import Array
 from winkler.study.batch.fit_further import CONTACT_POINT, NOTHING, Further, further_columns
 from winkler.study.batch.outcome import Provenance, ResultColumn
 from winkler.study.language.fit_study import FitStudy, Free
-from winkler.validity import Note, Standing, topic_of, worst_of_each
-from winkler.values import value
-from winkler.vocabulary import Word
+from winkler.values.validity import Note, Standing, topic_of, worst_of_each
+from winkler.values.value import value
+from winkler.values.vocabulary import Word
 
 __all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused", "interval_of"]
 

@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput, Mistake
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
@@ -22,14 +21,15 @@ from winkler.fitting.examined.over_depth import DepthSeries
 from winkler.fitting.outcome import CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.parameters import changed
 from winkler.io.curves import PlacedCurve, UnreadCurve
-from winkler.loading import Depth, Force
-from winkler.path import Path as MotionPath
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path as MotionPath
 from winkler.study.batch.fit_further import NOTHING, Further
 from winkler.study.batch.fit_outcome import Fitted, Refused
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.recording import notes_of, plain_notes
 from winkler.study.language.fit_study import Alternative, FitStudy
+from winkler.values.errors import InvalidInput, Mistake
 
 __all__ = ["Piece", "Results", "fingerprint", "path_from_study", "recalled_fits", "results_of", "written_fits"]
 

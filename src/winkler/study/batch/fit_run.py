@@ -20,7 +20,6 @@ from types import MappingProxyType
 
 import numpy as np
 
-from winkler.errors import InvalidInput, Mistake, WinklerError
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
@@ -45,7 +44,8 @@ from winkler.study.language.canonical import how_fitted
 from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.segmenting import segmented, with_stated_events
-from winkler.validity import Assumption, Note, Standing
+from winkler.values.errors import InvalidInput, Mistake, WinklerError
+from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["FitWatch", "fit_curves", "fit_study", "gather_fits", "measured_curve", "pieces"]
 

@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.processes.locking import lock
 from winkler.io.software import software
 from winkler.io.whole_file import unwritable
@@ -28,6 +27,7 @@ from winkler.study.batch.checkpoint import refuse_other_software
 from winkler.study.language.canonical import digest, how_fitted, plain
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis
+from winkler.values.errors import InvalidInput
 
 if TYPE_CHECKING:
     from winkler.study.language.fit_study import FitStudy

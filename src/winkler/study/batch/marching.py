@@ -6,10 +6,10 @@ import itertools
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
-from winkler.errors import WinklerError
 from winkler.io.processes.stopping import INTERRUPTED, clear_interrupt, raise_pending
 from winkler.problems.answer import March
 from winkler.study.batch.checkpoint import CheckpointStore
+from winkler.values.errors import WinklerError
 
 __all__ = ["NO_CHECKPOINTS", "MarchResult", "Watch", "solve_march", "unwatched"]
 

@@ -22,7 +22,7 @@
     point.surface                 SurfaceFields of every load, in the order of `each`; empty unless [fields] has r
     point.subsurface              SubsurfaceFields of every load; empty unless [fields] has r and z
 
-Numbers are SI.  Symbols, units and meanings come from `winkler.vocabulary`.
+Numbers are SI.  Symbols, units and meanings come from `winkler.values.vocabulary`.
 """
 
 from __future__ import annotations
@@ -33,15 +33,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
 from winkler.study.batch.points import ComparedNumber, Failed, Point, Recalled, Solved, SolvedPoint
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
-from winkler.validity import Assumption, Note, Standing, worst_of_each
-from winkler.values import value
-from winkler.vocabulary import Word, word
+from winkler.values.errors import OutsideValidity
+from winkler.values.validity import Assumption, Note, Standing, worst_of_each
+from winkler.values.value import value
+from winkler.values.vocabulary import Word, word
 
 if TYPE_CHECKING:
     from winkler.study.batch.sensitivity import Indices

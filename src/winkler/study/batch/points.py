@@ -13,8 +13,8 @@ from winkler.problems.answer import is_history, is_march, many_loads
 from winkler.study.batch.events import Event, events_of
 from winkler.study.batch.marching import solve_march
 from winkler.study.language.study import Expectation
-from winkler.validity import Note
-from winkler.values import value
+from winkler.values.validity import Note
+from winkler.values.value import value
 
 __all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint"]
 

@@ -12,10 +12,10 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import Executor
 from typing import Annotated, Any, TypeVar
 
-from winkler.checks.number_checks import Number
-from winkler.errors import InvalidInput
 from winkler.study.batch.cluster import Cluster, connected
-from winkler.values import value
+from winkler.values.checks.number_checks import Number
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["Machine", "Workers", "checked_workers", "completed"]
 

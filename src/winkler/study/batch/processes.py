@@ -13,8 +13,8 @@ from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import resource_tracker
 from typing import Any
 
-from winkler.errors import InvalidInput, NotConverged
 from winkler.io.processes.stopping import deferred_signals
+from winkler.values.errors import InvalidInput, NotConverged
 
 __all__ = ["THREAD_VARIABLES", "guarded", "processes", "ready"]
 

@@ -8,15 +8,15 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from winkler.errors import InvalidInput
 from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.points import ComparedNumber, Failed, Recalled, Solved
 from winkler.study.batch.tasks import PointTask
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation
-from winkler.validity import Assumption, Note, Standing
-from winkler.vocabulary import Word
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.vocabulary import Word
 
 __all__ = ["json_line", "notes_of", "plain_notes", "recalled", "without_solution"]
 
@@ -93,7 +93,7 @@ def notes_of(rows: Iterable[list[Any]]) -> tuple[Note, ...]:
 @functools.cache
 def _fields() -> dict[str, type]:
     """Return the classes of restored fields by their names."""
-    from winkler.fields import SubsurfaceFields, SurfaceFields
+    from winkler.fields.restoration import SubsurfaceFields, SurfaceFields
     from winkler.foundation.sheared_fields import ShearedFields
     from winkler.problems.friction.torsion_fields import TwistedFields
 

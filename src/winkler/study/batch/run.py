@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 from winkler.io.software import software
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import ComparedNumber, Failed, Outcome, Point, Provenance, Solved
@@ -18,6 +17,7 @@ from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.canonical import digest
 from winkler.study.language.study import Study
+from winkler.values.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 
 if TYPE_CHECKING:
     from winkler.study.language.fit_study import FitStudy

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.equations.sobol_indices import sobol_indices
 from winkler.numerics.types import Array
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["INDEX_MEANINGS", "SENSITIVITY", "Indices", "rows", "sensitivity", "variables"]
 

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.study.batch.journal import Journal
 from winkler.study.language.study import Study
-from winkler.values import value
+from winkler.values.errors import InvalidInput
+from winkler.values.value import value
 
 __all__ = ["Shard", "put_together", "shards_beside"]
 

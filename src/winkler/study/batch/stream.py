@@ -14,12 +14,12 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.io.processes.stopping import INTERRUPTED, raise_pending
 from winkler.numerics.types import Array
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
+from winkler.values.errors import NotConverged
 
 __all__ = ["results"]
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 from winkler.io.processes.stopping import INTERRUPTED
 from winkler.problems.answer import is_march, is_restorable
 from winkler.study.batch.checkpoint import CheckpointStore
@@ -24,6 +23,7 @@ from winkler.study.batch.recording import json_line, recalled, without_solution
 from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import PointTask, PointTasks, tasks
 from winkler.study.language.study import Expectation, Fields, Study
+from winkler.values.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 
 if TYPE_CHECKING:
     from winkler.study.batch.shards import Shard
@@ -51,7 +51,7 @@ def solved(task: PointTask, watch: Watch = unwatched, keep: CheckpointStore = NO
 
 def _restored(point: Solved, fields: Fields) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """Return the fields on the surface and below it, load by load."""
-    from winkler.fields import restore
+    from winkler.fields.restoration import restore
 
     surface, below = [], []
     for contact in point.each:

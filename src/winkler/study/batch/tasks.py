@@ -10,11 +10,11 @@ from typing import Any, overload
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.numerics.types import Array
 from winkler.study.language import keys
 from winkler.study.language.study import Fields, Study
-from winkler.values import value
+from winkler.values.errors import WinklerError
+from winkler.values.value import value
 
 __all__ = ["PointTask", "PointTasks", "tasks"]
 

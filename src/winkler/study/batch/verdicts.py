@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
 from winkler.study.batch.outcome import ComparedNumber, Solved, answers_of
 from winkler.study.language.study import Expectation
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["compared", "deviation"]
 

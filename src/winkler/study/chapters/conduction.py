@@ -100,7 +100,7 @@ def joule_formulas(problem: Any) -> tuple[Equation, ...]:
 
 def _constriction_formulas(problem: Any, film: Any, *more: Equation) -> tuple[Equation, ...]:
     bodies, bed = (problem.conductors.first, problem.conductors.second), problem.bed
-    alike = not is_a(bed.footprint, "winkler.footprint:RoundOutline") or is_a(bed.medium, HOMOGENEOUS)
+    alike = not is_a(bed.footprint, "winkler.foundation.footprint:RoundOutline") or is_a(bed.medium, HOMOGENEOUS)
     return (
         ANALOGY if alike else DISC,
         *more,

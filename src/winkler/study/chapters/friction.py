@@ -124,10 +124,10 @@ FRICTION = Chapter(
             ),
         },
         "lateral": {
-            "shift": kind("winkler.loading:Shift", problem="adhesive_shear", shift="1 nm"),
-            "shear_force": kind("winkler.loading:ShearForce", problem="adhesive_shear", shear_force="1 mN"),
-            "angle": kind("winkler.loading:Angle", problem="torsion", angle="1 mrad"),
-            "torque": kind("winkler.loading:Torque", problem="torsion", torque="1 mN m"),
+            "shift": kind("winkler.loading.loads:Shift", problem="adhesive_shear", shift="1 nm"),
+            "shear_force": kind("winkler.loading.loads:ShearForce", problem="adhesive_shear", shear_force="1 mN"),
+            "angle": kind("winkler.loading.loads:Angle", problem="torsion", angle="1 mrad"),
+            "torque": kind("winkler.loading.loads:Torque", problem="torsion", torque="1 mN m"),
         },
         "log": {
             "friction_log": kind(
@@ -140,26 +140,26 @@ FRICTION = Chapter(
         },
         "path": {
             "path": kind(
-                "winkler.path:Path",
+                "winkler.loading.path:Path",
                 reader="winkler.io.tables.path_table:read_path",
                 time=["0 s", "1 s", "2 s"],
                 normal={"kind": "force", "force": "100 N"},
                 lateral={"kind": "shift", "shift": ["0 um", "0.5 um", "-0.5 um"]},
             ),
-            "program": kind("winkler.program:Program", steps=OSCILLATION),
+            "program": kind("winkler.loading.program:Program", steps=OSCILLATION),
         },
         "step": {
-            "start": kind("winkler.path_steps:Start", normal={"kind": "force", "force": "100 N"}),
-            "ramp": kind("winkler.path_steps:Ramp", normal={"kind": "force", "force": "200 N"}),
-            "hold": kind("winkler.path_steps:Hold"),
-            "oscillate": kind("winkler.path_steps:Oscillate", lateral={"kind": "shift", "shift": "0.5 um"}),
+            "start": kind("winkler.loading.path_steps:Start", normal={"kind": "force", "force": "100 N"}),
+            "ramp": kind("winkler.loading.path_steps:Ramp", normal={"kind": "force", "force": "200 N"}),
+            "hold": kind("winkler.loading.path_steps:Hold"),
+            "oscillate": kind("winkler.loading.path_steps:Oscillate", lateral={"kind": "shift", "shift": "0.5 um"}),
             "circle": kind(
-                "winkler.path_steps:Circle",
+                "winkler.loading.path_steps:Circle",
                 within=[NORMAL_START, {"kind": "circle", "lateral": {"kind": "shift", "shift": "0.5 um"}}],
                 lateral={"kind": "shift", "shift": "0.5 um"},
             ),
             "follow": kind(
-                "winkler.path_steps:Follow",
+                "winkler.loading.path_steps:Follow",
                 within=[NORMAL_START, {"kind": "follow", "path": {"kind": "path"}, "cycles": 2}],
             ),
         },

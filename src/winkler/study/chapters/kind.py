@@ -35,7 +35,7 @@ class Kind(NamedTuple):
     """One line of the catalogue."""
 
     path: str
-    """Module and name of the class, as ``"winkler.loading:Force"``."""
+    """Module and name of the class, as ``"winkler.loading.loads:Force"``."""
     example: dict[str, Any]
     cites: tuple[str, ...] = ()
     reader_path: str = ""

@@ -215,9 +215,9 @@ NORMAL = Chapter(
     "normal contact",
     kinds={
         "load": {
-            "force": kind("winkler.loading:Force", force="100 N"),
-            "depth": kind("winkler.loading:Depth", depth="5 um"),
-            "radius": kind("winkler.loading:Radius", radius="0.1 mm"),
+            "force": kind("winkler.loading.loads:Force", force="100 N"),
+            "depth": kind("winkler.loading.loads:Depth", depth="5 um"),
+            "radius": kind("winkler.loading.loads:Radius", radius="0.1 mm"),
         },
     },
     answers={

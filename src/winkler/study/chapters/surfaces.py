@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.io.topography_file import read_topography
 from winkler.numerics.types import Array
 from winkler.profiles.rough.topography import Topography
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["read_surface"]
 

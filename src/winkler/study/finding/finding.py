@@ -132,10 +132,6 @@ class SearchResult(NamedTuple):
         }
 
 
-PAGES = ("winkler.public", "winkler.public_problems")
-"""Modules whose imports are the public names."""
-
-
 def _parsed(module: str) -> list[ast.stmt]:
     """Return the statements of a module, which is not loaded for it; none if its text is not there."""
     folders = module.split(".")[1:]
@@ -146,7 +142,7 @@ def _parsed(module: str) -> list[ast.stmt]:
 @functools.cache
 def public_names() -> dict[str, str]:
     """Return public name -> its module."""
-    imports = [line for page in PAGES for line in _parsed(page) if isinstance(line, ast.ImportFrom)]
+    imports = [line for line in _parsed("winkler.public") if isinstance(line, ast.ImportFrom)]
     return {imported.name: line.module or "" for line in imports for imported in line.names}
 
 

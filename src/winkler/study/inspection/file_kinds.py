@@ -30,7 +30,7 @@ from winkler.io.tables.relaxation_table import TIME
 from winkler.io.tables.table import read_table
 from winkler.materials.depth_grading import TabulatedGrading
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["ASSUMED_POISSON", "GENERAL", "HELD", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
 

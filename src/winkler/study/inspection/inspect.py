@@ -14,7 +14,6 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.errors import InvalidInput, WinklerError
 from winkler.fitting.curves.checks import examined
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
@@ -34,17 +33,18 @@ from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.tables.table import read_table
 from winkler.io.tables.table_lines import sheets_naming
 from winkler.io.text_file import existing
-from winkler.loading import Angle, Torque
+from winkler.loading.loads import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
-from winkler.readable import with_unit
 from winkler.study.batch.pool import Machine, completed
 from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, AreaTable, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
 from winkler.study.inspection.surfaces import SurfaceOptions, read_surface_file
+from winkler.values.errors import InvalidInput, WinklerError
+from winkler.values.readable import with_unit
 
 __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.profiles.rough.plausibility import without_marks
-from winkler.readable import with_unit
-from winkler.values import value
-from winkler.vocabulary import GLOSSARY, Word, own_word
+from winkler.values.readable import with_unit
+from winkler.values.value import value
+from winkler.values.vocabulary import GLOSSARY, Word, own_word
 
 __all__ = ["InspectedColumn", "InspectedNumber", "Inspection", "columns_of", "thinned"]
 

@@ -10,7 +10,7 @@ from winkler.fitting.logs.contact_resistance import ResistanceLog
 from winkler.fitting.logs.estimated import Estimate
 from winkler.fitting.logs.friction_log import FrictionLog
 from winkler.fitting.logs.runs import FEWEST_BOUNCES, BounceTimes, PinOnDisc
-from winkler.readable import with_unit
+from winkler.values.readable import with_unit
 
 __all__ = ["log_doubts", "log_lines"]
 

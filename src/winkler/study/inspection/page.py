@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.readable import with_unit
 from winkler.study.inspection.inspection import Inspection
 from winkler.study.report.markup import number, safe, table
 from winkler.study.report.mathml import symbol
 from winkler.study.report.thumbnails import thumbnail
+from winkler.values.readable import with_unit
 
 __all__ = ["inspection_html"]
 

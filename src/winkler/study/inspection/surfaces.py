@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.io.surfaces.surface_container import is_container, measurement_names
 from winkler.io.tables.scan_table import is_scan, read_scan
 from winkler.profiles.rough.line_scan import LineScan
@@ -17,8 +16,9 @@ from winkler.profiles.rough.plausibility import doubts_of_surface
 from winkler.profiles.rough.topography import Topography
 from winkler.study.chapters.surfaces import read_surface
 from winkler.study.inspection.inspection import InspectedNumber
-from winkler.units import quantity
-from winkler.vocabulary import word
+from winkler.values.errors import InvalidInput
+from winkler.values.units import quantity
+from winkler.values.vocabulary import word
 
 __all__ = ["SurfaceOptions", "SurfaceRead", "read_surface_file"]
 

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
 from winkler.study.language import keys
 from winkler.study.language.build import assembled, unbuild, written_field, written_number
 from winkler.study.language.designs import DESIGNS, Design
 from winkler.study.language.varied import Axis, Range
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["design", "line", "written", "written_design"]
 

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, WinklerError
 from winkler.io.foreign import path_text, reason_of
 from winkler.study.language.catalogue import in_present_kinds, kind_of, kinds
+from winkler.values.errors import InvalidInput, WinklerError
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -190,7 +190,7 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
 
 def written_number(number: float, unit: str) -> Any:
     """Return one SI number as a study file writes it."""
-    from winkler.units import format_quantity
+    from winkler.values.units import format_quantity
 
     return format_quantity(number, unit) if unit else number
 

@@ -59,7 +59,7 @@ SLOTS: dict[str, str] = {
 
 UNWRITTEN = frozenset(
     {
-        "winkler.path_steps:Unchanged",
+        "winkler.loading.path_steps:Unchanged",
         "winkler.media.offers:PlaneMedium",
         "winkler.problems.friction.spring_states:OwnLaw",
         "winkler.laws.wear:OwnWear",

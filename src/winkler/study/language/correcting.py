@@ -23,8 +23,8 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.events.clock import is_certain
 from winkler.fitting.curves.events.found import clock_offset_in, interference_in
 from winkler.fitting.curves.events.kinds import with_error
-from winkler.readable import with_unit
 from winkler.study.language.segmenting import events_text, segmented, segments_text, with_stated_events
+from winkler.values.readable import with_unit
 
 __all__ = ["CORRECTIONS", "Corrected", "corrected"]
 

@@ -16,12 +16,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import Whole, affordable
-from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS, MOST_SWEPT_RUNS
 from winkler.numerics.types import Array
 from winkler.study.language.varied import Axis, Range
-from winkler.values import value
+from winkler.values.checks.number_checks import Whole, affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import MOST_NUMBERS, MOST_SWEPT_RUNS
+from winkler.values.value import value
 
 __all__ = ["DESIGNS", "POINT", "Crossed", "Design", "LatinHypercube", "Sensitivity", "Sobol", "Zipped", "axes_of"]
 

@@ -9,11 +9,11 @@ import re
 import typing
 from typing import Any, NamedTuple
 
-from winkler.errors import InvalidInput
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints, is_choice, options, required_fields
-from winkler.vocabulary import Word, word
+from winkler.values.errors import InvalidInput
+from winkler.values.vocabulary import Word, word
 
 __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary", "table_at"]
 

@@ -8,7 +8,6 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, StrictStr, create_model
 
-from winkler.errors import InvalidInput, suggest
 from winkler.io.tables.given_units import checked_columns, checked_units
 from winkler.study.language import json_forms, quantities
 from winkler.study.language.correcting import CORRECTIONS
@@ -16,6 +15,7 @@ from winkler.study.language.json_forms import checked
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.study.language.schema import FORBID, MISSING
 from winkler.study.language.segmenting import stated_events, stated_segments
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["fit_form"]
 

@@ -12,13 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.parameters import number_at
 from winkler.io.foreign import path_text, reason_of
 from winkler.io.text_file import path_of
-from winkler.limits import MOST_CURVES
-from winkler.loading import Depth, Force
-from winkler.path import Path as MotionPath
+from winkler.loading.loads import Depth, Force
+from winkler.loading.path import Path as MotionPath
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
 from winkler.study.language.build import MOST_NEIGHBOURS
@@ -26,6 +24,8 @@ from winkler.study.language.compared.alternatives import alternatives
 from winkler.study.language.fit_study import FITTED, OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.language.reading import checked, parsed, read_text, stated
 from winkler.study.language.study import Output
+from winkler.values.errors import InvalidInput, WinklerError, suggest
+from winkler.values.limits import MOST_CURVES
 
 __all__ = ["parse_fit_study", "read_fit_study"]
 

@@ -21,8 +21,8 @@ from typing import Any
 
 from winkler.study.language import keys
 from winkler.study.language.study import Output
-from winkler.values import value
-from winkler.vocabulary import Word
+from winkler.values.value import value
+from winkler.values.vocabulary import Word
 
 __all__ = ["FITTED", "OF_A_CURVE", "OF_A_TIMED_CURVE", "Alternative", "FitStudy", "Free", "word_of"]
 

@@ -15,10 +15,10 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator
 
-from winkler.checks.number_checks import Number
 from winkler.study.language.quantities import INFINITE, RANGE_KEYS, sample
-from winkler.unit_grammar import PREFIXED_UNITS, PREFIXES, SCALE_ZEROS, UNPREFIXED_UNITS, si_unit, unit_of
-from winkler.units import is_fixed
+from winkler.values.checks.number_checks import Number
+from winkler.values.unit_grammar import PREFIXED_UNITS, PREFIXES, SCALE_ZEROS, UNPREFIXED_UNITS, si_unit, unit_of
+from winkler.values.units import is_fixed
 
 __all__ = [
     "KINDS", "SHARED", "Form", "checked", "counts", "grid", "height_map", "indexed", "named", "of_kinds", "one_or_many",

@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
-from winkler.limits import KEY_LETTERS
-from winkler.readable import scale_of
 from winkler.study.chapters.kind import is_a
-from winkler.vocabulary import Word, word
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.limits import KEY_LETTERS
+from winkler.values.readable import scale_of
+from winkler.values.vocabulary import Word, word
 
 __all__ = ["content_at", "label", "owner_at", "replaced", "word_at"]
 

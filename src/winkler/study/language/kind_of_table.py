@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NoReturn
 
-from winkler.errors import suggest
 from winkler.study.language.catalogue import REFUSED, kinds, slot_of
 from winkler.study.language.quantities import WHERE, wrong
+from winkler.values.errors import suggest
 
 __all__ = ["either_file_or", "refuse_kind", "value_text"]
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from pydantic_core import PydanticCustomError
 
-from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.study.language.quantities import WHERE, number_or_numbers, numbers, sentence_of, wrong
+from winkler.values.limits import MOST_NUMBERS
 
 __all__ = ["MAPS", "PAIRS", "counts", "height_map", "pair", "written_map"]
 

@@ -7,13 +7,13 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from winkler.errors import InvalidInput, nearest, suggest
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.grammar import SECTIONS, section_keys
 from winkler.study.language.kind_of_table import value_text
 from winkler.study.language.quantities import WHERE, sample, unit_of
 from winkler.study.language.schema import form
-from winkler.vocabulary import word
+from winkler.values.errors import InvalidInput, nearest, suggest
+from winkler.values.vocabulary import word
 
 __all__ = ["MOST_SENTENCES", "sentences", "worded"]
 

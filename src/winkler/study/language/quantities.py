@@ -16,12 +16,12 @@ import numpy as np
 from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
-from winkler.checks.field_checks import numbers_taken
-from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.numerics.types import Array
 from winkler.profiles.area_coefficients import coefficient_unit
-from winkler.units import is_fixed, quantity, to_si
-from winkler.vocabulary import word
+from winkler.values.checks.field_checks import numbers_taken
+from winkler.values.errors import InvalidInput, WinklerError, suggest
+from winkler.values.units import is_fixed, quantity, to_si
+from winkler.values.vocabulary import word
 
 __all__ = [
     "GRIDS",

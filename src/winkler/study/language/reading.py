@@ -9,14 +9,14 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput, WinklerError
 from winkler.io.foreign import path_text
 from winkler.io.text_file import content_of, path_of
-from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study.language import axes
 from winkler.study.language.build import assembled
 from winkler.study.language.catalogue import in_present_kinds
 from winkler.study.language.study import Fields, Output, Study
+from winkler.values.errors import InvalidInput, WinklerError
+from winkler.values.limits import STUDY_BYTES, STUDY_MARKS
 
 __all__ = ["checked", "parse_study", "parsed", "read_study", "read_text", "stated"]
 

@@ -30,9 +30,6 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from winkler.checks.contract import stands_for
-from winkler.checks.field_checks import numbers_taken
-from winkler.errors import suggest
 from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import json_forms, maps, quantities
@@ -40,7 +37,10 @@ from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, 
 from winkler.study.language.json_forms import checked
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind, value_text
 from winkler.study.language.quantities import WHERE, wrong
-from winkler.units import format_quantity
+from winkler.values.checks.contract import stands_for
+from winkler.values.checks.field_checks import numbers_taken
+from winkler.values.errors import suggest
+from winkler.values.units import format_quantity
 
 __all__ = [
     "FORBID",

@@ -16,13 +16,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.directions import found_directions
 from winkler.fitting.curves.events.stated import MARKS
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.study.language.quantities import WHERE, wrong
-from winkler.units import quantity
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.units import quantity
 
 __all__ = [
     "FOUND",

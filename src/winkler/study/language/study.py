@@ -13,14 +13,14 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from winkler.checks.number_checks import FiniteQuantity, NonNegative, Numbers, affordable
-from winkler.errors import InvalidInput
-from winkler.limits import FIELD_PLACES, KEY_LETTERS
 from winkler.numerics.types import Array
 from winkler.study.language.designs import POINT, Crossed, Design, Zipped, axes_of
 from winkler.study.language.varied import Axis, Range
-from winkler.values import value
-from winkler.vocabulary import GLOSSARY
+from winkler.values.checks.number_checks import FiniteQuantity, NonNegative, Numbers, affordable
+from winkler.values.errors import InvalidInput
+from winkler.values.limits import FIELD_PLACES, KEY_LETTERS
+from winkler.values.value import value
+from winkler.values.vocabulary import GLOSSARY
 
 __all__ = ["GRADES", "PICTURES", "Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"]
 

@@ -6,11 +6,11 @@ import json
 import re
 from typing import Any, get_args, get_type_hints
 
-from winkler.checks.number_checks import Whole
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import Key, example_study, keys_of, place_of, plain_symbol, summary, table_at
 from winkler.study.language.quantities import sample
 from winkler.study.language.schema import hints
+from winkler.values.checks.number_checks import Whole
 
 __all__ = ["SCHEMA_FILE", "example_text", "inline", "template", "whole_text"]
 

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
-from winkler.values import value
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.value import value
 
 __all__ = ["SCALES", "Axis", "Range"]
 

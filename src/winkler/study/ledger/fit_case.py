@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.study.batch.fit_outcome import Fitted
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.batch.outcome import ComparedNumber
@@ -20,6 +19,7 @@ from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
+from winkler.values.errors import InvalidInput
 
 __all__ = ["FitCase", "fit_verdicts", "read_fit_case"]
 

@@ -22,7 +22,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
 from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.batch.verdicts import deviation
@@ -31,6 +30,7 @@ from winkler.study.language.quantities import read_at
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
 from winkler.study.ledger.functions import FUNCTIONS, Function
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["FunctionCase", "function_verdicts", "read_function_case"]
 

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.study.batch.outcome import ComparedNumber, Outcome
 from winkler.study.batch.run import gather
 from winkler.study.batch.sweep import solve_points
@@ -26,7 +25,8 @@ from winkler.study.ledger.function_case import FunctionCase, function_verdicts, 
 from winkler.study.ledger.physics import FITS, physics_of
 from winkler.study.nanoindentation.reading import NanoindentationStudy, read_nanoindentation_study
 from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
-from winkler.values import value
+from winkler.values.errors import InvalidInput, WinklerError, suggest
+from winkler.values.value import value
 
 __all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "remarks", "run_case"]
 

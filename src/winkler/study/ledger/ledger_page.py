@@ -11,7 +11,7 @@ from winkler.study.batch.outcome import ComparedNumber
 from winkler.study.language.study import GRADES, Expectation
 from winkler.study.ledger.ledger import LedgerEntry
 from winkler.study.ledger.physics import CHAPTERS
-from winkler.values import value
+from winkler.values.value import value
 
 __all__ = ["LedgerChapter", "chapters", "digits", "markdown", "number_text", "where"]
 

@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.fitting.nanoindentation.continuous import (
     ContinuousIndentation,
     ContinuousIndentationSolution,
@@ -15,9 +14,10 @@ from winkler.fitting.nanoindentation.continuous import (
 )
 from winkler.fitting.nanoindentation.measurement import NanoindentationSolution
 from winkler.io.placed_curves import PlacedCurve
-from winkler.readable import with_unit
 from winkler.study.nanoindentation.reading import NanoindentationStudy
-from winkler.values import value
+from winkler.values.errors import WinklerError
+from winkler.values.readable import with_unit
+from winkler.values.value import value
 
 __all__ = ["EvaluatedContinuously", "evaluated_continuously"]
 

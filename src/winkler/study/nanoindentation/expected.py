@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.study.batch.outcome import ComparedNumber, answers_of
 from winkler.study.batch.verdicts import deviation
 from winkler.study.language.study import Expectation
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["verdicts_of"]
 

@@ -22,7 +22,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.nanoindentation.indenter import DIAMOND, CalibratedIndenter
 from winkler.fitting.nanoindentation.reference_samples import ReferenceSample
 from winkler.fitting.unloading.contact_reading import CalibratedArea
@@ -35,7 +34,8 @@ from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.segmenting import stated_segments
 from winkler.study.language.study import Expectation, Output
 from winkler.study.nanoindentation.keys import UNITS
-from winkler.values import value
+from winkler.values.errors import InvalidInput, WinklerError, suggest
+from winkler.values.value import value
 
 __all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]
 

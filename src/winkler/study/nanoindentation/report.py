@@ -13,14 +13,14 @@ from winkler.plot.fitting.fits import numbers_sheet
 from winkler.plot.fitting.nanoindentation import HARDNESS, YOUNG, over_depth
 from winkler.plot.panel import Sheet
 from winkler.plot.series import Series
-from winkler.readable import with_unit
 from winkler.study.nanoindentation.running import Evaluated, NanoindentationOutcome
 from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.tables import batch_section, expected_section
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
-from winkler.validity import Standing
+from winkler.values.readable import with_unit
+from winkler.values.validity import Standing
 
 __all__ = [
     "CONTINUOUS_HEADS",

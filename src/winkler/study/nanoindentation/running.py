@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, Mistake, WinklerError
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
@@ -33,8 +32,9 @@ from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously
 from winkler.study.nanoindentation.expected import verdicts_of
 from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
 from winkler.study.nanoindentation.reading import NanoindentationStudy
-from winkler.validity import Note, worst_of_each
-from winkler.values import value
+from winkler.values.errors import InvalidInput, Mistake, WinklerError
+from winkler.values.validity import Note, worst_of_each
+from winkler.values.value import value
 
 __all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
 

@@ -22,7 +22,7 @@ from winkler.study.nanoindentation.running import NanoindentationOutcome
 from winkler.study.report.archive import table_file
 from winkler.study.report.page_parts import page_files
 from winkler.study.report.writing import with_provenance
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["nanoindentation_files"]
 

@@ -34,7 +34,7 @@ from winkler.study.language import keys
 from winkler.study.language.writing import study_text
 from winkler.study.report.archive_maps import add_maps
 from winkler.study.report.netcdf import has_netcdf, netcdf_attributes, netcdf_file
-from winkler.vocabulary import Word, word
+from winkler.values.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray

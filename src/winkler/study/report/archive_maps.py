@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.netcdf import netcdf_attributes
-from winkler.vocabulary import Word, word
+from winkler.values.vocabulary import Word, word
 
 if TYPE_CHECKING:
     from winkler.profiles.rough.topography import Topography

@@ -9,15 +9,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.path_steps import Unchanged
+from winkler.loading.path_steps import Unchanged
 from winkler.plot.series import name_in_words, scale_of
-from winkler.readable import with_unit
 from winkler.study.language import keys
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.explain import summary
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis, Range
-from winkler.vocabulary import Word, own_word, word
+from winkler.values.readable import with_unit
+from winkler.values.vocabulary import Word, own_word, word
 
 __all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "settings_text", "values_text"]
 

@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.checks.contract import keeps
-from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.problems.answer import Assessed, Posed
 from winkler.study.batch.outcome import Outcome, answers_of
 from winkler.study.language.study import Study
 from winkler.study.language.writing import study_text
 from winkler.study.report.archive import LOAD_DIMENSION, dataset
 from winkler.study.report.netcdf import netcdf_attributes
-from winkler.vocabulary import Word, word
+from winkler.values.checks.contract import keeps
+from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.values.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import pandas
@@ -61,7 +61,7 @@ def to_xarray(answer: Any) -> xarray.Dataset:
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Force
+    >>> from winkler.loading.loads import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.problems.normal.indentation import Indentation

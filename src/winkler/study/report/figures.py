@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import WinklerError
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
@@ -28,6 +27,7 @@ from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
+from winkler.values.errors import WinklerError
 
 __all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
 

@@ -14,7 +14,6 @@ from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import path_from_study
 from winkler.study.batch.fit_run import measured_curve
@@ -32,6 +31,7 @@ from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.study.report.tables import batch_section, given_rows
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
+from winkler.values.readable import with_unit
 
 __all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps"]
 

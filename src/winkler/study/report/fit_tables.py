@@ -7,14 +7,14 @@ from collections.abc import Iterator
 import numpy as np
 
 from winkler.plot.series import middle_scale
-from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_writing import CSV
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.mathml import symbol
 from winkler.study.report.tables import reason_list
-from winkler.vocabulary import Word
+from winkler.values.readable import with_unit
+from winkler.values.vocabulary import Word
 
 __all__ = ["MOST_ROWS", "answers", "counts", "curve_texts", "doubts", "failures", "number_texts"]
 

@@ -24,7 +24,7 @@ from winkler.study.batch.outcome import ResultColumn
 from winkler.study.report.archive import table_file
 from winkler.study.report.examined.sections import further_files
 from winkler.study.report.netcdf import Variables, has_netcdf, netcdf_attributes, netcdf_file
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 if TYPE_CHECKING:
     import xarray

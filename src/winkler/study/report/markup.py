@@ -6,8 +6,8 @@ import html
 import re
 from collections.abc import Iterable
 
-from winkler.readable import with_readable_numbers
-from winkler.validity import Note, in_words, worst
+from winkler.values.readable import with_readable_numbers
+from winkler.values.validity import Note, in_words, worst
 
 __all__ = ["badge", "number", "safe", "section", "table", "with_fixed_units"]
 

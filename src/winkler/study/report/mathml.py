@@ -10,7 +10,7 @@ from __future__ import annotations
 import html
 import re
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["formula", "inline", "symbol"]
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 
 __all__ = ["Variables", "has_netcdf", "netcdf_attributes", "netcdf_file"]
 

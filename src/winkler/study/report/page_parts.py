@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
-from winkler.readable import with_readable_numbers
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Study
@@ -19,7 +18,8 @@ from winkler.study.report.figure import ReportFigure, figure_files, svg_element
 from winkler.study.report.headline.as_code import command_text, python_text
 from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
-from winkler.validity import Note, Standing
+from winkler.values.readable import with_readable_numbers
+from winkler.values.validity import Note, Standing
 
 __all__ = [
     "REPORT",

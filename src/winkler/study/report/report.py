@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of, formulas_of
@@ -25,6 +24,7 @@ from winkler.study.report.tables import (
     input_section,
     question_section,
 )
+from winkler.values.readable import with_unit
 
 __all__ = ["page", "report_files"]
 

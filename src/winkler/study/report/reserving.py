@@ -13,11 +13,11 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.processes.locking import locked
 from winkler.io.processes.stopping import deferred_signals
 from winkler.io.whole_file import remove_left, unwritable
 from winkler.study.report.writing import FOLDER, OLD, PARTIAL, holds_results
+from winkler.values.errors import InvalidInput
 
 __all__ = ["reserved"]
 

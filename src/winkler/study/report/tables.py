@@ -9,7 +9,6 @@ import numpy as np
 
 from winkler.fitting.several.standing_out import LEAST_STATED, BatchQuantity
 from winkler.plot.series import middle_scale, name_in_words
-from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
@@ -19,6 +18,7 @@ from winkler.study.report.headline.section import headline_section
 from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
+from winkler.values.readable import with_unit
 
 __all__ = [
     "answer_section",

@@ -16,12 +16,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
 from winkler.io.processes.stopping import deferred_signals, raise_pending, set_kept_text
 from winkler.io.whole_file import FULL, unwritable, write_new
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.language.writing import study_text
+from winkler.values.errors import InvalidInput
 
 if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome

@@ -11,7 +11,7 @@ from nicegui import ui
 from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 from winkler.web.fields.field_actions import FieldActions
 from winkler.web.fields.live_fields import LiveInput, PlaceSlider
 from winkler.web.fields.material_field import draw_material

@@ -7,7 +7,7 @@ from typing import Any
 
 from nicegui import ui
 
-from winkler.readable import pretty_unit
+from winkler.values.readable import pretty_unit
 from winkler.web.fields.range_field import RangeActions, complete_when_left
 from winkler.web.form.field_units import completed_text, in_unit, offered_units, shown_unit
 from winkler.web.form.form import FormEntry

@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 
 import tomli_w
 
-from winkler.errors import WinklerError
 from winkler.plot.series import name_in_words
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import keys_of
+from winkler.values.errors import WinklerError
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 

@@ -7,9 +7,9 @@ import re
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
-from winkler.errors import InvalidInput
-from winkler.unit_grammar import unit_of
-from winkler.units import comma_readings, quantity
+from winkler.values.errors import InvalidInput
+from winkler.values.unit_grammar import unit_of
+from winkler.values.units import comma_readings, quantity
 
 __all__ = ["completed_text", "in_unit", "offered_units", "shown_unit"]
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from winkler.plot.series import name_in_words
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_study import FITTED, OF_A_CURVE, OF_A_TIMED_CURVE
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.typed import field_text

@@ -10,7 +10,7 @@ from winkler.plot.series import name_in_words
 from winkler.study.language.catalogue import kind_of, kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
-from winkler.vocabulary import Word
+from winkler.values.vocabulary import Word
 from winkler.web.form.materials_menu import NAMED, material_numbers
 from winkler.web.form.typed import field_text
 

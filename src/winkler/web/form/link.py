@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import zlib
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["LONGEST_LINK", "MOST_TEXT", "code_of", "study_of"]
 

@@ -7,14 +7,14 @@ import functools
 import math
 from typing import Any, NamedTuple
 
-from winkler.errors import InvalidInput
 from winkler.materials.named import TabulatedProperty, material, material_names
 from winkler.plot.series import name_in_words
-from winkler.readable import with_unit
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import keys_of
-from winkler.units import format_quantity
-from winkler.vocabulary import GLOSSARY
+from winkler.values.errors import InvalidInput
+from winkler.values.readable import with_unit
+from winkler.values.units import format_quantity
+from winkler.values.vocabulary import GLOSSARY
 
 __all__ = ["NAMED", "MaterialLine", "material_lines", "material_numbers", "tabulated"]
 

@@ -7,7 +7,7 @@ import tomllib
 from typing import Any
 
 from winkler.study.language.template import inline
-from winkler.units import comma_readings
+from winkler.values.units import comma_readings
 
 __all__ = ["CHOICE", "SWITCH", "field_text", "typed"]
 

@@ -9,8 +9,8 @@ from typing import Any
 
 from nicegui import events, ui
 
-from winkler.errors import InvalidInput, WinklerError
 from winkler.study.language.reading import parsed
+from winkler.values.errors import InvalidInput, WinklerError
 from winkler.web.form.link import LONGEST_LINK, code_of, study_of
 from winkler.web.form.sample_curve import SAMPLES
 from winkler.web.form.undo import UndoStates

@@ -9,7 +9,7 @@ from typing import Any
 import tomli_w
 from nicegui import context, ui
 
-from winkler.errors import WinklerError, mistake_in
+from winkler.values.errors import WinklerError, mistake_in
 from winkler.web.fields.fields import FormFields
 from winkler.web.fields.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
 from winkler.web.fields.sweep_fields import draw_sweep

@@ -8,7 +8,7 @@ import socket
 from asyncio import CancelledError
 from collections.abc import Sequence
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 from winkler.web.session.security import origin_of
 from winkler.web.session.standby import Standby
 from winkler.web.session.uploads import uploads

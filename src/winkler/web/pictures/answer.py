@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.plot import method
 from winkler.plot.rough.film import film_panels, has_film
 from winkler.plot.wear.wear import moment_panels
@@ -27,7 +26,8 @@ from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import badge, safe
 from winkler.study.report.page_parts import code_section, papers, trust
 from winkler.study.report.tables import answer_section, expected, failures
-from winkler.validity import worst
+from winkler.values.errors import WinklerError
+from winkler.values.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
 from winkler.web.pictures.comparison import numbers_of

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.plot.series import name_in_words
-from winkler.readable import with_unit
 from winkler.study.report.markup import number, safe, table
 from winkler.study.report.mathml import symbol
+from winkler.values.readable import with_unit
 from winkler.web.form.fit_form import key_in_words
 from winkler.web.form.typed import field_text
 from winkler.web.pictures.replies import NamedNumber

@@ -12,13 +12,13 @@ from winkler.plot import style
 from winkler.plot.fitting.fits import Grid
 from winkler.plot.panel import Line, Panel, PanelAxis
 from winkler.plot.series import Scale, Series, middle_scale, name_in_words
-from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_tables import counts, curve_texts
 from winkler.study.report.fit_writing import map_grid
 from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
+from winkler.values.readable import with_unit
 from winkler.web.form.fit_form import key_in_words
 from winkler.web.pictures.chart import Chart, chart
 

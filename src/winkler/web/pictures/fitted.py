@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.fitting.outcome import Fit
 from winkler.numerics.types import Array
 from winkler.plot.fitting.fits import fit_panels
@@ -24,7 +23,8 @@ from winkler.study.report.headline.section import doubt_line
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
-from winkler.validity import worst
+from winkler.values.errors import WinklerError
+from winkler.values.validity import worst
 from winkler.web.form.fit_form import key_in_words
 from winkler.web.pictures.answer import method_pictures, sheet_of
 from winkler.web.pictures.chart import chart

@@ -6,19 +6,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.plot.series import name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.answer import is_march, is_recovering, is_restorable, is_worn
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG, PicturedContact
 from winkler.study.chapters.contents import answer_of
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.figures import shown_contact
+from winkler.values.readable import with_unit
 
 __all__ = ["Moments", "contact_at", "initial_moment", "labels_of", "moments_of"]
 

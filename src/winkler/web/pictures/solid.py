@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fields import restore
+from winkler.fields.restoration import restore
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import outline_end, sunk

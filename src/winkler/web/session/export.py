@@ -6,12 +6,12 @@ import io
 import zipfile
 from pathlib import PurePath
 
-from winkler.errors import InvalidInput
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
 from winkler.study.report.figure import ReportFigure, figure_files
 from winkler.study.report.page_parts import REPORT
+from winkler.values.errors import InvalidInput
 from winkler.web.pictures.replies import File
 
 __all__ = ["exported"]

@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 from nicegui import events, ui
 
-from winkler.errors import WinklerError
 from winkler.study.language.reading import parsed
+from winkler.values.errors import WinklerError
 from winkler.web.session.upload_folder import CURVES, LARGEST, UploadFolder, files_in
 
 __all__ = ["Files"]

@@ -15,7 +15,7 @@ from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
 
-from winkler.errors import InvalidInput
+from winkler.values.errors import InvalidInput
 
 __all__ = ["Security", "origin_of"]
 

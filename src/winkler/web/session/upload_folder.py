@@ -11,9 +11,9 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, member
 from winkler.io.foreign import reason_of
+from winkler.values.errors import InvalidInput
 from winkler.web.form.sample_curve import SAMPLE, SAMPLES
 from winkler.web.form.sample_folder import sample_folder
 

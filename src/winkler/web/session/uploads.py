@@ -15,9 +15,9 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.errors import InvalidInput
 from winkler.io.processes.locking import lock
 from winkler.io.processes.stopping import deferred_signals
+from winkler.values.errors import InvalidInput
 
 __all__ = ["uploads"]
 

@@ -173,7 +173,7 @@ class _WorkerState:
         self.view, self.outcome = NO_VIEW, None
 
     def replies(self, request: Any) -> Iterator[Any]:
-        from winkler.errors import WinklerError, mistake_in
+        from winkler.values.errors import WinklerError, mistake_in
 
         try:
             match request:
@@ -226,10 +226,10 @@ class _WorkerState:
 
     def _run(self, study: Study) -> Generator[Progress, None, Outcome]:
         """Solve the points of a study; yield the progress at intervals."""
-        from winkler.errors import InvalidInput
         from winkler.study.batch.marching import unwatched
         from winkler.study.batch.run import gather
         from winkler.study.batch.sweep import solve_points
+        from winkler.values.errors import InvalidInput
 
         total, started = math.prod(study.shape), time.perf_counter()
         if total > MOST_POINTS:
@@ -256,9 +256,9 @@ class _WorkerState:
             yield state
 
     def _fitted(self, request: Solve) -> Iterator[Any]:
-        from winkler.errors import WinklerError
         from winkler.study.batch.fit_run import pieces
         from winkler.study.language.fit_reading import parse_fit_study
+        from winkler.values.errors import WinklerError
         from winkler.web.pictures import fitted
 
         started = time.perf_counter()
@@ -272,7 +272,7 @@ class _WorkerState:
         yield from fitted.fit_sheets(self.outcome)
 
     def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
-        from winkler.errors import InvalidInput
+        from winkler.values.errors import InvalidInput
 
         if self.outcome is None:
             raise InvalidInput("there are no results to show; wait for them, or correct the study first.")
@@ -291,12 +291,12 @@ class _WorkerState:
 
     def _inspected(self, request: Inspect) -> InspectedFile:
         """Return what a file is taken for; of one that cannot be read the reason."""
-        from winkler.errors import WinklerError
         from winkler.study.inspection.inspect import inspect_file
         from winkler.study.inspection.inspection import Inspection
         from winkler.study.inspection.page import inspection_html
         from winkler.study.inspection.starting import placed_study
         from winkler.study.language.reading import parsed
+        from winkler.values.errors import WinklerError
 
         try:
             found = inspect_file(request.folder / request.name)
@@ -308,7 +308,7 @@ class _WorkerState:
         return InspectedFile(request.name, page, text, shown)
 
     def _file(self, what: str) -> File:
-        from winkler.errors import InvalidInput
+        from winkler.values.errors import InvalidInput
         from winkler.web.session.export import exported
 
         if self.outcome is None:

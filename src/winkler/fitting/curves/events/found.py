@@ -17,7 +17,7 @@ from winkler.fitting.curves.events.saturation import saturated_rows
 from winkler.fitting.curves.events.stated import FREE, MARKS, NOTHING
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.numerics.types import Array
-from winkler.readable import with_unit
+from winkler.values.readable import with_unit
 
 __all__ = ["clock_offset_in", "drag_in", "events_of", "free_points", "interference_in", "kept_points"]
 

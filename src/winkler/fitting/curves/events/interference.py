@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.values import value, words
+from winkler.values.value import value, words
 
 __all__ = ["Interference", "interference_of"]
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable
 from enum import Enum
 
-from winkler.readable import scale_of, with_unit
-from winkler.values import value, words
+from winkler.values.readable import scale_of, with_unit
+from winkler.values.value import value, words
 
 __all__ = ["CurveEvent", "CurveEvents", "EventKind", "confidence_of", "with_error"]
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput, suggest
 
 __all__ = ["FREE", "MARKS", "NOTHING", "stated_marks"]
 

@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values.errors import NotConverged
 
 __all__ = ["PassingModes", "passing_modes"]
 

@@ -21,7 +21,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import (
@@ -35,6 +34,7 @@ from winkler.numerics.transforms.cosine_transform import (
 )
 from winkler.numerics.transforms.strips.strip_modes import bessel_rows, far_sides, signs
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = [
     "LOCAL_PHASE",

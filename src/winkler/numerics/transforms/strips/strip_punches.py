@@ -27,7 +27,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import NotConverged
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import WaveResponse, has_tail, in_own_lengths
@@ -35,6 +34,7 @@ from winkler.numerics.transforms.kernel_matrix import legendre_to_chebyshev
 from winkler.numerics.transforms.strips.strip_equation import MOST_MODES, first_modes, punch_modes, waves
 from winkler.numerics.transforms.strips.strip_tail import PANEL_NODES, tail_panels, tail_punch
 from winkler.numerics.types import Array
+from winkler.values.errors import NotConverged
 
 __all__ = ["edge", "kernel"]
 

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
-from winkler.loading import Force
+from winkler.loading.loads import Force
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.media.interior.peak import StressSpot
@@ -18,6 +17,7 @@ from winkler.problems.normal.elliptic import pressed_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.pressed_shape.pressed_map import PressedMap
 from winkler.profiles.ellipse import CurvedBodies
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["EllipseInLayers", "coarse_layers", "refuse_slender", "sum_error"]
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing
-from winkler.values import value, words
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
 
 __all__ = ["NAME", "PART", "EllipticPartOnset", "PartOnset", "onset_note"]
 

@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.halfspace import HalfSpace
 from winkler.media.offers import LayerStack, offers
@@ -17,6 +16,7 @@ from winkler.problems.normal.single_contact import ended, refuse_tension, refuse
 from winkler.problems.normal.solve_contact import at_end, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import RADIUS_SHARES
+from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["greatest_in", "onset_in"]
 

@@ -163,11 +163,15 @@ LINE = Chapter(
     "line contact",
     kinds={
         "line_load": {
-            "line_force": kind("winkler.loading:LineForce", problem="line_indentation", force_per_length="100 N/mm"),
-            "half_width": kind("winkler.loading:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
-            "mean_pressure": kind("winkler.loading:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"),
+            "line_force": kind(
+                "winkler.loading.loads:LineForce", problem="line_indentation", force_per_length="100 N/mm"
+            ),
+            "half_width": kind("winkler.loading.loads:HalfWidth", problem="line_indentation", half_width="0.1 mm"),
+            "mean_pressure": kind(
+                "winkler.loading.loads:MeanPressure", problem="line_indentation", mean_pressure="500 MPa"
+            ),
             "nominal_pressure": kind(
-                "winkler.loading:NominalPressure", problem="periodic_indentation", nominal_pressure="100 MPa"
+                "winkler.loading.loads:NominalPressure", problem="periodic_indentation", nominal_pressure="100 MPa"
             ),
         },
         "roller_ends": {
@@ -190,8 +194,8 @@ LINE = Chapter(
             ),
         },
         "alignment": {
-            "tilt": kind("winkler.loading:Tilt", problem="roller_contact", tilt="0.5 mrad"),
-            "moment": kind("winkler.loading:Moment", problem="roller_contact", moment="2 N m"),
+            "tilt": kind("winkler.loading.loads:Tilt", problem="roller_contact", tilt="0.5 mrad"),
+            "moment": kind("winkler.loading.loads:Moment", problem="roller_contact", moment="2 N m"),
         },
         "line_bed": {
             "line_foundation": kind(

@@ -89,7 +89,9 @@ LINE_PROFILES = Chapter(
             ),
         },
         "alignment": {
-            "line_of_action": kind("winkler.loading:LineOfAction", problem="line_profile_contact", place="0.02 mm"),
+            "line_of_action": kind(
+                "winkler.loading.loads:LineOfAction", problem="line_profile_contact", place="0.02 mm"
+            ),
         },
     },
     answers={

@@ -77,7 +77,7 @@ LINE_ROLLING = Chapter(
     kinds={
         "line_lateral": {
             "line_shear_force": kind(
-                "winkler.loading:LineShearForce", problem="line_rolling", shear_force_per_length="15 N/mm"
+                "winkler.loading.loads:LineShearForce", problem="line_rolling", shear_force_per_length="15 N/mm"
             ),
         },
     },

@@ -21,8 +21,8 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from winkler.errors import InvalidInput, WinklerError
 from winkler.study.language.fit_study import Alternative, FitStudy
+from winkler.values.errors import InvalidInput, WinklerError
 
 __all__ = ["alternatives"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.errors import InvalidInput
 from winkler.study.language import quantities
 from winkler.study.language.compared.expected_units import unit_of_quantity
 from winkler.study.language.grammar import PLACE_KEYS
 from winkler.study.language.schema import MISSING
 from winkler.study.language.study import Expectation
+from winkler.values.errors import InvalidInput
 
 __all__ = ["expectation", "expectations"]
 

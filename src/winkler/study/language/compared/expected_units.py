@@ -12,9 +12,9 @@ import typing
 from collections.abc import Iterable
 from typing import Any
 
-from winkler.errors import InvalidInput, suggest
 from winkler.study.language.study import named
-from winkler.vocabulary import GLOSSARY, own_word
+from winkler.values.errors import InvalidInput, suggest
+from winkler.values.vocabulary import GLOSSARY, own_word
 
 __all__ = ["solution_types", "unit_of_quantity"]
 

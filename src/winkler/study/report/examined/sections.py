@@ -15,11 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.fitting.compare import LEAST_DIFFERENCE
 from winkler.plot.fitting.examined import comparison_sheet, depth_sheet, shared_sheet
 from winkler.plot.series import name_in_words
-from winkler.readable import with_unit
 from winkler.study.batch.fit_further import compared
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import ResultColumn
@@ -28,7 +26,9 @@ from winkler.study.report.archive import table_file
 from winkler.study.report.examined.sentences import further_sentences
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.markup import number, safe, section, table
-from winkler.vocabulary import Word
+from winkler.values.errors import WinklerError
+from winkler.values.readable import with_unit
+from winkler.values.vocabulary import Word
 
 __all__ = ["further_figures", "further_files", "further_section"]
 

@@ -9,15 +9,15 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.fitting.flag_meanings import REFUSING_FLAGS
 from winkler.fitting.several.groups import ratio_of
 from winkler.fitting.several.joint import JointFit
 from winkler.fitting.several.population import Population, population, quantile
-from winkler.readable import with_unit
 from winkler.study.batch.fit_further import common_calibration, compared, contact_correlation
 from winkler.study.batch.fit_outcome import CONFIDENCE, FitOutcome, Fitted, Refused
 from winkler.study.language.fit_study import Free
+from winkler.values.errors import InvalidInput
+from winkler.values.readable import with_unit
 
 __all__ = ["further_sentences", "groups_of", "population_of"]
 

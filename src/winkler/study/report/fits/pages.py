@@ -8,10 +8,8 @@ import math
 import re
 from pathlib import Path
 
-from winkler.errors import WinklerError
 from winkler.plot import sheet_of
 from winkler.plot.fitting.noise_sheet import noise_sheet
-from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.fit_recording import path_from_study
 from winkler.study.language.fit_study import FitStudy
@@ -19,6 +17,8 @@ from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_tables import answers, doubts
 from winkler.study.report.markup import safe, section, table
+from winkler.values.errors import WinklerError
+from winkler.values.readable import with_unit
 
 __all__ = ["PAGES", "curve_facts", "curve_pages", "noise_figure"]
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from winkler.foundation.bed import PressedSprings
 from winkler.problems.normal.validity import shape_notes
-from winkler.readable import with_unit
-from winkler.validity import Assumption, Note, Standing, worst_note
+from winkler.values.readable import with_unit
+from winkler.values.validity import Assumption, Note, Standing, worst_note
 
 __all__ = ["ADVICE", "Doubt", "load_within", "worst_doubt"]
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.path_steps import Unchanged
+from winkler.loading.path_steps import Unchanged
 from winkler.study.chapters.contents import answer_of
 from winkler.study.finding.finding import public_names
 from winkler.study.language.designs import Crossed

@@ -13,10 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.foundation.bed import PressedSprings
 from winkler.foundation.line import LineFoundation
-from winkler.loading import HalfWidth, LineForce
+from winkler.loading.loads import HalfWidth, LineForce
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
@@ -26,6 +25,7 @@ from winkler.problems.normal.yielding import YieldOnset, onset_of_part
 from winkler.profiles.power import Paraboloid
 from winkler.study.batch.outcome import SolvedPoint
 from winkler.study.report.figures import shown_contact
+from winkler.values.errors import WinklerError
 
 __all__ = ["ElasticState", "elastic_state"]
 

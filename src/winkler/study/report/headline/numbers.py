@@ -9,11 +9,11 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.series import name_in_words
-from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import inputs, settings_text
-from winkler.vocabulary import Word
+from winkler.values.readable import with_unit
+from winkler.values.vocabulary import Word
 
 __all__ = ["SoughtNumber", "as_share", "sought_numbers"]
 

@@ -6,15 +6,15 @@ import io
 import textwrap
 from typing import TYPE_CHECKING, Any
 
-from winkler.readable import with_readable_numbers
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.describe import in_words
 from winkler.study.report.figure import ReportFigure
 from winkler.study.report.headline.numbers import sought_numbers
 from winkler.study.report.headline.section import doubt_of, headline
 from winkler.study.report.headline.summary import contact_summary
-from winkler.validity import Standing
-from winkler.validity import in_words as trust_in_words
+from winkler.values.readable import with_readable_numbers
+from winkler.values.validity import Standing
+from winkler.values.validity import in_words as trust_in_words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.profiles.curved_pair import CurvedPair
-from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
-from winkler.vocabulary import GLOSSARY, own_word
+from winkler.values.readable import with_unit
+from winkler.values.vocabulary import GLOSSARY, own_word
 
 __all__ = ["questions_of"]
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.readable import with_readable_numbers, with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figure import capital
@@ -18,7 +17,8 @@ from winkler.study.report.headline.elastic_state import ElasticState, elastic_st
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
-from winkler.validity import Standing
+from winkler.values.readable import with_readable_numbers, with_unit
+from winkler.values.validity import Standing
 
 __all__ = ["doubt_line", "doubt_of", "headline", "headline_section"]
 

@@ -7,17 +7,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.errors import WinklerError
-from winkler.loading import Depth
+from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.subsurface.contact_stress import ContactStress
-from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
+from winkler.values.errors import WinklerError
+from winkler.values.readable import with_unit
 
 __all__ = ["SummaryNumber", "contact_summary"]
 

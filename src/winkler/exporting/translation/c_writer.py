@@ -1,0 +1,177 @@
+"""Routines in C99, which is also C++: static functions behind one prefix, with no other library than C's own."""
+
+from __future__ import annotations
+
+import textwrap
+
+from winkler.exporting.translation.c_expressions import CExpressions, numbers_text
+from winkler.exporting.translation.c_helpers import FUNCTIONS, c_type, helper, view_helper
+from winkler.exporting.translation.subset import source_of
+from winkler.exporting.translation.tree import VOID, Constant, Routine, Statement, TranslationUnit
+
+__all__ = ["INCLUDES", "c_source"]
+
+INCLUDES = "#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n#include <stdlib.h>\n"
+
+
+def c_source(unit: TranslationUnit, prefix: str = "") -> str:
+    """Return the definitions of a unit, without includes.
+
+    Parameters
+    ----------
+    unit : TranslationUnit
+    prefix : str, optional
+        With which every name of the file begins.
+    """
+    writer = CRoutines(prefix)
+    routines = [writer.routine(routine) for routine in unit.routines]
+    helpers = [helper(kind, prefix) for kind in writer.types]
+    helpers += [view_helper(kind, pattern, prefix) for kind, pattern in writer.views]
+    row = f"{prefix}real1"
+    helpers += [FUNCTIONS[name].format(p=prefix, row=row) for name in writer.functions]
+    constants = [_constant(constant, prefix) for constant in unit.constants]
+    return "\n\n".join([*helpers, "\n".join(constants), *routines]).replace("\n\n\n\n", "\n\n") + "\n"
+
+
+def _constant(constant: Constant, prefix: str) -> str:
+    item = "double" if "real" in (constant.type.kind, *(part.kind for part in constant.type.parts)) else "int64_t"
+    numbers = numbers_text(constant.type, constant.numbers)
+    if constant.type.kind != "array":
+        return f"static const {item} {prefix}{constant.name} = {numbers};"
+    rows = "\n".join(textwrap.wrap(numbers, 110, initial_indent="    ", subsequent_indent="    "))
+    return f"static const {item} {prefix}{constant.name}[{len(constant.numbers)}] = {{\n{rows}\n}};"
+
+
+class CRoutines(CExpressions):
+    """Writes routines."""
+
+    def __init__(self, prefix: str) -> None:
+        super().__init__(prefix)
+        self.loops = 0
+        self.made = 0
+        self.result = VOID
+
+    def routine(self, routine: Routine) -> str:
+        """Return a routine."""
+        self.loops, self.made, self.result = 0, routine.arrays_made, routine.result
+        self.rooms = {}
+        takes = ", ".join(f"{self.type(kind)} {self.variable(name)}" for name, kind in routine.arguments)
+        lines = [f"static inline {self.type(routine.result)} {self.prefix}{routine.name}({takes or 'void'}) {{"]
+        for name, kind in sorted(routine.variables.items()):
+            zero = " = 0" if kind.is_number else ""
+            lines.append(f"    {self.type(kind)} {self.variable(name)}{zero};")
+        if self.made:
+            lines.append(f"    void *made[{self.made}] = {{0}};")
+        body = self._block(routine.body, 1)
+        lines += [f"    {self.rooms[index]}" for index in sorted(self.rooms)] + body
+        if self.made and (not routine.body or routine.body[-1].form != "return"):
+            lines += [f"    {line}" for line in self._released()]
+        if routine.result != VOID and routine.body[-1].form not in ("return",):
+            lines.append("    abort();")
+        source = source_of(routine.kernel)
+        comment = "\n".join(f" * {line}".rstrip() for line in source.doc.replace("*/", "* /").splitlines())
+        place = f" * From {source.file}, line {source.definition.lineno}."
+        return "\n".join([f"/*\n{comment}\n{place}\n */", *lines, "}"])
+
+    def _block(self, statements: tuple[Statement, ...], depth: int) -> list[str]:
+        lines: list[str] = []
+        for statement in statements:
+            lines += [f"{'    ' * depth}{line}" for line in getattr(self, f"do_{statement.form}")(statement)]
+        return lines
+
+    def _inner(self, statements: tuple[Statement, ...]) -> list[str]:
+        return self._block(statements, 1)
+
+    def do_assign(self, done: Statement) -> list[str]:
+        """Assign to a variable."""
+        return [f"{self.variable(done.name)} = {self.of(done.parts[0])};"]
+
+    def do_store(self, done: Statement) -> list[str]:
+        """Assign to an entry."""
+        return [f"{self.of(done.parts[0])} = {self.of(done.parts[1])};"]
+
+    def do_do(self, done: Statement) -> list[str]:
+        """Call a routine."""
+        return [f"{self.of(done.parts[0])};"]
+
+    def do_fill(self, done: Statement) -> list[str]:
+        """Assign to all entries of a part of an array."""
+        place, held = done.parts
+        self.loops += 1
+        k, own = self.loops, self.type(place.type)
+        lines = [f"{own} part_{k} = {self.of(place)};"]
+        row = held.type.kind == "array"
+        value = f"from_{k}.data[k0]" if row else f"value_{k}"
+        lines.append(f"{self.type(held.type)} {'from' if row else 'value'}_{k} = {self.of(held)};")
+        axes = place.type.axes
+        for axis in range(axes):
+            lines.append(f"for (int64_t k{axis} = 0; k{axis} < part_{k}.size[{axis}]; ++k{axis})")
+        index = " + ".join([*(f"k{axis} * part_{k}.stride[{axis}]" for axis in range(axes - 1)), f"k{axes - 1}"])
+        lines.append(f"    part_{k}.data[{index}] = {value};")
+        return ["{", *(f"    {line}" for line in lines), "}"]
+
+    def do_if(self, done: Statement) -> list[str]:
+        """Do one or the other."""
+        lines = [f"if ({self.of(done.parts[0])}) {{", *self._inner(done.bodies[0])]
+        other = done.bodies[1]
+        if len(other) == 1 and other[0].form == "if":
+            first, *rest = self.do_if(other[0])
+            return [*lines, f"}} else {first}", *rest]
+        return [*lines, *(["} else {", *self._inner(other)] if other else []), "}"]
+
+    def do_while(self, done: Statement) -> list[str]:
+        """Repeat while a condition holds."""
+        return [f"while ({self.of(done.parts[0])}) {{", *self._inner(done.bodies[0]), "}"]
+
+    def do_range(self, done: Statement) -> list[str]:
+        """Count."""
+        self.loops += 1
+        k = self.loops
+        start, stop, step = map(self.of, done.parts)
+        sign, size = (">", step) if step[0] == "-" else ("<", f"+{step}")
+        change = {"+1": f"++at_{k}", "-1": f"--at_{k}"}.get(size, f"at_{k} += {step}")
+        first = [f"    {self.variable(done.name)} = at_{k};"] if done.name else []
+        return [
+            f"for (int64_t at_{k} = {start}, stop_{k} = {stop}; at_{k} {sign} stop_{k}; {change}) {{",
+            *first,
+            *self._inner(done.bodies[0]),
+            "}",
+        ]
+
+    def do_items(self, done: Statement) -> list[str]:
+        """Go through numbers."""
+        self.loops += 1
+        k = self.loops
+        name = self.variable(done.name)
+        if done.comment == "numbers":
+            kind = c_type(done.parts[0].type, self.prefix)
+            numbers, count = ", ".join(map(self.of, done.parts)), str(len(done.parts))
+            lines = [f"const {kind} row_{k}[{count}] = {{{numbers}}};"]
+            entry = f"row_{k}[at_{k}]"
+        else:
+            lines = [f"const {self.type(done.parts[0].type)} row_{k} = {self.of(done.parts[0])};"]
+            count, entry = f"row_{k}.size[0]", f"row_{k}.data[at_{k}]"
+        lines.append(f"for (int64_t at_{k} = 0; at_{k} < {count}; ++at_{k}) {{")
+        lines += [f"    {name} = {entry};", *self._inner(done.bodies[0]), "}"]
+        return ["{", *(f"    {line}" for line in lines), "}"]
+
+    def do_break(self, done: Statement) -> list[str]:
+        """Leave a loop."""
+        return ["break;"]
+
+    def do_continue(self, done: Statement) -> list[str]:
+        """Go on with a loop."""
+        return ["continue;"]
+
+    def do_return(self, done: Statement) -> list[str]:
+        """Return, what was made being freed."""
+        if not self.made:
+            return [f"return {self.of(done.parts[0])};" if done.parts else "return;"]
+        released = self._released()
+        if not done.parts:
+            return ["{", *(f"    {line}" for line in released), "    return;", "}"]
+        kept = f"    {self.type(self.result)} result_ = {self.of(done.parts[0])};"
+        return ["{", kept, *(f"    {line}" for line in released), "    return result_;", "}"]
+
+    def _released(self) -> list[str]:
+        return [f"for (int k = 0; k < {self.made}; ++k) free(made[k]);"]

@@ -1,0 +1,71 @@
+"""Kernels as plain Python in one file: their own source, without decorators, under names that do not meet."""
+
+from __future__ import annotations
+
+import ast
+import copy
+from typing import Any
+
+from winkler.exporting.translation.subset import is_translatable, source_of
+from winkler.exporting.translation.tree import Routine, TranslationUnit
+
+__all__ = ["python_source"]
+
+
+def python_source(unit: TranslationUnit) -> str:
+    """Return the functions of a unit; they need `math` and numpy as `np`."""
+    names: dict[int, str] = {}
+    kept: list[Routine] = []
+    for routine in unit.routines:
+        if id(routine.kernel) not in names:  # one function does for all types
+            names[id(routine.kernel)] = routine.name
+            kept.append(routine)
+    constants = {constant.place: constant.name for constant in unit.constants}
+    lines = []
+    for constant in unit.constants:
+        numbers = repr(constant.numbers) if constant.type.kind == "array" else repr(constant.numbers[0])
+        lines.append(f"{constant.name} = {numbers}".replace("inf", "math.inf").replace("nan", "math.nan"))
+    functions = [_function(routine.kernel, names, constants) for routine in kept]
+    return "\n\n\n".join(["\n".join(lines), *functions]) if lines else "\n\n\n".join(functions)
+
+
+class _Renamed(ast.NodeTransformer):
+    """Gives functions and constants the names of the file, and takes annotations away."""
+
+    def __init__(self, names: dict[str, str]) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:
+        """Rename."""
+        return ast.copy_location(ast.Name(self.names.get(node.id, node.id), node.ctx), node)
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> Any:
+        """Assign without an annotation."""
+        self.generic_visit(node)
+        return None if node.value is None else ast.copy_location(ast.Assign([node.target], node.value), node)
+
+    def visit_arg(self, node: ast.arg) -> ast.arg:
+        """Take the annotation away."""
+        return ast.arg(node.arg)
+
+
+def _function(kernel: Any, names: dict[int, str], constants: dict[tuple[str, str], str]) -> str:
+    source = source_of(kernel)
+    definition = copy.deepcopy(source.definition)
+    definition.decorator_list, definition.returns = [], None
+    local = {node.arg for node in ast.walk(definition) if isinstance(node, ast.arg)}
+    local |= {
+        node.id for node in ast.walk(definition) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
+    renamed: dict[str, str] = {}
+    for node in ast.walk(definition):
+        if not isinstance(node, ast.Name) or node.id in local:
+            continue
+        found = source.names.get(node.id)
+        if is_translatable(found):
+            renamed[node.id] = names[id(found)]
+        elif (kernel.__module__, node.id) in constants:
+            renamed[node.id] = constants[kernel.__module__, node.id]
+    definition.name = names[id(kernel)]
+    text = ast.unparse(ast.fix_missing_locations(_Renamed(renamed).visit(definition)))
+    return f"# from {source.file}, line {source.definition.lineno}\n{text}"

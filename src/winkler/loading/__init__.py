@@ -1,0 +1,1 @@
+"""Loads, paths of loads, and paths stated in steps."""

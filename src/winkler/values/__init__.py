@@ -1,0 +1,1 @@
+"""What all layers share: values, errors, units, names, checks of what is given, and validity."""

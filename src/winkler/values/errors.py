@@ -1,0 +1,165 @@
+"""The errors of the package.
+
+::
+
+    WinklerError
+    |-- InvalidInput      (also a ValueError)   what was given cannot be used
+    |-- OutsideValidity   (also a ValueError)   the input is sound, the theory does not reach it
+    |-- NotConverged      (also an ArithmeticError)   a solver did not converge; it never returns half a result
+    |-- Mistake           (also a RuntimeError)   winkler itself is wrong; only points of a sweep are caught so
+    `-- Interrupted       the reader stopped a batch; finished parts remain
+
+Each message states what was given, what is allowed, and what to do, in one sentence on one line.  An error about
+several mistakes has several sentences, each on a line of its own.  `suggest` finds the nearest known word,
+`mistake_in` describes an unexpected error.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Callable, Iterable
+from typing import Self
+
+from winkler.values.synonyms import SYNONYMS
+
+__all__ = [
+    "Interrupted",
+    "InvalidInput",
+    "Mistake",
+    "NotConverged",
+    "OutsideValidity",
+    "WinklerError",
+    "mistake_in",
+    "mistyped",
+    "nearest",
+    "suggest",
+]
+
+LONGEST_TEXT = 300
+"""Longer texts of unexpected errors are cut."""
+MISTYPED = 0.8
+"""Least similarity, by difflib, of a misspelt word to the known one."""
+ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
+"""In the ``repr`` of an object that has none of its own."""
+
+
+class WinklerError(Exception):
+    r"""Root of every error that winkler raises on purpose; `exit_code` is what the command line returns.
+
+    Each argument is one sentence, and becomes one line.
+
+    Examples
+    --------
+    >>> str(WinklerError("the force is [1.\n 2.] N; give one number.", "the depth is missing; add it."))
+    'the force is [1. 2.] N; give one number.\nthe depth is missing; add it.'
+    """
+
+    exit_code = 1
+
+    def __init__(self, *sentences: str) -> None:
+        # where an object lies in memory says nothing, and differs from run to run
+        # one line, also where the ``repr`` of an array has several
+        super().__init__(
+            *(" ".join(filter(None, map(str.strip, ADDRESS.sub("", one).splitlines()))) for one in sentences)
+        )
+
+    def __str__(self) -> str:
+        return "\n".join(self.args)
+
+    def reworded(self, change: Callable[[str], str]) -> Self:
+        """Return the error with each of its sentences changed, and with its notes."""
+        other = type(self)(*map(change, self.args))
+        for note in getattr(self, "__notes__", ()):
+            other.add_note(note)
+        return other
+
+
+class InvalidInput(WinklerError, ValueError):
+    """What was given cannot be used: a wrong sign, unit, file, name or number."""
+
+    exit_code = 2
+
+
+class NotConverged(WinklerError, ArithmeticError):
+    """A numerical method did not reach its tolerance."""
+
+    exit_code = 3
+
+
+class OutsideValidity(WinklerError, ValueError):
+    """The input is sound, but the theory does not hold there."""
+
+    exit_code = 4
+
+
+class Mistake(WinklerError, RuntimeError):
+    """Points of a sweep met an error that winkler does not raise on purpose: winkler is wrong, not what was given."""
+
+    exit_code = 70
+
+
+class Interrupted(WinklerError):
+    """A batch was stopped by its reader; what had been done is kept."""
+
+    exit_code = 130
+
+
+def mistake_in(error: BaseException) -> str:
+    r"""Return one clause that attributes an unexpected error to winkler: what it is, and where it was raised.
+
+    Examples
+    --------
+    >>> mistake_in(ValueError("f(a) and f(b) must\n have different signs"))
+    'winkler made a mistake (ValueError: f(a) and f(b) must have different signs)'
+    """
+    text = " ".join(str(error).split())
+    text = text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]}..."
+    place, frame = "", error.__traceback__
+    while frame is not None:
+        module = str(frame.tb_frame.f_globals.get("__name__", ""))
+        if module.startswith("winkler."):
+            place = f" at {module}:{frame.tb_lineno}"
+        frame = frame.tb_next
+    return f"winkler made a mistake ({type(error).__name__}: {text}{place})"
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return the known word that `word` was meant to be, or an empty string.
+
+    The same word in capitals or small letters; one for which that word is usual elsewhere
+    (`winkler.values.synonyms`); one of similar spelling; one that has it as a part, or is a part of it.
+
+    Examples
+    --------
+    >>> nearest("depht", ["force", "depth"]), nearest("nu", ["young", "poisson"]), nearest("poisson_ratio", ["poisson"])
+    ('depth', 'poisson', 'poisson')
+    """
+    names = list(known)
+    same = [name for name in names if name.lower() == word.lower() and len(word) > 1]
+    meant = [name for name in SYNONYMS.get(word) or SYNONYMS.get(word.lower(), ()) if name in names]
+    if same or meant:
+        return (same or meant)[0]
+    if close := difflib.get_close_matches(word, names, n=1, cutoff=0.6):
+        return close[0]
+    parts = [name for name in names if word in name.split("_") or name in word.split("_")]
+    return parts[0] if len(parts) == 1 else ""
+
+
+def mistyped(word: str, known: Iterable[str]) -> list[str]:
+    """Return those of the known words of which `word` is a misspelling: few letters differ, or two changed places.
+
+    Examples
+    --------
+    >>> mistyped("indentaton", ["indentation", "impact"]), mistyped("fti", ["fit"]), mistyped("gear", ["wear"])
+    (['indentation'], ['fit'], [])
+    """
+    names = list(known)
+    swapped = [name for name in names if sorted(name) == sorted(word)]
+    return swapped or difflib.get_close_matches(word, names, cutoff=MISTYPED)
+
+
+def suggest(word: str, known: Iterable[str]) -> str:
+    """Return `` (did you mean 'x'?)`` for the known word nearest to `word`, or an empty string."""
+    near = nearest(word, known)
+    return f" (did you mean '{near}'?)" if near else ""
