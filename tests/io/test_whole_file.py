@@ -240,7 +240,6 @@ def test_threads_that_write_one_file_are_all_served(tmp_path):
 
 
 WRITING = {
-    "caches.py": "a private folder",
     "calculators/build.py": "a tool of developers",
     "cli/streams.py": "messages into nothing, where stdout is closed",
     "exporting/targets/compilers.py": "sources for a compiler, in a temporary folder",
@@ -249,6 +248,7 @@ WRITING = {
     "io/processes/locking.py": "locks, and what the one writer opens",
     "io/software.py": "a digest of the sources, which is made again where it cannot be read",
     "io/whole_file.py": "the one writer",
+    "numerics/cache_folders.py": "a private folder",
     "plot/rough/film.py": "frames of a film, in a temporary folder",
     "study/batch/journal.py": "lines that are only appended, with a checksum each",
     "web/session/upload_folder.py": "uploads, in a private folder",

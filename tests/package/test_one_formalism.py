@@ -52,7 +52,7 @@ OFFERING = {
 }
 OFFERING |= {"GradedHalfSpace"}
 """Media that are asked by `winkler.media.offers` for what they offer, never for their class."""
-SOLVERS = ("problems", "foundation", "fitting", "peaks.py", "fields.py", "punch_staircase.py", "media")
+SOLVERS = ("problems", "foundation", "fitting", "fields", "media")
 
 
 def trees(*parts: str, words: Iterable[str]) -> list[tuple[str, ast.Module]]:

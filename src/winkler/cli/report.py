@@ -68,14 +68,14 @@ def report(
     if one_sheet:
         from winkler.study.report.headline.one_page import one_page
 
-        content = one_page(outcome, shown)
+        made = one_page(outcome, shown)
     else:
         text = page(outcome, shown)
         if interactive:
             from winkler.calculators.read_off import with_reading
 
             text = with_reading(text, shown)
-        content = text.encode("utf-8")
-    write_whole({path: content})
+        made = text.encode("utf-8")
+    write_whole({path: made})
     write_line(f"Written {path}")
     return exit_code(outcome)

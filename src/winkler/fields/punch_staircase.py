@@ -29,7 +29,7 @@ from winkler.problems.answer import Restorable
 from winkler.values.checks.number_checks import Whole, checked
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, OutsideValidity
-from winkler.values.value import value
+from winkler.values.value import value, words
 
 __all__ = ["Staircase", "staircase"]
 
@@ -52,6 +52,11 @@ class Staircase:
     pressed : PressedSprings
         The springs of the contact that is taken apart.
     """
+
+    __words__ = words(
+        radii=("b", "m", "radii of the punches"),
+        increments=(r"\Delta g", "m", "by how much each punch sinks"),
+    )
 
     radii: Array
     increments: Array

@@ -18,7 +18,7 @@ from typing import Any
 
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
-from winkler.values.value import value
+from winkler.values.value import value, words
 
 __all__ = ["EllipticOutline", "Footprint", "RoundOutline", "UnknownOutline", "footprint_of"]
 
@@ -53,6 +53,11 @@ class UnknownOutline:
     instead : str
         The class that computes the outline instead.
     """
+
+    __words__ = words(
+        origin=("", None, "what the springs stand for"),
+        instead=("", None, "class that computes the outline"),
+    )
 
     origin: str
     instead: str
