@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from winkler import caches
+from winkler.numerics import cache_folders as caches
 from winkler.numerics.jit import Kernel, compiled
 from winkler.values.errors import InvalidInput
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler import values
+from winkler.values import value as values
 from winkler.values.value import frozen_array, value
 
 

@@ -8,7 +8,7 @@ import types
 import numpy as np
 import pytest
 
-from winkler import caches
+from winkler.numerics import cache_folders as caches
 from winkler.numerics import kernel_cache
 from winkler.numerics.jit import Kernel
 

@@ -32,7 +32,7 @@ def over_a_pixel(kernel, place: tuple[int, int]) -> float:
 
 @pytest.mark.parametrize("place", [(5, 2), (3, 6), (0, 8), (2, 4)])
 def test_a_pixel_displaces_others_as_cerruti_says(free, place):
-    a, b, beta, _ = BODIES
+    a, b, beta, *_ = BODIES
     along, across = free.sheared(unit(0)), free.sheared(unit(1))
     expected = {
         (0, 0): over_a_pixel(lambda x, y, r: a / r + b * x * x / r**3, place),
@@ -60,7 +60,7 @@ def test_betti(periodic):
 
 def test_waves():
     """Along a wave 2 a / q, across it 2 (a + b) / q, and coupled 2 beta / q, a quarter of a wave aside."""
-    a, b, beta, _ = BODIES
+    a, b, beta, *_ = BODIES
     n, turns = 24, 3
     grid = TractionGrid.of((n, n), (1.0, 1.0), BODIES, periodic=True)
     q = 2.0 * np.pi * turns / n

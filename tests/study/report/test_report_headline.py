@@ -162,6 +162,18 @@ def test_a_sweep_is_headed_by_a_range():
     assert lead.endswith(f"Over 3 points the depth is between {low} (force = 10 N) and {high} (force = 80 N).")
 
 
+def test_a_sweep_of_many_loads_says_which_one_is_compared():
+    loads = {"kind": "force", "force": ["5 N", "10 N"]}
+    outcome = solved(
+        "indentation", problem__load=loads, sweep={"problem.bed.profile.curvature_radius": ["1 mm", "8 mm"]}
+    )
+    depth = [float(point.answers["depth"][-1]) for point in outcome.points]
+    high, low = (f"{1e6 * one:.4g} µm" for one in depth)
+    lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
+    assert f"Over 2 points and at the last force, 10 N, the depth falls from {high} at" in lead
+    assert lead.endswith(f"to {low} at curvature radius = 8 mm.")
+
+
 def test_a_sweep_of_paths_is_headed_by_what_each_has_lost():
     """A loop begins without a loss: the range is over the points, not along their paths."""
     outcome = solved("tangential", sweep={"problem.law.coefficient": [0.3, 0.4]})

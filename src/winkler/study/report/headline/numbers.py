@@ -220,7 +220,7 @@ def _end(outcome: Outcome, given: set[str]) -> str:
     for name, numbers in answers.items():
         many = np.ravel(numbers)
         if name_in_words(name) in given and many.size > 1 and np.min(many) < np.max(many):
-            if many[-1] == 0.0:
+            if many[-1] == 0.0 or any(np.ravel(one.answers[name])[-1] != many[-1] for one in outcome.solved):
                 return "at the end"
             return f"at the last {name_in_words(name)}, {with_unit(float(many[-1]), outcome.word(name).unit)},"
     return f"at the last of {max(map(np.size, answers.values()), default=0)} points"
