@@ -162,16 +162,13 @@ def test_a_sweep_is_headed_by_a_range():
     assert lead.endswith(f"Over 3 points the depth is between {low} (force = 10 N) and {high} (force = 80 N).")
 
 
-def test_a_sweep_of_many_loads_says_which_one_is_compared():
-    loads = {"kind": "force", "force": ["5 N", "10 N"]}
-    outcome = solved(
-        "indentation", problem__load=loads, sweep={"problem.bed.profile.curvature_radius": ["1 mm", "8 mm"]}
-    )
-    depth = [float(point.answers["depth"][-1]) for point in outcome.points]
-    high, low = (f"{1e6 * one:.4g} µm" for one in depth)
+def test_a_sweep_of_many_velocities_says_which_one_is_compared():
+    velocities = {"problem__velocity": ["0.1 m/s", "0.2 m/s"]}
+    outcome = solved("plastic_impact", **velocities, sweep={"problem.bed.medium.first.strength": ["1 GPa", "2 GPa"]})
+    low, high = (f"{point.answers['restitution'][-1]:.4g}" for point in outcome.points)
     lead = headline_section(outcome).partition("</p>")[0].replace("\xa0", " ")
-    assert f"Over 2 points and at the last force, 10 N, the depth falls from {high} at" in lead
-    assert lead.endswith(f"to {low} at curvature radius = 8 mm.")
+    assert f"Over 2 points and at the last velocity, 200 mm/s, the restitution rises from {low} at" in lead
+    assert lead.endswith(f"to {high} at strength = 2 GPa.")
 
 
 def test_a_sweep_of_paths_is_headed_by_what_each_has_lost():

@@ -134,7 +134,9 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
     where, all_points = "", ""
     if sought.is_range:
         where = f"over {len(outcome.points)} points " if outcome.study.sweep else "along the curve "
-        if outcome.study.sweep and sought.end.endswith(","):  # each point has an answer for each of many loads
+        if (
+            outcome.study.sweep and not under and sought.end.endswith(",")
+        ):  # each point has an answer for each of many loads
             where += f"and {sought.end} "
     elif outcome.study.sweep and len(outcome.solved) > 1:
         all_points = f" at all {len(outcome.solved)} points"
