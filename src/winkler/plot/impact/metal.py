@@ -60,5 +60,6 @@ def _over(item: PlasticImpactSolution, order: Any, across: PanelAxis, *names: st
         marks.append(Rule(item.yield_velocity, upright=True, colour=style.GREEN, dash=style.DASHES[2]))
     scale = type(rows[0])(rows[0].name, rows[0].word, together[together > 0.0] if log else together).scale
     label = "dent" if len(names) > 1 else ""
-    upright = PanelAxis(label, scale, log=log) if label else PanelAxis.of(rows[0], low=0.0, margin=0.08)
-    return Panel(tuple(marks), across, upright, legend="upper left" if len(names) > 1 else "")
+    high = 1.05 * float(np.max(rows[0].content))
+    upright = PanelAxis(label, scale, log=log) if label else PanelAxis.of(rows[0], low=0.0, high=high)
+    return Panel(tuple(marks), across, upright, legend="center left" if len(names) > 1 else "")
