@@ -25,3 +25,12 @@ draw(pressed)
 again = wk.Indentation(pressed.dented, wk.Force(100.0)).solve()
 back = pressed.depth[2] - pressed.residual_depth[2]
 print(f"100 N press by {again.depth * 1e6:.2f} um on the last dent, by {back * 1e6:.2f} um on the first")
+
+# %%
+# Turned round: the load that leaves a dent of one micrometre, and the strength that a dent of a known load tells.
+
+limit = wk.DentLimit(bed, residual_depth=1e-6).solve()
+print(f"{limit.force:.1f} N leave a dent 1 um deep")
+plate = wk.Foundation(wk.Paraboloid(curvature_radius=5e-3), wk.HalfSpace(ball, ball))
+found = wk.StrengthFromDent(plate, wk.Force(150.0), wk.Radius(0.24e-3), dent_error=3e-6).solve()
+print(f"a dent of 0.24 mm after 150 N: {found.strength / 1e6:.0f} +- {found.strength_error / 1e6:.0f} MPa")

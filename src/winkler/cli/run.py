@@ -292,10 +292,8 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
-    from winkler.study.report.headline.summary import contact_summary
 
     more = {
-        "contact": [{"name": one.name, "value": one.number, "unit": one.unit} for one in contact_summary(outcome)],
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed

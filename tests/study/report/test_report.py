@@ -143,6 +143,8 @@ def test_every_chapter_is_there(name, page):
     text = Page(page(name)).text
     chapters = ["The problem", "At a glance", "Results", "How far this can be trusted", "The method in pictures"]
     chapters += ["Inputs", "The formulas", "Papers", "What made these numbers", "The same numbers elsewhere"]
+    if name in ("sum", "area function"):  # their one picture of the method stands at a glance
+        chapters.remove("The method in pictures")
     places = [text.find(chapter) for chapter in chapters]
     assert min(places) > 0
     assert places == sorted(places)

@@ -136,7 +136,10 @@ class StrengthFromDent:
         assert isinstance(bed, Foundation)
         assert isinstance(medium, HalfSpace)
         assert isinstance(medium.first, Elastic)
-        first = dataclasses.replace(medium.first, strength=strength)
+        if isinstance(medium.first, Hardening):
+            first: Elastic = dataclasses.replace(medium.first, strength=strength)
+        else:  # also one that takes its numbers from a table of materials
+            first = Elastic(medium.first.young, medium.first.poisson, strength)
         return dataclasses.replace(bed, medium=dataclasses.replace(medium, first=first))
 
     def _dent(self, strength: float, force: float) -> float:
