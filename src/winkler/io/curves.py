@@ -20,7 +20,7 @@ import numpy as np
 
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import archive, is_archive, member, refuse_large_archive
-from winkler.io.foreign import in_file, quiet, reason_of, sentence_of
+from winkler.io.foreign import in_file, quiet, reason_of, sentence_of, without_stale_sizes
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.instruments.find import instrument_tests
 from winkler.io.instruments.instrument_test import InstrumentTest
@@ -218,10 +218,11 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
     with _quiet_and_limited(path):
         try:
             _refuse_large_contents(path)
-            try:
-                group = afmformats.load_data(path, meta_override=overrides)
-            except NotImplementedError:  # of some formats it takes no other numbers: they are exchanged below
-                group, exchanged = afmformats.load_data(path), True
+            with without_stale_sizes():
+                try:
+                    group = afmformats.load_data(path, meta_override=overrides)
+                except NotImplementedError:  # of some formats it takes no other numbers: they are exchanged below
+                    group, exchanged = afmformats.load_data(path), True
         except MissingMetaDataError:
             other = (
                 "; if it is no curve of a microscope but numbers without names, give columns = { depth = 1, "

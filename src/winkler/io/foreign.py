@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import importlib
 import inspect
 import os
+import sys
 import warnings
 from collections.abc import Callable, Iterator
 from typing import ParamSpec, TypeVar
 
 from winkler.values.errors import InvalidInput, WinklerError
 
-__all__ = ["in_file", "path_text", "quiet", "reader", "reason_of", "sentence_of"]
+__all__ = ["in_file", "path_text", "quiet", "reader", "reason_of", "sentence_of", "without_stale_sizes"]
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -98,6 +100,17 @@ def quiet() -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield
+
+
+@contextlib.contextmanager
+def without_stale_sizes() -> Iterator[None]:
+    """Read waves of Igor; what a damaged one leaves in igor2, its stated sizes, would refuse all that follow."""
+    try:
+        yield
+    except BaseException:
+        if (module := sys.modules.get("igor2.binarywave")) is not None:
+            importlib.reload(module)
+        raise
 
 
 def reader(what: str) -> Callable[[Callable[P, R]], Callable[P, R]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import struct
 import zipfile
 
@@ -60,6 +61,23 @@ def test_position_and_deflection_are_columns_of_one_wave(tmp_path, place):
     file.write_bytes(columns(names, np.c_[0.0 * POSITION, DEFLECTION, POSITION], note=b"SpringConstant: 0.25\r"))
     with pytest.raises(wk.InvalidInput, match="states no sensitivity by which its force could be turned"):
         wk.read_curve(file, sensitivity=2e-7)
+
+
+@pytest.mark.parametrize("size", [2**31 - 1, -1])
+def test_a_wave_that_lies_about_its_sizes_does_not_refuse_the_next_one(tmp_path, size):
+    """Igor2 keeps the sizes of the last head that it has read."""
+    content = columns((b"Other", b"Defl", b"ZSnsr"), np.c_[0.0 * POSITION, DEFLECTION, POSITION])
+    for place in range(8, 64, 4):
+        head = bytearray(content[:384])
+        struct.pack_into("<i", head, place, size)
+        head[2:4] = bytes(2)
+        total = -int(np.frombuffer(bytes(head), dtype="<i2").sum(dtype=np.int64)) & 0xFFFF
+        struct.pack_into("<H", head, 2, total)
+        (tmp_path / "bad.ibw").write_bytes(bytes(head) + content[384:])
+        with contextlib.suppress(wk.InvalidInput):
+            wk.read_curve(tmp_path / "bad.ibw")
+        (tmp_path / "good.ibw").write_bytes(content)
+        assert wk.read_curve(tmp_path / "good.ibw").position == pytest.approx(POSITION, rel=1e-6)
 
 
 def pair(folder, place="ZSnsr", **changes):

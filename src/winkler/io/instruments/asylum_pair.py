@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.io.foreign import quiet, sentence_of
+from winkler.io.foreign import quiet, sentence_of, without_stale_sizes
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.memory import limited_memory
 from winkler.io.tables.given_units import GivenFacts
@@ -132,7 +132,7 @@ def _wave(path: Path) -> Any:
         raise InvalidInput(
             f"{path}: waves of Igor need the extra afm; install it with pip install 'winkler[afm]'."
         ) from None
-    with sentence_of(path, "the wave cannot be read", remedy), quiet(), limited_memory(path):
+    with sentence_of(path, "the wave cannot be read", remedy), quiet(), limited_memory(path), without_stale_sizes():
         return binarywave.load(str(path))["wave"]
 
 
