@@ -269,8 +269,8 @@ def _print(outcome: Outcome, folder: Path) -> None:
     doubt = doubt_of(outcome)
     if doubt.standing is Standing.OUTSIDE:
         out.print(f"Do not use these numbers: {with_readable_numbers(doubt.statement)} {doubt.advice}", soft_wrap=True)
-    elif told := headline(outcome):
-        out.print(told, soft_wrap=True)
+    elif sentence := headline(outcome):
+        out.print(sentence, soft_wrap=True)
     if summary := contact_summary(outcome):
         shown = terminal.table("elastic contact", "value", "where, and compared with what")
         for one in summary:

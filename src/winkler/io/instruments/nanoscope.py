@@ -271,8 +271,8 @@ def _time(passes: tuple[int, int], whole: tuple[float, float], ramp: float, spee
         return np.zeros(0)
     back = speed * per_volt_free[0] / per_volt_free[1]
     there, retracts = (
-        ramp / way * np.arange(1, count + 1) / full
-        for way, count, full in zip((speed, back), passes, whole, strict=True)
+        ramp / rate * np.arange(1, count + 1) / full
+        for rate, count, full in zip((speed, back), passes, whole, strict=True)
     )
     return np.concatenate([there, there[-1] + (_number(head.settings, "Ramp delay") or 0.0) + retracts])
 

@@ -322,6 +322,12 @@ class FirstLoading(NamedTuple):
             whole[yielding] = part
         return state, work
 
+    @property
+    def greatest_force(self) -> float:
+        """Force [N] at the end of what is known of the profile; infinite if it has none."""
+        last = LAST_SHARE * self.bed.reach
+        return float(self.at(np.array([last])).force[0]) if last < math.inf else math.inf
+
     def wider(self, radius: float) -> Iterator[float]:
         """Yield this contact radius and wider ones, up to the end of what is known of the profile [m]."""
         end = max(radius, LAST_SHARE * self.bed.reach)

@@ -16,7 +16,7 @@ from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import between
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.plastic.first_loading import LEAST_STIFFNESS, refuse_unknown
+from winkler.problems.plastic.first_loading import LEAST_STIFFNESS, first_loading, refuse_unknown
 from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
 from winkler.values.checks.number_checks import NonNegative
 from winkler.values.errors import InvalidInput, OutsideValidity
@@ -144,12 +144,10 @@ class StrengthFromDent:
 
     def _dent(self, strength: float, force: float) -> float:
         """Return the radius or the depth [m] of the dent that a force leaves; infinite where it is out of reach."""
-        try:
-            state = next(PlasticIndentation(self._bed(strength), Force(np.array([force]))).steps())
-        except OutsideValidity as error:
-            if "beyond the reach" in str(error):
-                return math.inf
-            raise
+        bed = self._bed(strength)
+        if force >= first_loading(bed).greatest_force:
+            return math.inf
+        state = next(PlasticIndentation(bed, Force(np.array([force]))).steps())
         return state.largest_radius if isinstance(self.dent, Radius) else state.residual_depth
 
     def solve(self) -> StrengthFromDentSolution:

@@ -73,8 +73,8 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
             writer.write(
                 f"Do not use these numbers: {with_readable_numbers(doubt.statement)} {doubt.advice}", bold=True
             )
-        elif told := headline(outcome):
-            writer.write(told, bold=True)
+        elif sentence := headline(outcome):
+            writer.write(sentence, bold=True)
         writer.picture(shown)
         rows = [(one.label, one.text, one.remark) for one in sought_numbers(outcome)]
         rows += [(one.name, one.text, one.remark) for one in contact_summary(outcome)]

@@ -37,7 +37,7 @@ def headline_section(outcome: Outcome) -> str:
     if not numbers:
         return ""
     verdict, state = _verdict(outcome), _state(outcome)
-    sentence = _told(outcome, numbers, state)
+    sentence = _lead(outcome, numbers, state)
     if verdict:
         sentence = f"The verdict on the body: {verdict}. {sentence}"
     outside = doubt_of(outcome).standing is Standing.OUTSIDE
@@ -65,10 +65,10 @@ def headline(outcome: Outcome) -> str:
     numbers = sought_numbers(outcome)
     if not numbers:
         return ""
-    return with_readable_numbers(_told(outcome, numbers, _state(outcome)))
+    return with_readable_numbers(_lead(outcome, numbers, _state(outcome)))
 
 
-def _told(outcome: Outcome, numbers: tuple[SoughtNumber, ...], state: ElasticState | None) -> str:
+def _lead(outcome: Outcome, numbers: tuple[SoughtNumber, ...], state: ElasticState | None) -> str:
     """Return the sought number in a sentence, and how far the contact is from yielding unless that was sought."""
     is_sought = bool(answer_of(shown_point(outcome).problem).event)
     margin = _margin(state, _force(numbers)) if state and not is_sought else ""

@@ -16,7 +16,7 @@ from winkler.problems.subsurface.contact_stress import ContactStress
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
-from winkler.values.errors import WinklerError
+from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.readable import with_unit
 
 __all__ = ["SummaryNumber", "contact_summary"]
@@ -125,7 +125,7 @@ def _shear(found: Any) -> list[SummaryNumber]:
             solved = ContactStress(found.problem).solve()
         else:
             return []
-    except WinklerError:
+    except (InvalidInput, OutsideValidity):
         return []
     return [
         SummaryNumber(name, number, "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
