@@ -62,4 +62,4 @@ def _over(item: PlasticImpactSolution, order: Any, across: PanelAxis, *names: st
     label = "dent" if len(names) > 1 else ""
     high = 1.05 * float(np.max(rows[0].content))
     upright = PanelAxis(label, scale, log=log) if label else PanelAxis.of(rows[0], low=0.0, high=high)
-    return Panel(tuple(marks), across, upright, legend="center left" if len(names) > 1 else "")
+    return Panel(tuple(marks), across, upright, legend="lower right" if len(names) > 1 else "")
