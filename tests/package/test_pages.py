@@ -14,8 +14,8 @@ MEDIAN = 130
 FORBIDDEN_NAMES = {"utils", "util", "helpers", "helper", "common", "misc"}
 ALLOWED_OF_IMPORTLIB = {"importlib.resources", "importlib.metadata"}
 LOADING_BY_NAME = ("__init__.py", "plot/registered.py", "study/chapters/kind.py", "io/foreign.py")
-"""They load one class when it is first named, a public name or the kind of a table, or all pictures; the last one loads a
-module of igor2 anew.  `test_cold_start` and `test_kinds_lie_below_studies` look at what the others load."""
+"""They load one class when it is first named, a public name or the kind of a table, or all pictures; the last one loads
+a module of igor2 anew.  `test_cold_start` and `test_kinds_lie_below_studies` look at what the others load."""
 
 
 def test_no_page_is_too_long(pages):
