@@ -108,9 +108,9 @@ def test_json_with_a_folder_writes_there_too(here, capsys):
 @pytest.mark.parametrize(
     ("words", "endings"),
     [
-        ([], {"svg"}),
-        pytest.param(["--figures", "png, pdf"], {"png", "pdf"}, marks=pytest.mark.slow),
-        pytest.param(["--figures", "all"], {"svg", "png", "pdf"}, marks=pytest.mark.slow),
+        pytest.param([], {"svg"}, marks=pytest.mark.long),
+        (["--figures", "png, pdf"], {"png", "pdf"}),
+        pytest.param(["--figures", "all"], {"svg", "png", "pdf"}, marks=pytest.mark.long),
     ],
 )
 def test_figures_are_files_in_the_formats_of_the_option(words, endings, here):

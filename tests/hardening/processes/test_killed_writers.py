@@ -35,7 +35,7 @@ COMMANDS = {
     "report": ("report", "STUDY", "--output", "results/x.html", "--overwrite"),
 }
 SIGNS = {signal.SIGKILL: -signal.SIGKILL, signal.SIGTERM: 143, signal.SIGINT: 130}
-MOST_KILLS = 24
+MOST_KILLS = 12
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are forked, and killed by signals")
 
@@ -62,7 +62,7 @@ def is_mixed(files):
     return len({mark for one in marks for mark in one}) > 1
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_kill_leaves_the_files_of_one_study(name, tmp_path, killer):
     trees, events = {}, 0

@@ -348,7 +348,7 @@ def test_sliding_that_ends_just_when_the_ball_turns_back():
     np.testing.assert_allclose(ends, ends[0], atol=1e-7 * SPEED)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_ball_that_slides_on_a_grading_loses_what_friction_takes():
     """It slides throughout: its velocity along the surface falls by 7 mu v, and energy is accounted for."""
     graded = wk.DepthGradedHalfSpace(wk.ExponentialGrading(4.0, 1.0, depth_scale=0.05, poisson=0.3), tolerance=1e-3)

@@ -169,7 +169,7 @@ def pressed(shape, medium, load):
     [
         pytest.param("ball", 5.0, 1e-6, marks=pytest.mark.slow),
         ("cylinder", 1e4, 1e-6),
-        pytest.param("ellipse", 5.0, 0.0, marks=pytest.mark.slow),
+        pytest.param("ellipse", 5.0, 0.0, marks=pytest.mark.long),
     ],
 )
 def test_layers_like_their_base_are_a_half_space(shape, load, tolerance):
@@ -182,10 +182,15 @@ def test_layers_like_their_base_are_a_half_space(shape, load, tolerance):
     assert [part.name for part in found.parts] == ["layer 1", "body under the layers", "second body"]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("soft_below", [True, False])
 @pytest.mark.parametrize(
-    ("shape", "tolerance"), [("ball", 1e-6), ("cylinder", 1e-7), pytest.param("ellipse", 0.0, marks=pytest.mark.long)]
+    ("shape", "tolerance", "soft_below"),
+    [
+        pytest.param("ball", 1e-6, True, marks=pytest.mark.slow),
+        pytest.param("ball", 1e-6, False, marks=pytest.mark.long),
+        pytest.param("cylinder", 1e-7, True, marks=pytest.mark.long),
+        pytest.param("cylinder", 1e-7, False, marks=pytest.mark.slow),
+        *(pytest.param("ellipse", 0.0, soft, marks=pytest.mark.long) for soft in (True, False)),
+    ],
 )
 def test_at_its_onset_of_yield_each_part_bears_its_strength(shape, tolerance, soft_below):
     solids = (HARD, SOFT) if soft_below else (SOFT, HARD)

@@ -76,7 +76,7 @@ def test_pull_off_of_a_ball_under_dugdales_stress(tabor, count):
 
 @pytest.mark.parametrize(
     ("tabor", "count", "error"),
-    [(2.5, 64, 4e-3), pytest.param(5.0, 256, 3e-3, marks=pytest.mark.slow)],
+    [(2.5, 64, 4e-3), pytest.param(5.0, 256, 3e-3, marks=pytest.mark.long)],
 )
 def test_short_range_is_an_exponential_law(tabor, count, error):
     """As on rings, whose exponential law has the same range; above JKR's force, with the Tabor number stated."""
