@@ -106,8 +106,8 @@ def _tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
     high = first_radius(response) * 2.0**octave
     if response.smooth <= response.length and high > WIDEST * response.length:
         raise NotConverged(
-            f"Flat punches with radii of up to {high / response.length:.3g} times the thickness of the uppermost layer "
-            "are lost in rounding: request narrower contacts, or leave out a layer that is so thin."
+            f"Flat punches with radii of up to {high / response.length:.3g} times the thickness of the uppermost "
+            "layer are lost in rounding. Request narrower contacts, or leave out a layer that is so thin."
         )
     waiting = [(0.5 * high if octave else 0.0, high, 0)]
     done: list[Punches] = []

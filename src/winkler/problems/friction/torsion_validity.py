@@ -51,7 +51,7 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
         Assumption.SLIP,
         Standing.EXACT,
         "Torsion of a round contact and its normal load do not act on each other, whatever the Poisson ratios are, "
-        "also of elastically dissimilar bodies: for small rotations the springs give the three-dimensional solution "
+        "also of elastically dissimilar bodies. For small rotations the springs give the three-dimensional solution "
         "itself, as long as what slides is an outer ring.",
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )

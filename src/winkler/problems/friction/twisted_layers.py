@@ -46,8 +46,8 @@ def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[No
         yield Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part: the torsional "
-            f"stiffness of the springs misses that of a flat punch by {miss:.1e}, and the greatest torque that of "
-            "the pressure by about as much.",
+            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part. The "
+            f"torsional stiffness of the springs misses that of a flat punch by {miss:.1e}, and the greatest torque "
+            "that of the pressure by about as much.",
             "stiffness of the springs against that of flat punches",
         )

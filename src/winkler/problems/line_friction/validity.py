@@ -36,8 +36,8 @@ SLIP_SUMS = Note(
 MARCHED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Coulomb friction step by step on boundary elements: loss and slip are within about a thousandth of their greatest "
-    "values, the traction within some hundredths where zones of stick and slip meet.",
+    "Coulomb friction step by step on boundary elements. Loss and slip are within about a thousandth of their "
+    "greatest values, the traction within some hundredths where zones of stick and slip meet.",
     "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
     "Kluwer, 1994",
 )

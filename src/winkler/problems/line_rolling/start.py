@@ -152,9 +152,9 @@ class LineRollingStart:
         _ = self.bed.along_share
         if isinstance(self.drive, Creepage) and not math.isfinite(self.reference):
             raise InvalidInput(
-                "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound under "
-                "a force per length: give the distance `reference` in m against which it is counted, or prescribe "
-                "LineShearForce(Q)."
+                "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound "
+                "under a force per length. Give the distance `reference` in m against which it is counted, or "
+                "prescribe LineShearForce(Q)."
             )
         if not isinstance(self.drive, Creepage) and math.isfinite(self.reference):
             raise InvalidInput(
