@@ -297,9 +297,9 @@ def test_where_all_pixels_touch():
 def test_refusals():
     """One sentence each: zones below the grid, hysteresis of the law, closed maps, missing heights, no row."""
     surface, radius = ball(16, 100.0), 100.0
-    with pytest.raises(OutsideValidity, match=r"1e-07 m, 1e-07 pixels; this law needs 2, .*a range of at least"):
+    with pytest.raises(OutsideValidity, match=r"1e-07 m, 1e-07 pixels. This law needs 2, .*a range of at least"):
         drawn_off(surface, wk.ExponentialAttraction(1e-3, 1e-5), [0.0])
-    with pytest.raises(OutsideValidity, match="this law needs 4"):
+    with pytest.raises(OutsideValidity, match="This law needs 4"):
         drawn_off(surface, wk.Dugdale(1e-3, 1.0), [0.0])
     with pytest.raises(OutsideValidity, match=r"needs 2\.5.*a spacing of at least"):
         drawn_off(surface, wk.LennardJones(1e-3, 1e-3), [0.0])
