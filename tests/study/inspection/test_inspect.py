@@ -9,6 +9,7 @@ import pytest
 from made_files import DATA, made_files, table
 
 from winkler.cli import main
+from winkler.io.tables.relaxation_table import read_dynamic
 from winkler.study.inspection import inspect
 from winkler.study.inspection.inspect import inspect_file, inspect_files
 from winkler.values.errors import InvalidInput
@@ -305,3 +306,13 @@ def test_a_sweep_at_one_scattering_temperature_is_one_sweep(tmp_path):
     omegas = np.geomspace(0.1, 100.0, 12).tolist()
     rows = [(k, 1000.0 * omega**0.2, 100.0, omega, 0.1, 1.5) for k, omega in enumerate(omegas)]
     assert inspect_file(rheometer(tmp_path / "sweep.csv", rows)).taken_for == "storage and loss"
+
+
+def test_bare_numbers_are_told_how_curves_and_moduli_are_named(tmp_path):
+    path = tmp_path / "bare.csv"
+    path.write_text("".join(f"{0.1 * 2**k:.6g},{0.8 + 0.1 * k:.6g},{0.1 + 0.02 * k:.6g}\n" for k in range(9)))
+    reason = inspect_file(path).reason
+    assert "give columns = { position = 1, force = 2 }" in reason
+    named = re.search(r'of moduli give header = "(.*)"', reason)
+    assert named
+    assert read_dynamic(path, header=named[1]).storage_shear[-1] == pytest.approx(1.6e3)

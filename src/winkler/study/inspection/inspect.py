@@ -52,6 +52,7 @@ __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
 NO_HEADER = "without a header above them"
+BARE_MODULI = 'give header = "frequency [Hz], storage [kPa], loss [kPa]"'
 BARE_CURVE = 'give columns = { position = 1, force = 2 } and units = { position = "mm", force = "N" }'
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
@@ -178,7 +179,7 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     """Return why a file cannot be read: by its header if that names a kind, else as the reader that lacks least."""
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
     if not named and NO_HEADER in last:
-        return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}."
+        return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}; of moduli {BARE_MODULI}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
