@@ -12,6 +12,8 @@ SMALLEST = 7.0
 """Letters [pt]."""
 MET = 1.5
 """Dots by which two texts may meet."""
+EDGE = 2.0
+"""Points by which a text may reach over the edge: a report lays out by the letters of SVG, which are narrower."""
 CUT = 0.5
 """Part of the points of a solid curve that may lie outside of its panel."""
 NUMBER = re.compile(r"[\s\d.,−+\-$\\{}^×·mathdeful]*")
@@ -37,8 +39,9 @@ def _texts(figure: Any, renderer: Any) -> list[str]:
     ]
     found = [f"small: {one.get_text()!r}, {one.get_fontsize():g} pt" for one in texts if one.get_fontsize() < SMALLEST]
     boxes = [(one.get_text(), one.get_window_extent(renderer)) for one in texts]
+    edge = EDGE * figure.dpi / 72.0
     for place, (text, box) in enumerate(boxes):
-        if box.x0 < -1.0 or box.y0 < -1.0 or box.x1 > figure.bbox.width + 1.0 or box.y1 > figure.bbox.height + 1.0:
+        if min(box.x0, box.y0, figure.bbox.width - box.x1, figure.bbox.height - box.y1) < -edge:
             found.append(f"outside: {text!r}")
         for other, more in boxes[:place]:
             wide, high = min(box.x1, more.x1) - max(box.x0, more.x0), min(box.y1, more.y1) - max(box.y0, more.y0)

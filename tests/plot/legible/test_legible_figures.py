@@ -1,25 +1,11 @@
-"""Every figure of a report can be read: nothing is empty, without a name, cut, too small or over something else."""
+"""Faults of a figure are found; `tests/study/test_every_kind.py` looks for them in the figures of every kind."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-import tomli_w
 from legibility import faults
 from matplotlib.figure import Figure
-
-from winkler.study.batch.run import run
-from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.explain import example_study
-from winkler.study.language.reading import parse_study
-from winkler.study.report.figures import figures_of
-
-
-@pytest.mark.few(1, slow=6)
-@pytest.mark.parametrize("kind", list(CATALOGUE["problem"]))
-def test_the_figures_of_each_kind_can_be_read(kind):
-    shown = figures_of(run(parse_study(tomli_w.dumps({"title": kind, **example_study(kind)}))))
-    assert {one.name: found for one in shown if one.picture is not None and (found := faults(one.picture))} == {}
 
 
 def plotted():

@@ -320,6 +320,18 @@ def _curved(law, whole, dt, rate):  # type: ignore[no-untyped-def]
 
 
 @compiled
+def _put(state, motion, place, way):  # type: ignore[no-untyped-def]
+    """Write a state and a motion into others, number by number: to compile an assignment of slices takes seconds."""
+    for j in range(state[0].size):
+        place[0][j], place[2][j] = state[0][j], state[2][j]
+        for k in range(state[1].shape[0]):
+            place[1][k, j] = state[1][k, j]
+    place[3][0], place[3][1] = state[3][0], state[3][1]
+    for i in range(motion.size):
+        way[i] = motion[i]
+
+
+@compiled
 def advance_under_forces(law, springs, state, motion, forces, times, limits, course, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through stretches in which a force changes steadily, in place; write `FORCED_NUMBERS` of each.
 
@@ -346,8 +358,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
         How many stretches were carried through, and what has ended the next: 0 nothing, 1 no depth bears the force,
         2 steps become too short.
     """
-    u, memory, pressed, counts = state
-    there = np.empty_like(u), np.empty_like(memory), np.empty_like(pressed), np.empty_like(counts)
+    there = np.empty_like(state[0]), np.empty_like(state[1]), np.empty_like(state[2]), np.empty_like(state[3])
     away, changes, spans, own = np.empty(3), np.empty(1), np.empty(1), np.zeros((1, STEP_NUMBERS))
     little, scale, viscous = limits[0], limits[1], law[1] > 0.0
     # where the force of a step is given by its mean, and where by its end: of the whole and of both halves
@@ -362,7 +373,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
             if duration - done - dt < 1e-9 * duration:
                 dt = duration - done
             last = dt == duration - done
-            there[0][:], there[1][:], there[2][:], there[3][:], away[:] = u, memory, pressed, counts, motion
+            _put(state, motion, there, away)
             whole, moved, worked, wasted, error, halves = 0.0, 0.0, 0.0, 0.0, 0.0, False
             for stage in range(3):
                 span = dt if stage == 0 else 0.5 * dt
@@ -390,7 +401,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                         return n, 2
                     pace = dt * max(0.2, 0.9 * (little / error) ** (1.0 / 3.0))
                     continue
-            u[:], memory[:], pressed[:], counts[:], motion[:] = there[0], there[1], there[2], there[3], away
+            _put(there, away, state, motion)
             work, lost = work + worked, lost + wasted
             if sudden:
                 sudden = False
