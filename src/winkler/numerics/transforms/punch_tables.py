@@ -249,7 +249,9 @@ def _punch(response: WaveResponse, a: float, panels: Array, count: int) -> tuple
     x, w = panel_nodes(a * panels, count)
     matrix = kernel_matrix(response, a, panels.size - 2, count, sign)
     shape = np.ones(x.size) if sign > 0.0 else x / a
-    right = np.stack([shape, 0.5 * (kernel(a - x) + sign * kernel(a + x))], axis=1)
+    # of the narrowest panels a - x would be lost in the rounding of x
+    from_edge = a * (-panel_nodes(panels - 1.0, count)[0])
+    right = np.stack([shape, 0.5 * (kernel(from_edge) + sign * kernel(a + x))], axis=1)
     phi, rho = np.linalg.solve(np.eye(x.size) + matrix, right).T
     mean, edge = float((w * shape) @ phi) / a, float(1.0 - (w * shape) @ rho)
     if sign < 0.0:
