@@ -25,8 +25,11 @@ import numpy as np
 from winkler.foundation.line_bed import LineBed
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.graded.profile import transform
+from winkler.media.layered.wave_constants import Wave
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.surfaces.strip_elements import element_compliance, linear_slope
+from winkler.numerics.surfaces.strip_grid import strip_compliance
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
 from winkler.numerics.types import Array
@@ -39,6 +42,16 @@ from winkler.values.value import value
 __all__ = ["PowerLawLineFoundation"]
 
 NODES = 48
+
+
+def _cosine(exponent: float) -> float:
+    """Return cos(k pi / 2), to the last digit near one."""
+    return math.sin(0.5 * math.pi * (1.0 - abs(exponent)))
+
+
+def _gammas(exponent: float) -> float:
+    """Return Gamma(1 + k/2) / Gamma(1/2 + k/2)."""
+    return math.gamma(1.0 + 0.5 * exponent) / math.gamma(0.5 + 0.5 * exponent)
 
 
 @value
@@ -77,6 +90,8 @@ class PowerLawLineFoundation(LineBed):
 
     search_step: ClassVar[float] = 4.0
 
+    sheared_as_pressed: ClassVar[bool] = True
+
     @property
     def exponent(self) -> float:
         """k [-]."""
@@ -90,12 +105,54 @@ class PowerLawLineFoundation(LineBed):
         )
 
     @property
-    def along_share(self) -> float:
-        """Refused: how far a line load moves the surface along is not built in."""
-        raise OutsideValidity(
-            "How far a traction moves the surface of a GradedHalfSpace along a line contact is not built in; give a "
-            "DepthGradedHalfSpace that follows the power law, in a LayeredLineFoundation."
-        )
+    def mismatch(self) -> float:
+        """Zero of bodies that are alike; else not a number, and how one draws the other along is left out."""
+        return self.medium.mismatch
+
+    def _stiffer(self, unit: float) -> float:
+        """Return how far a line load moves the surface, with lengths over a unit [m], over half-planes [-]."""
+        k = self.exponent
+        return math.sqrt(math.pi) * _cosine(k) * _gammas(k) * float(self.medium.depth_scale / unit) ** k
+
+    def shear_compliance(self, edges: Array) -> Array:
+        """As `LineBed.shear_compliance`."""
+        unit = float(edges[-1])
+        return self.along_share * self._stiffer(unit) * element_compliance(edges / unit, self.exponent)
+
+    def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
+        """As `LineBed.hat_compliance`."""
+        unit = strip_compliance(count, 1.0, reference / spacing, self.exponent)
+        return self.along_share * self._stiffer(reference) * spacing * unit
+
+    def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
+        """As `LineBed.slopes`; how pressures draw along bodies that are not alike is refused."""
+        if part is Wave.COUPLING:
+            if not self.similar:
+                raise OutsideValidity(
+                    "How pressure and traction act on each other on a GradedHalfSpace of two unlike bodies is not "
+                    "built in: give coupled = False."
+                )
+            return np.zeros((x.size, nodes.size - 2))
+        share, unit = self.along_share if part is Wave.ALONG else 1.0, float(nodes[-1] - nodes[0])
+        slope = linear_slope(nodes / unit, x / unit, self.exponent)
+        return 2.0 * share * self._stiffer(unit) * slope
+
+    def drawn(self, x: Array, half_width: float) -> Array:
+        """Zero: of bodies that are alike nothing is drawn along, of others that is left out."""
+        return np.zeros(x.shape)
+
+    def punch_softening(self, half_width: Array) -> Array:
+        """As `LineBed.punch_softening`: k E* over the stiffness of the punch."""
+        k = self.exponent
+        return np.asarray(2.0 * _gammas(k) ** 2 * (self.medium.depth_scale / half_width) ** k)
+
+    def stuck_compliance(self, half_width: float, unit: float) -> float:
+        """As `LineBed.stuck_compliance`."""
+        k = self.exponent
+        if k == 0.0:
+            return LineBed.stuck_compliance(self, half_width, unit)
+        under_punch = math.log(math.sqrt(math.pi) * _gammas(k) / _cosine(k)) - k * math.log(half_width / unit)
+        return 2.0 / math.pi * self.along_share * self._stiffer(unit) * math.expm1(under_punch) / k
 
     @property
     def single(self) -> bool:
