@@ -32,6 +32,7 @@ from winkler.numerics.surfaces.strip_elements import element_compliance, linear_
 from winkler.numerics.surfaces.strip_grid import strip_compliance
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
+from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
@@ -140,6 +141,36 @@ class PowerLawLineFoundation(LineBed):
     def drawn(self, x: Array, half_width: float) -> Array:
         """Zero: of bodies that are alike nothing is drawn along, of others that is left out."""
         return np.zeros(x.shape)
+
+    @property
+    def half_plane(self) -> PowerLawLineFoundation:
+        """The bed itself: no half-plane carries the surface, and all of the bed is known in closed form."""
+        return self
+
+    def edge_share(self, half_width: Array) -> Array:
+        r"""Return by how much less tension at the edges of a flat punch releases an energy than on half-planes [-].
+
+        A load P of the edges releases :math:`P^2\,(-\mathrm d K^{-1}/\mathrm da)/4` per area, K the stiffness of the punch.
+        """
+        return np.sqrt(0.5 * math.pi * self.punch_softening(half_width))
+
+    def edge_share_slope(self, half_width: Array) -> Array:
+        """Return its derivative by the half-width [1/m]."""
+        return np.asarray(-0.5 * self.exponent / half_width * self.edge_share(half_width))
+
+    def zone_start(self, half_width: Array, reach: float, strength: float) -> Array:
+        """Refused, as `zone_gap`."""
+        return self.zone_gap(half_width, half_width, strength)[0]
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Refused: an attraction with a range is not known here."""
+        raise OutsideValidity(
+            "An attraction with a range beside a strip on a GradedHalfSpace is not built in; give ShortRange(work)."
+        )
+
+    def grid_transforms(self, nodes: Array) -> StripTransforms:
+        """Return the transforms of worn contacts between nodes [m]."""
+        return StripTransforms(nodes, self.exponent, self._scale, self._lifted)
 
     def punch_softening(self, half_width: Array) -> Array:
         """As `LineBed.punch_softening`: k E* over the stiffness of the punch."""
@@ -278,14 +309,24 @@ class PowerLawLineFoundation(LineBed):
         inside = (x - half_width) * (x + half_width)
         c = np.sqrt(x[..., None] ** 2 - inside[..., None] * node)
         punches = (self.load_profile_slope(c.ravel()).reshape(c.shape) / c) @ weight
-        lifted = math.sin(0.5 * math.pi * (1.0 - abs(k))) / (0.5 * math.pi * self._scale)
-        return np.asarray(0.5 * lifted * inside ** (0.5 * (1.0 - k)) * punches)
+        return np.asarray(0.5 * self._lifted * inside ** (0.5 * (1.0 - k)) * punches)
+
+    @property
+    def _lifted(self) -> float:
+        """Slope of the surface at x beside a flat punch of a unit load, times (x^2 - a^2)^((1+k)/2) [m^k]."""
+        return _cosine(self.exponent) / (0.5 * math.pi * self._scale)
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
-        """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
+        """Return the distance of the surfaces [m] at places x >= 0, zero inside; negative where they would overlap."""
         x = np.asarray(x, dtype=float)
         node, weight = gauss_legendre(NODES)
         beyond = np.maximum(x - half_width, 0.0)[..., None]
         places = half_width + beyond * node**2
         slope = self.opening(places, half_width) if half_width > 0.0 else self.profile.slope(places)
-        return np.asarray((slope * 2.0 * node * beyond) @ weight)
+        apart = np.asarray((slope * 2.0 * node * beyond) @ weight)
+        if rim_load != 0.0:  # what the edges bear as a flat punch, with t = a + (x - a) v
+            power = -0.5 * (1.0 + self.exponent)
+            node, weight = gauss_jacobi(NODES, power)
+            fallen = beyond[..., 0] ** (1.0 + power) * ((2.0 * half_width + beyond * node) ** power @ weight)
+            apart = apart - rim_load * self._lifted * fallen
+        return apart
