@@ -6,6 +6,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array, ArrayLike
@@ -31,7 +32,7 @@ class LineMarchedState(ShearedStrip):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
@@ -50,7 +51,7 @@ class LineMarchedState(ShearedStrip):
         rubbed=("", "J/m^2", "what friction has lost per area, element by element"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Coulomb
     stick_half_width: float
     stick_middle: float
@@ -148,7 +149,7 @@ class LineMarchedState(ShearedStrip):
 
 
 def marched_state(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation,
     law: Coulomb,
     row: TouchingElements,
     force: float,

@@ -22,6 +22,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
@@ -55,7 +56,7 @@ class LineTangential:
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies: elastic half-planes, or layers through which shear reaches the base.
     law : Coulomb
         Friction.
@@ -95,7 +96,7 @@ class LineTangential:
 
     __words__ = words(bed=("", None, "profile and bodies of the line contact"))
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Sliding
     path: LinePath
     method: Method = Method.AUTO

@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import LineForce
 from winkler.problems.assumptions.coupling import sticking_note
@@ -27,7 +28,7 @@ CIAVARELLA = (
 SLIP_SUMS = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "On similar half-planes the tractions of partial slip are sums of those of normal contacts; every history of "
+    "On similar bodies the tractions of partial slip are sums of those of normal contacts; every history of "
     "straight steps in both forces is followed but for rounding.",
     CIAVARELLA,
 )
@@ -44,7 +45,7 @@ MARCHED = Note(
 
 
 def sheared_line_notes(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation,
     law: Coulomb,
     widest: LineTangentialState | LineMarchedState,
     bulk: float,
@@ -53,7 +54,7 @@ def sheared_line_notes(
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
     law : Coulomb
     widest : LineTangentialState or LineMarchedState
         Of the path.
@@ -69,7 +70,7 @@ def sheared_line_notes(
         notes.append(SLIP_SUMS)
     else:
         notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
-    return (*notes, *slid_yield_notes(contact, law, bed.strain_per_stress * bulk))
+    return (*notes, *slid_yield_notes(contact, law, bed.strain_per_stress * bulk if bulk else 0.0))
 
 
 def slid_yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tuple[Note, ...]:
