@@ -22,6 +22,7 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
 from winkler.values.errors import OutsideValidity
@@ -30,8 +31,8 @@ from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["Model", "coating_notes", "fit_notes", "free_notes"]
 
-Model = Indentation | AdhesiveIndentation
-"""Models of fits without relaxation: a problem, whose load is a placeholder."""
+Model = Indentation | AdhesiveIndentation | PlasticIndentation
+"""Models of fits without relaxation: a problem, whose load or path is a placeholder."""
 
 LEAST_STIFFNESS_CHANGE = 0.01
 """Least relative change of stiffness by a body that affects the curve."""
@@ -53,7 +54,7 @@ def fit_notes(
 
     Parameters
     ----------
-    model : Indentation or AdhesiveIndentation
+    model : Indentation, AdhesiveIndentation or PlasticIndentation
         With the fitted numbers, at the largest depth.
     curve : ForceCurve
     names : tuple of str
@@ -111,7 +112,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[
         )
         yield Note(Assumption.SHAPE, Standing.EXACT, statement, "corners of the profile")
     profile = bed.profile
-    if not isinstance(profile, Paraboloid):
+    if not isinstance(profile, Paraboloid) or isinstance(model, PlasticIndentation):
         return
     radius = profile.curvature_radius
     deepest = float(np.max(model.load.depth)) if isinstance(model.load, Depth) else 0.0
