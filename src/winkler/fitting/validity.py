@@ -5,8 +5,10 @@ The notes of the contact hold for given parameters; these state whether the curv
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +31,7 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["Model", "coating_notes", "fit_notes", "free_notes"]
+__all__ = ["Model", "coating_notes", "fit_notes", "free_notes", "load_of", "with_load"]
 
 Model = Indentation | AdhesiveIndentation | PlasticIndentation
 """Models of fits without relaxation: a problem, whose load or path is a placeholder."""
@@ -45,6 +47,17 @@ BALL_TOLERANCE = 0.01
 PUNCHES = "stiffness of flat punches of the same width"
 POINTS = "count of the points in and out of contact"
 BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion"
+
+
+def load_of(model: Model) -> Any:
+    """Return the load of a model, or its path where it has one."""
+    return model.path if isinstance(model, PlasticIndentation) else model.load
+
+
+def with_load(model: Model, load: Any) -> Model:
+    """Return a model under another load, or along another path where it has one."""
+    name = "path" if isinstance(model, PlasticIndentation) else "load"
+    return dataclasses.replace(model, **{name: load})
 
 
 def fit_notes(

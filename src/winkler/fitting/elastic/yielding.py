@@ -91,9 +91,7 @@ def rough_force(problem: Callable[[], PlasticIndentation], depth: float) -> floa
 
 def turning_depths(depth: Array, runs: tuple[DirectionRun, ...]) -> Array:
     """Return the depths at which a curve turns [m]."""
-    return np.array([
-        max(float((np.max if run.inward else np.min)(depth[run.start : run.stop])), 0.0) for run in runs
-    ])
+    return np.array([max(float((np.max if run.inward else np.min)(depth[run.start : run.stop])), 0.0) for run in runs])
 
 
 def _loading(problem: Callable[[], PlasticIndentation]) -> FirstLoading:
@@ -108,14 +106,16 @@ def _memory(position: Array, runs: tuple[DirectionRun, ...]) -> tuple[Array, Arr
 
     A turn is the farthest position of what lies before it [m].
     """
-    after, tops, top = np.full(position.size, -1), [], 0.0
+    after, tops = np.full(position.size, -1), []
     for run in runs:
         here = slice(run.start, run.stop)
-        if tops:
+        if run.inward and tops:
             after[here] = np.where(position[here] <= tops[-1], len(tops) - 1, -1)
         top = float(np.max(position[here]))
         if top > (tops[-1] if tops else 0.0):
             tops.append(top)
+        if not run.inward:  # also one that was recorded without its loading
+            after[here] = len(tops) - 1
     after[position <= 0.0] = -1
     return (after < 0) & (position > 0.0), after, np.array(tops)
 
