@@ -23,7 +23,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading.loads import Depth, Normal
 from winkler.media.body_of import exponent_of
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
+from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, inner_product
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_grid
@@ -98,7 +98,7 @@ class RoundGrid(WornGrid):
 
     def lift(self, worn: Array) -> Array:
         """As `WornGrid.lift`."""
-        return np.asarray(self.rings.gap @ worn + worn[0])
+        return inner_product(self.rings.gap, worn) + worn[0]
 
     def height(self, x: Array) -> Array:
         """Height of the profile before wear [m]."""
