@@ -103,7 +103,8 @@ class GridTransforms:
         self.rim_load = self.load_of_rim()
 
     @functools.cached_property
-    def _node_moments(self) -> Array:
+    def node_moments(self) -> Array:
+        """Return `moments` up to the nodes."""
         return self.moments(self.squares)
 
     def load_of_slope(self, upto: Array) -> Array:
@@ -131,14 +132,11 @@ class GridTransforms:
         """Return what springs displaced by one metre bear up to places in y, as `integral` has it."""
         raise NotImplementedError
 
-    def inside(self, cut: Cuts, upto: float) -> float:
-        """Return what springs displaced by one metre bear where a function is positive, if it is so at the axis."""
-        whole = float(self.springs_within(np.array([upto]))[0])
-        if not cut.cells.size:
-            return whole
-        ends = self.springs_within(cut.place)
-        total = float(np.sum(np.where(cut.falls, ends, -ends)))
-        return total if cut.falls[-1] else total + whole
+    def pressed(self, values: Array) -> tuple[float, float]:
+        """Return `integral`, and how it grows with values that all grow by one metre."""
+        cut, upto = Cuts(self.squares, values), self.squares[-1:] * (values[-1] > 0.0)
+        ends = np.append(np.where(cut.falls, 1.0, -1.0) * self.springs_within(cut.place), self.springs_within(upto))
+        return self.integral(values, cut), float(ends.sum())
 
     def surface_parts(self, upto: Array) -> tuple[Array, Array]:
         """Return what the surface shows at every node (rows) of springs displaced by 1 and by y, up to places in y."""
@@ -153,7 +151,7 @@ class GridTransforms:
         """Return by how much the integrals of values(x)+ over the cells of a cut exceed those by nodes alone."""
         if not cut.cells.size:
             return np.zeros(0)
-        (zeroth, second), (whole, whole_second) = cut.positive(self._node_moments, self.moments(cut.place))
+        (zeroth, second), (whole, whole_second) = cut.positive(self.node_moments, self.moments(cut.place))
         base = np.where(cut.falls, cut.stop, cut.start)
         return np.asarray(cut.slope * (second - cut.place * zeroth) - cut.cut_slope * (whole_second - base * whole))
 

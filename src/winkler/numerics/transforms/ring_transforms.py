@@ -91,7 +91,7 @@ class RingTransforms(GridTransforms):
 
     def _force_weights(self) -> Array:
         low, high = self.squares[:-1], self.squares[1:]
-        zeroth, second = map(np.diff, self._node_moments)
+        zeroth, second = np.diff(self.node_moments)
         weights = np.zeros(self.nodes.size)
         weights[1:] += (second - low * zeroth) / self.widths
         weights[:-1] += (high * zeroth - second) / self.widths
@@ -100,6 +100,29 @@ class RingTransforms(GridTransforms):
     def integral(self, values: Array, cut: Cuts) -> float:
         """Return the integral of x^k values(x)+ from 0 to the last node."""
         return float(self.force @ np.maximum(values, 0.0)) + float(self.missed(cut).sum())
+
+    def pressed(self, values: Array) -> tuple[float, float]:
+        """As `GridTransforms.pressed`: few cells are cut, and numbers take less time than arrays of a few."""
+        signs = values > 0.0
+        total, (zeroth, second) = float(self.force @ np.maximum(values, 0.0)), self.node_moments
+        wide = zeroth.item(-1) if signs[-1] else 0.0
+        for cell in (signs[:-1] != signs[1:]).nonzero()[0].tolist():
+            low, high = values.item(cell), values.item(cell + 1)
+            start, stop = self.squares.item(cell), self.squares.item(cell + 1)
+            whole, whole_second = zeroth.item(cell + 1) - zeroth.item(cell), second.item(cell + 1) - second.item(cell)
+            place = start + (stop - start) * (low / (low - high))
+            reached = place**self.q / (1.0 + self.k)
+            reached_second, slope = reached * place * (1.0 + self.k) / (3.0 + self.k), (high - low) / (stop - start)
+            if low > 0.0:
+                wide += reached
+                own, own_second = reached - zeroth.item(cell), reached_second - second.item(cell)
+                by_nodes = low / (stop - start) * (stop * whole - whole_second)
+            else:
+                wide -= reached
+                own, own_second = zeroth.item(cell + 1) - reached, second.item(cell + 1) - reached_second
+                by_nodes = high / (stop - start) * (whole_second - start * whole)
+            total += slope * (own_second - place * own) - by_nodes
+        return total, wide
 
     def springs_within(self, squares: Array) -> Array:
         """Return the integral of x^k from 0 to places in y: what springs displaced by one metre bear there."""
