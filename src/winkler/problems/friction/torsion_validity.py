@@ -55,7 +55,8 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
         "itself, as long as what slides is an outer ring.",
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )
-    yield from twisted_layer_notes(bed, states)
+    widest = max(states, key=lambda state: state.radius)
+    yield from twisted_layer_notes(bed, widest.radius, widest.springs.bound)
     depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("depth", "radius"))
     falling = np.flatnonzero((np.diff(depth) < 0.0) & (radius[1:] > 0.0)) + 1
     examined = falling[:: max(1, falling.size // PATH_SAMPLES)].tolist()
