@@ -15,9 +15,8 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
 from winkler.loading.path import Path
-from winkler.numerics.types import Array
 from winkler.problems.assumptions.times import path_notes
-from winkler.problems.friction.twisted_layers import twisted_layer_notes
+from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.round_march import RoundTwist
