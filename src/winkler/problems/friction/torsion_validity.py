@@ -17,12 +17,12 @@ from winkler.media.interior.peak import greatest
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import SurfaceFriction, yield_notes_of_bed
 from winkler.problems.ring_slip.ring_notes import ring_notes
+from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_notes", "torsion_yield_notes"]

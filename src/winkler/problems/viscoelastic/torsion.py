@@ -16,9 +16,9 @@ from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
 from winkler.loading.path import Path
 from winkler.problems.assumptions.times import path_notes
-from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
+from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.problems.round_march import RoundTwist
 from winkler.problems.viscoelastic.march import elastic_like
 from winkler.problems.viscoelastic.tangential import DraggedCells, columns, dragged
