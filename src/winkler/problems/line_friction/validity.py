@@ -11,15 +11,17 @@ from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import LineForce
+from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line_friction.bulk import bulk_note
 from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
+from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["SLIP_SUMS", "sheared_line_notes", "slid_yield_notes"]
+__all__ = ["SLIP_SUMS", "dragged_line_notes", "sheared_line_notes", "slid_yield_notes"]
 
 CIAVARELLA = (
     "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, Arch. "
@@ -42,6 +44,23 @@ MARCHED = Note(
     "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
     "Kluwer, 1994",
 )
+
+
+DRAGGED = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "Coulomb friction step by step on boundary elements that relax; the pressure does not depend on the traction. "
+    "Tractions and losses differ by up to 1 % of their greatest values from elements and steps of other kinds.",
+    "tests/problems/line_friction/test_relaxing_lines.py",
+)
+
+
+def dragged_line_notes(
+    bed: LineFoundation | LayeredLineFoundation, law: Coulomb, widest: LineMarchedState, moments: Array
+) -> tuple[Note, ...]:
+    """Return how far a sheared line contact of bodies that relax can be trusted; its moments [s]."""
+    pressed = relaxing_line_notes(bed, moments, widest.half_width)
+    return (*pressed, sticking_note(bed.medium, law.coefficient), DRAGGED)  # type: ignore[arg-type]
 
 
 def sheared_line_notes(
