@@ -58,6 +58,9 @@ Answers = dict[str, np.ndarray]
 Row = dict[str, list[float]] | str
 """The numbers that are stored of one solution, or the class of the error with which it is refused."""
 
+ONCE_SAID = {"damping_ratio": ("loss_factor", 0.5)}
+"""Numbers that said in other words what another one says: that one, and which part of it they were."""
+
 
 class Found(NamedTuple):
     """The numbers of today, and the error that they state: zero of what is neither stepped nor iterated."""
@@ -197,8 +200,12 @@ class Entry(NamedTuple):
         stored = self.rows[row]
         if isinstance(found, str) or isinstance(stored, str):
             return [] if found == stored else [f"row {row}: it was {stored!s:.40}, and is {found!s:.40}"]
-        gone = [f"row {row}: {name} is gone" for name in stored if name not in found.answers]
-        answers = found.answers
+        answers = found.answers | {
+            name: part * found.answers[other]
+            for name, (other, part) in ONCE_SAID.items()
+            if other in found.answers and name not in found.answers
+        }
+        gone = [f"row {row}: {name} is gone" for name in stored if name not in answers]
         each = {
             name: difference(stored[name], answers[name], math.prod(greatest(answers[one]) for one in counted))
             for name in stored

@@ -4,9 +4,9 @@ A path that comes back to loads that it had, in the direction in which it had th
 through a cycle.  With
 the energy W that the cycle loses and the amplitudes U and F of motion and load, half of their ranges,
 
-.. math:: k_s = \frac FU ,\qquad \zeta = \frac W{2\pi FU}
+.. math:: k_s = \frac FU ,\qquad \eta = \frac W{\pi FU}
 
-are the stiffness of the equivalent spring and its damping ratio, half of the loss factor.  A cycle of bodies that are
+are the stiffness of the equivalent spring and its loss factor, twice the damping ratio.  A cycle of bodies that are
 moved for the first time begins without slip and does not end so: its loop is open, and a note names it.
 """
 
@@ -248,17 +248,6 @@ class Looped(Cycled):
         """
         cycle = self._swing
         return float(loss_factor(cycle.loss, cycle.motion, cycle.load))
-
-    @property
-    def damping_ratio(self) -> float:
-        """W / (2 pi F U) of the last cycle of the path [-], half of the loss factor.
-
-        Raises
-        ------
-        OutsideValidity
-            As `secant_stiffness`.
-        """
-        return 0.5 * self.loss_factor
 
     @property
     def _swing(self) -> LastCycle:

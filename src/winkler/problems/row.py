@@ -123,6 +123,8 @@ def over(error: float, allowed: float) -> float:
 
 def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reached[State]:
     """Return the row at the next point of a path, and work and loss since the last one."""
+    if row.halfway(state, start, goal) is None:
+        return row.step(state, goal)
     done = Reached(state, 0.0, 0.0)
     ahead: list[tuple[Goal, int, Reached[State] | None]] = [(goal, 0, None)]
     settled, error = 0, 0.0

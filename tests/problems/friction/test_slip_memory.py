@@ -39,20 +39,31 @@ sphere_like, cone_like, flat_with_flanks = Power(0.0, 1.0, 0.5), Power(0.0, 1.0,
 CURVES = (sphere_like, cone_like, flat_with_flanks)
 
 
-def follow(points, bound):
-    """Return the memories and the loss pieces along a path of (depth, shift), pressed to the first point."""
+class EachSpring:
+    """Springs of given gaps, each of a stiffness of one: what is summed is that of every spring."""
+
+    def __init__(self, gap):
+        self.gap = gap
+
+    def ring(self, start, stop):
+        inside = (self.gap > start) & (self.gap <= stop)
+        left = np.where(inside, stop - self.gap, 0.0)
+        return inside.astype(float), left, left**2
+
+    def within(self, outermost):
+        return np.zeros((3, *self.gap.shape))  # springs that stick as a whole lose nothing
+
+
+def follow(points, bound, sums=None):
+    """Return the memories and the losses along a path of (depth, shift), pressed to the first point."""
     memory, lost, here = SlipMemory.fresh(), [], (0.0, 0.0)
     memories = []
     for depth, shift in points:
-        memory, pieces = memory.moved(depth, shift - here[1], bound)
+        memory, loss, _ = memory.moved(depth, shift - here[1], bound, sums)
         here = depth, shift
         memories.append(memory)
-        lost.append(pieces)
+        lost.append(loss)
     return memories, lost
-
-
-def loss_of(pieces, states):
-    return SlipSums(states).lost(pieces)
 
 
 def shear_of(memory, states):
@@ -61,15 +72,6 @@ def shear_of(memory, states):
 
 def stored_of(memory, states):
     return SlipSums(states).stored(memory)
-
-
-def loss_density(pieces, gap):
-    total = np.zeros(gap.shape)
-    for p in pieces:
-        inside = (gap > p.start) & (gap <= p.stop)
-        left = p.stop - gap[inside]
-        total[inside] += p.constant + p.linear * left + p.square * left**2
-    return total
 
 
 def brute(points, bound, gap, count):
@@ -105,18 +107,17 @@ PATH = [(1.0, 0.0), (1.0, 0.4), (1.4, 0.1), (0.7, -0.2), (0.3, 0.3), (1.1, 0.9),
 @pytest.mark.parametrize("bound", [0.25, 0.8, 2.0])
 def test_every_spring_is_where_small_steps_bring_it(bound):
     gap = np.linspace(0.0, 1.5, 601)[1:] - 1e-4
-    memories, pieces = follow(PATH, bound)
+    memories, losses = follow(PATH, bound, EachSpring(gap))
     spent = np.zeros(gap.shape)
-    for memory, lost, (u, waste) in zip(memories, pieces, brute(PATH, bound, gap, 2000), strict=True):
+    for memory, lost, (u, waste) in zip(memories, losses, brute(PATH, bound, gap, 2000), strict=True):
         np.testing.assert_allclose(memory.value(gap), u, atol=1e-12)
-        spent += loss_density(lost, gap)
+        spent += lost
         np.testing.assert_allclose(spent, waste, atol=2e-6)
 
 
 def test_the_loss_of_small_steps_converges_to_ours():
     gap = np.linspace(0.0, 1.5, 301)[1:] - 1e-4
-    _, pieces = follow(PATH, 0.8)
-    ours = sum(loss_density(lost, gap) for lost in pieces)
+    ours = sum(follow(PATH, 0.8, EachSpring(gap))[1])
     errors = [np.max(np.abs(brute(PATH, 0.8, gap, count)[-1][1] - ours)) for count in (100, 400)]
     assert errors[1] < errors[0] / 10.0  # second order: sixteen
 
@@ -149,8 +150,10 @@ turning_points = st.lists(
 @given(turning_points, st.floats(0.02, 5.0), st.sampled_from(CURVES))
 @settings(max_examples=60, deadline=None)
 def test_no_history_creates_energy(points, bound, states):
-    memories, pieces = follow(points, bound)
-    for memory, lost in zip(memories, pieces, strict=True):
+    gap = np.linspace(0.0, 2.0, 101)
+    memories, losses = follow(points, bound, SlipSums(states))
+    _, each = follow(points, bound, EachSpring(gap))
+    for memory, lost, density in zip(memories, losses, each, strict=True):
         if memory.depth <= 0.0:
             assert memory.left.size == 0
             continue
@@ -161,9 +164,8 @@ def test_no_history_creates_energy(points, bound, states):
         assert np.all(np.abs(memory.left) <= limit[:-1] + 1e-14 * bound)
         assert np.all(np.abs(memory.right) <= limit[1:] + 1e-14 * bound)
         np.testing.assert_allclose(memory.left[1:], memory.right[:-1], atol=1e-13 * bound)  # no jumps
-        assert loss_of(lost, states) >= -1e-13 * bound**2
-        gap = np.linspace(0.0, memory.depth, 50)
-        assert np.all(loss_density(lost, gap) >= -1e-13 * bound**2)
+        assert lost >= -1e-13 * bound**2
+        assert np.all(density >= -1e-13 * bound**2)
 
 
 @pytest.mark.slow
@@ -171,7 +173,7 @@ def test_no_history_creates_energy(points, bound, states):
 @settings(max_examples=15, deadline=None)
 def test_work_is_stored_or_lost(points, bound, states):
     points = [(abs(points[0][0]), 0.0), *points]
-    memory, _ = SlipMemory.fresh().moved(points[0][0], 0.0, bound)
+    memory, sums = SlipMemory.fresh().moved(points[0][0], 0.0, bound).memory, SlipSums(states)
     total, scale, doubt = 0.0, 1e-300, 0.0
     for (depth, shift), (end, target) in zip(points, points[1:], strict=False):
         change = target - shift
@@ -179,14 +181,15 @@ def test_work_is_stored_or_lost(points, bound, states):
         def shear(share, memory=memory, depth=depth, end=end, change=change):
             return shear_of(memory.moved(depth + (end - depth) * share, change * share, bound)[0], states)
 
-        after, lost = memory.moved(end, change, bound)
+        after, lost, spent = memory.moved(end, change, bound, sums)
         # the shear force has corners where zones of slip meet old turning points: between them it is smooth
         cuts = [0.0, *corners(lambda share: memory.moved(depth + (end - depth) * share, change * share, bound)[0]), 1.0]  # noqa: B023
         parts = np.array([quad(shear, low, high, epsabs=1e-12, limit=200) for low, high in pairwise(cuts)])
         work, error = (float(part) for part in parts.sum(axis=0) * (change, abs(change)))
-        gain = stored_of(after, states) - stored_of(memory, states) + loss_of(lost, states)
+        gain = stored_of(after, states) - stored_of(memory, states) + lost
         scale = max(scale, bound**2 * states.at(max(depth, end, 0.1))[2], abs(change) * 1e-2)
         assert abs(work - gain) <= 1e-9 * scale + error
+        assert abs(work - spent) <= 1e-9 * scale + error
         total, doubt = total + work - gain, doubt + error
         memory = after
     assert abs(total) <= 1e-9 * scale + doubt
@@ -195,81 +198,93 @@ def test_work_is_stored_or_lost(points, bound, states):
 @pytest.mark.parametrize(("depth", "change"), [(1.6, 0.9), (1.6, -1.4), (0.2, 0.1), (-0.1, 0.3), (0.31, 0.5)])
 def test_parts_of_a_straight_step_are_the_whole_step(depth, change):
     start = follow(PATH[:4], 0.7)[0][-1]
-    whole, lost = start.moved(depth, change, 0.7)
-    half, before = start.moved(start.depth + 0.3 * (depth - start.depth), 0.3 * change, 0.7)
-    again, behind = half.moved(depth, 0.7 * change, 0.7)
+    whole = start.moved(depth, change, 0.7).memory
+    half = start.moved(start.depth + 0.3 * (depth - start.depth), 0.3 * change, 0.7).memory
+    again = half.moved(depth, 0.7 * change, 0.7).memory
     gap = np.linspace(0.0, 1.6, 77)
     np.testing.assert_allclose(again.value(gap), whole.value(gap), atol=1e-14)
-    for states in CURVES:
-        assert loss_of((*before, *behind), states) == pytest.approx(loss_of(lost, states), rel=1e-12, abs=1e-15)
+    for sums in map(SlipSums, CURVES):
+        at_once = start.moved(depth, change, 0.7, sums)
+        first = start.moved(half.depth, 0.3 * change, 0.7, sums)
+        then = half.moved(depth, 0.7 * change, 0.7, sums)
+        assert first.lost + then.lost == pytest.approx(at_once.lost, rel=1e-12, abs=1e-15)
+        assert first.work + then.work == pytest.approx(at_once.work, rel=1e-12, abs=1e-15)
 
 
 def test_a_memory_forgets_what_is_wiped_out():
     bound = 1.0
-    memory, _ = SlipMemory.fresh().moved(1.0, 0.0, bound)
+    memory = SlipMemory.fresh().moved(1.0, 0.0, bound).memory
     for change in (0.3, -0.1, 0.05, -0.02):
-        memory, _ = memory.moved(1.0, change, bound)
+        memory = memory.moved(1.0, change, bound).memory
     assert memory.left.size == 5  # one straight piece per turning point, and the springs that never slid
-    memory, _ = memory.moved(1.0, 0.5, bound)  # beyond all of them
+    memory = memory.moved(1.0, 0.5, bound).memory  # beyond all of them
     assert memory.left.size == 2
 
 
 def test_many_equal_cycles_cost_no_memory():
-    memory, _ = SlipMemory.fresh().moved(1.0, 0.0, 0.7)
+    memory = SlipMemory.fresh().moved(1.0, 0.0, 0.7).memory
     sizes = []
     for _ in range(200):
         for depth, change in ((1.3, 0.21), (0.9, -0.37), (1.0, 0.16)):
-            memory, _ = memory.moved(depth, change, 0.7)
+            memory = memory.moved(depth, change, 0.7).memory
         sizes.append(memory.left.size)
     assert max(sizes[10:]) == min(sizes[10:]) <= 6
 
 
 def test_stick_gap_is_where_sliding_begins():
-    memory, _ = SlipMemory.fresh().moved(1.0, 0.0, 0.5)
+    memory = SlipMemory.fresh().moved(1.0, 0.0, 0.5).memory
     assert memory.stick_gap == 1.0
-    memory, _ = memory.moved(1.0, 0.2, 0.5)
+    memory = memory.moved(1.0, 0.2, 0.5).memory
     assert memory.stick_gap == pytest.approx(0.6, rel=1e-14)  # beta (d - gamma) = U
-    still, _ = memory.moved(1.0, 0.0, 0.5)
+    still = memory.moved(1.0, 0.0, 0.5).memory
     assert still.stick_gap == pytest.approx(0.6, rel=1e-14)
-    back, _ = memory.moved(1.0, -0.1, 0.5)
+    back = memory.moved(1.0, -0.1, 0.5).memory
     assert back.stick_gap == pytest.approx(0.9, rel=1e-14)  # 2 beta (d - gamma) = change
-    gone, _ = memory.moved(1.0, 1.0, 0.5)
+    gone = memory.moved(1.0, 1.0, 0.5).memory
     assert gone.stick_gap == 0.0
 
 
 def test_without_slip_springs_let_go_what_they_hold():
-    memory, _ = SlipMemory.fresh().moved(1.0, 0.0, np.inf)
-    memory, lost = memory.moved(1.0, 0.3, np.inf)
-    assert lost == ()
+    sums = SlipSums(cone_like)
+    memory = SlipMemory.fresh().moved(1.0, 0.0, np.inf).memory
+    memory, lost, work = memory.moved(1.0, 0.3, np.inf, sums)
+    assert lost == 0.0
+    assert work == pytest.approx(0.5 * 0.3**2, rel=1e-13)
     assert shear_of(memory, cone_like) == pytest.approx(0.3, rel=1e-15)
-    after, lost = memory.moved(0.5, 0.0, np.inf)
+    after, lost, work = memory.moved(0.5, 0.0, np.inf, sums)
+    assert work == 0.0
     # springs between 0.5 and 1 lose u^2/2 each
-    assert loss_of(lost, cone_like) == pytest.approx(0.5 * 0.3**2 * 0.5, rel=1e-13)
-    again, _ = after.moved(1.0, 0.0, np.inf)
+    assert lost == pytest.approx(0.5 * 0.3**2 * 0.5, rel=1e-13)
+    again = after.moved(1.0, 0.0, np.inf).memory
     np.testing.assert_allclose(again.value(np.array([0.2, 0.7])), [0.3, 0.0], atol=1e-16)  # a jump, for ever
     assert 2.0 * stored_of(again, cone_like) == pytest.approx(0.3**2 * 0.5, rel=1e-13)
 
 
 def test_a_flat_end_loses_in_a_contact_of_no_depth_too():
-    memory, _ = SlipMemory.fresh().moved(1.0, 0.0, 1.0)
-    losses = [loss_of(memory.moved(depth, 1.0, 1.0)[1], flat_with_flanks) for depth in (1e-6, 3e-185, 1e-309, 0.0)]
+    memory, sums = SlipMemory.fresh().moved(1.0, 0.0, 1.0).memory, SlipSums(flat_with_flanks)
+    losses = [memory.moved(depth, 1.0, 1.0, sums).lost for depth in (1e-6, 3e-185, 1e-309, 0.0)]
     np.testing.assert_allclose(losses, losses[-1], rtol=1e-5)
     assert losses[-1] > 0.3
 
 
 def test_without_friction_nothing_is_dragged():
-    memory, lost = SlipMemory.fresh().moved(1.0, 0.4, 0.0)
-    memory, more = memory.moved(1.2, -0.3, 0.0)
+    sums = SlipSums(sphere_like)
+    memory, lost, work = SlipMemory.fresh().moved(1.0, 0.4, 0.0, sums)
+    memory, more, further = memory.moved(1.2, -0.3, 0.0, sums)
     assert shear_of(memory, sphere_like) == 0.0
-    assert loss_of((*lost, *more), sphere_like) == 0.0
+    assert (lost, more, work, further) == (0.0, 0.0, 0.0, 0.0)
+
+
+def test_energies_are_no_numbers_where_they_are_not_summed():
+    assert np.isnan(SlipMemory.fresh().moved(1.0, 0.4, 0.5)[1:]).all()
 
 
 @pytest.mark.parametrize("states", CURVES)
 def test_monotonic_shear_is_the_difference_of_two_contacts(states):
     # Ciavarella, Jaeger: F_x = mu (F(d) - F(d - U / beta))
-    memory, _ = SlipMemory.fresh().moved(1.0, 0.0, 0.5)
+    memory = SlipMemory.fresh().moved(1.0, 0.0, 0.5).memory
     for change in (0.1, 0.25, 0.45):
-        sheared, _ = memory.moved(1.0, change, 0.5)
+        sheared = memory.moved(1.0, change, 0.5).memory
         inner = states.at(1.0 - change / 0.5)[1]
         expected = 0.5 * (states.at(1.0)[1] - inner)
         assert shear_of(sheared, states) == pytest.approx(expected, rel=1e-14)
@@ -278,21 +293,21 @@ def test_monotonic_shear_is_the_difference_of_two_contacts(states):
     np.testing.assert_allclose(factors, [-0.5, 0.5], rtol=1e-14)
 
 
-def shrinking(turns, bound=0.5):
+def shrinking(turns, bound=0.5, sums=None):
     """Return the memories at the turning points of a loop that dies away at constant depth, and what springs lose."""
     shifts = [0.0, *(0.45 * (-1.0) ** np.arange(turns) * (1.0 - np.arange(turns) / turns))]
-    return shifts, follow([(1.0, shift) for shift in shifts], bound)
+    return shifts, follow([(1.0, shift) for shift in shifts], bound, sums)
 
 
 def test_a_long_memory_is_that_of_springs_one_by_one():
     # at constant depth a spring is the clip of where it is dragged to, and loses its bound times what is cut off
     gap, bound = np.linspace(0.0, 1.0, 2001)[:-1] + 1.1e-4, 0.5
-    shifts, (memories, pieces) = shrinking(600)
+    shifts, (memories, losses) = shrinking(600, bound, EachSpring(gap))
     u, limit, lost, before = np.zeros(gap.size), bound * (1.0 - gap), np.zeros(gap.size), 0.0
-    for shift, loss in zip(shifts, pieces, strict=True):
+    for shift, loss in zip(shifts, losses, strict=True):
         trial = u + shift - before
         u, before = np.clip(trial, -limit, limit), shift
-        lost += limit * np.abs(trial - u) - loss_density(loss, gap)
+        lost += limit * np.abs(trial - u) - loss
     assert memories[-1].size > 500
     np.testing.assert_allclose(memories[-1].value(gap), u, rtol=0.0, atol=2e-14)
     np.testing.assert_allclose(lost, 0.0, atol=2e-14)

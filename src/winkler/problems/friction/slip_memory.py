@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -24,13 +24,13 @@ from winkler.numerics.types import Array
 from winkler.problems.friction.straight_step import (
     BOUND_TOLERANCE,
     LEAST_DEPTH,
-    LossPiece,
+    Moments,
     SpringPiece,
     StraightStep,
 )
 from winkler.values.value import words
 
-__all__ = ["LossPiece", "SlipMemory", "SlipRing", "WorkedStep"]
+__all__ = ["MovedMemory", "SlipMemory", "SlipRing", "StackSums"]
 
 SLOPE_TOLERANCE = 1e-13
 """Pieces that meet, and whose slopes differ by less than this part of the slopes there are, become one."""
@@ -59,7 +59,7 @@ class SlipRing:
         """How many pieces there are from the axis to here."""
         self.stuck: bool = piece.slides == 0 and (inner is None or inner.stuck)
         """Whether all of them stick."""
-        self.sums: tuple[object, tuple[float, float, float]] | None = None
+        self.sums: tuple[object, Moments] | None = None
         """What they add up to, and who has added it up (`winkler.problems.friction.slip_sums`)."""
 
     def __reduce__(self) -> tuple[object, ...]:  # a long stack is deeper than Python's calls may be
@@ -90,23 +90,33 @@ def _stacked(pieces: tuple[SpringPiece, ...]) -> SlipRing | None:
     return ring
 
 
-class WorkedStep(NamedTuple):
+class StackSums(Protocol):
+    """What springs add up to, with which the energies of a step are summed."""
+
+    def ring(self, start: float, stop: float) -> Moments:
+        """Return the sums of 1 [N/m], of stop - gap [N] and of its square [J] over the springs between two gaps."""
+        ...
+
+    def within(self, outermost: SlipRing | None) -> Moments:
+        """Return the sums of 1 [N/m], of u_t [N] and of u_t^2 [J] over a stack, u_t counted from that on the axis."""
+        ...
+
+
+class MovedMemory(NamedTuple):
     """What a straight step does.
 
     Parameters
     ----------
     memory : SlipMemory
         After it.
-    losses, works : tuple of LossPiece
-        What sliding has cost, and what the bodies have spent on springs that do not stick as a whole.
-    staying : SlipMemory
-        Before the step, the springs that stick as a whole.
+    lost, work : float
+        What sliding has cost, and what the bodies have spent [J], over the ratio of stiffnesses; not a number unless
+        they are summed.
     """
 
     memory: SlipMemory
-    losses: tuple[LossPiece, ...]
-    works: tuple[LossPiece, ...]
-    staying: SlipMemory
+    lost: float
+    work: float
 
 
 @dataclasses.dataclass(frozen=True)
@@ -207,8 +217,8 @@ class SlipMemory:
         ]
         return float(np.max(np.abs(ends[0] - ends[1])))
 
-    def moved(self, depth: float, change: float, bound: float) -> tuple[SlipMemory, tuple[LossPiece, ...]]:
-        """Return the memory after a straight step, and the energy lost.
+    def moved(self, depth: float, change: float, bound: float, sums: StackSums | None = None) -> MovedMemory:
+        """Return the memory after a straight step, and its energies.
 
         Parameters
         ----------
@@ -218,23 +228,16 @@ class SlipMemory:
             By how much the bodies shift in the step [m].
         bound : float
             beta = mu E* / G* [-]: a spring of gap gamma slides at u_t = beta (d - gamma); infinite if none ever does.
+        sums : StackSums, optional
+            With which energies are summed: the work does not go by what the springs keep.
 
         Returns
         -------
-        SlipMemory
-        tuple of LossPiece
+        MovedMemory
         """
-        memory, losses, _, _ = self._step(depth, change, bound, account=False)
-        return memory, losses
-
-    def worked(self, depth: float, change: float, bound: float) -> WorkedStep:
-        """Return as `moved`, and what the bodies have spent on the springs, which does not go by what these keep."""
-        return self._step(depth, change, bound, account=True)
-
-    def _step(self, depth: float, change: float, bound: float, *, account: bool) -> WorkedStep:
         if 0.0 < depth < LEAST_DEPTH:
             depth = 0.0
-        step = StraightStep(self.depth, depth, change, bound, account)
+        step = StraightStep(self.depth, depth, change, bound, sums.ring if sums is not None else None)
         common = max(min(self.depth, depth), 0.0)
         sticking = math.inf if math.isinf(bound) else bound * (1.0 - BOUND_TOLERANCE)
         ring, dragged = self.outermost, self.dragged + change
@@ -250,7 +253,6 @@ class SlipMemory:
                 break
             outer.append(piece)
             ring = ring.inner
-        staying = SlipMemory(self.depth, self.dragged, ring)
         for piece in reversed(outer):
             start, stop = piece.start, piece.stop
             left, right = piece.left + self.dragged, piece.right + self.dragged
@@ -265,14 +267,13 @@ class SlipMemory:
         if depth > common:
             # springs that come into contact within the step take part in what is left of it
             step.drag(common, depth, (depth - common) * change / step.rise, 0.0, came=True)
+        lost, work = (step.lost, step.work) if sums is not None else (math.nan, math.nan)
         if ring is None:
             dragged = 0.0
-        return WorkedStep(
-            SlipMemory(depth, dragged, _joined(ring, dragged, step.pieces)),
-            tuple(step.losses),
-            tuple(step.works),
-            staying,
-        )
+        elif sums is not None:  # springs that stick as a whole resist evenly
+            zeroth, first, _ = sums.within(ring)
+            work += change * (first + (ring.axis + self.dragged + 0.5 * change) * zeroth)
+        return MovedMemory(SlipMemory(depth, dragged, _joined(ring, dragged, step.pieces)), lost, work)
 
     @property
     def corners(self) -> tuple[Array, Array]:

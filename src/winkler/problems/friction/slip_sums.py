@@ -11,19 +11,17 @@ whatever the shape, the solution needs its normal curve only.  What was straight
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Protocol
 
-from winkler.problems.friction.slip_memory import LossPiece, SlipMemory, SlipRing, WorkedStep
+from winkler.problems.friction.slip_memory import SlipMemory, SlipRing
+from winkler.problems.friction.straight_step import Moments
 
 __all__ = ["NormalStates", "SlipSums"]
 
 MOST_GAPS = 256
-"""Gaps and rings that are remembered at most."""
+"""Gaps that are remembered at most."""
 NARROW_RING = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
-
-Moments = tuple[float, float, float]
 
 
 class NormalStates(Protocol):
@@ -45,12 +43,13 @@ class SlipSums:
     ----------
     states : NormalStates
         The frictionless contact of that bed.
+    known : dict, optional
+        What `states` has at depths that a path is known to go through.
     """
 
-    def __init__(self, states: NormalStates) -> None:
-        self.states = states
+    def __init__(self, states: NormalStates, known: dict[float, Moments] | None = None) -> None:
+        self.states, self._known = states, known or {}
         self._points: dict[float, Moments] = {0.0: (0.0, 0.0, 0.0)}
-        self._rings: dict[tuple[float, float], Moments] = {}
 
     def at(self, gap: float) -> Moments:
         """Return K, F and W at a gap [m]; nothing at zero, where a flat end comes into contact at once."""
@@ -58,27 +57,20 @@ class SlipSums:
         if sums is None:
             if len(self._points) > MOST_GAPS:
                 self._points = {0.0: self._points[0.0]}
-            sums = self._points[gap] = self.states.at(gap)
+            sums = self._points[gap] = self._known.get(gap) or self.states.at(gap)
         return sums
 
     def ring(self, start: float, stop: float) -> Moments:
         """Return the sums of 1 [N/m], of stop - gap [N] and of its square [J] over the springs between two gaps."""
-        sums = self._rings.get((start, stop))
-        if sums is None:
-            inner, outer, width = self.at(start), self.at(stop), stop - start
-            gain = outer[0] - inner[0]
-            if width < NARROW_RING * stop and start > 0.0:
-                sums = gain, *self.states.between(start, inner[0], stop)
-            else:
-                sums = (
-                    gain,
-                    outer[1] - inner[1] - width * inner[0],
-                    2.0 * (outer[2] - inner[2]) - width * (2.0 * inner[1] + width * inner[0]),
-                )
-            if len(self._rings) > MOST_GAPS:  # a long march must not remember every gap it has met
-                self._rings.clear()
-            self._rings[start, stop] = sums
-        return sums
+        zeroth, first, second = self.at(start)
+        outer, width = self.at(stop), stop - start
+        if width < NARROW_RING * stop and start > 0.0:
+            return outer[0] - zeroth, *self.states.between(start, zeroth, stop)
+        return (
+            outer[0] - zeroth,
+            outer[1] - first - width * zeroth,
+            2.0 * (outer[2] - second) - width * (2.0 * first + width * zeroth),
+        )
 
     def within(self, outermost: SlipRing | None) -> Moments:
         """Return the sums of 1 [N/m], of u_t [N] and of u_t^2 [J] over a stack, u_t counted from that on the axis."""
@@ -109,19 +101,6 @@ class SlipSums:
         zeroth, first, second = self.within(memory.outermost)
         middle = memory.on_axis
         return 0.5 * (second + middle * (2.0 * first + middle * zeroth))
-
-    def spent(self, step: WorkedStep, change: float) -> float:
-        """Return the work of the bodies in a step [J], over the ratio: springs that stick as a whole resist evenly."""
-        zeroth, first, _ = self.within(step.staying.outermost)
-        return self.lost(step.works) + change * (first + (step.staying.on_axis + 0.5 * change) * zeroth)
-
-    def lost(self, losses: Iterable[LossPiece]) -> float:
-        """Return what sliding has cost [J], over the ratio."""
-        total = 0.0
-        for start, stop, constant, linear, square in losses:
-            zeroth, first, second = self.ring(start, stop)
-            total += constant * zeroth + linear * first + square * second
-        return total
 
     def stiffness(self, memory: SlipMemory, before: float) -> float:
         """Return how the shear force after a step grows with the shift of that step, over the ratio [N/m].

@@ -7,9 +7,11 @@ comes into contact begins within the step: all linear in the gap, piece by piece
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
-__all__ = ["BOUND_TOLERANCE", "LEAST_DEPTH", "LossPiece", "SpringPiece", "StraightStep"]
+__all__ = ["BOUND_TOLERANCE", "LEAST_DEPTH", "Moments", "RingSums", "SpringPiece", "StraightStep"]
 
 LEAST_DEPTH = 1e-150
 """Depths below this [m] are none, and springs whose gaps differ by less lose alike: their squares are no numbers."""
@@ -19,26 +21,14 @@ CUT_TOLERANCE = 1e-14
 """A cut this close to the end of a piece, in parts of the depth, is at the end."""
 
 
-class LossPiece(NamedTuple):
-    """What each of some springs has lost or taken up, over its tangential stiffness: a polynomial of its gap.
-
-    Parameters
-    ----------
-    start, stop : float
-        Their gaps [m].
-    constant, linear, square : float
-        [m^2], [m] and [-], in powers of stop - gap.
-    """
-
-    start: float
-    stop: float
-    constant: float
-    linear: float
-    square: float
-
-
 Ends = tuple[float, float]
 """What a straight line over the gap is at both ends of a piece."""
+Moments = tuple[float, float, float]
+"""Sums over springs of 1 [N/m], of a length [N] and of its square [J]."""
+RingSums = Callable[[float, float], Moments]
+"""The moments of the springs between two gaps, of their distance from the outer one."""
+Springs = tuple[float, Moments]
+"""How far the gaps of springs are from each other [m], and their moments."""
 
 
 class SpringPiece(NamedTuple):
@@ -62,20 +52,37 @@ class SpringPiece(NamedTuple):
 
 
 class StraightStep:
-    """A straight step in depth and shift, and its effect on the springs."""
+    """A straight step in depth and shift, and its effect on the springs.
 
-    def __init__(self, before: float, after: float, change: float, bound: float, account: bool) -> None:
-        self.before, self.after, self.change, self.bound, self.account = before, after, change, bound, account
+    Parameters
+    ----------
+    before, after : float
+        d at its beginning and its end [m].
+    change : float
+        By how much the bodies shift [m].
+    bound : float
+        beta [-].
+    ring : RingSums or None
+        With which energies are summed; without it they are left out.
+
+    Attributes
+    ----------
+    pieces : list of SpringPiece
+        The springs after the step.
+    lost, work : float
+        What sliding has cost, and what the bodies have spent on these springs [J], over the ratio of stiffnesses.
+    """
+
+    def __init__(self, before: float, after: float, change: float, bound: float, ring: RingSums | None) -> None:
+        self.before, self.after, self.change, self.bound, self.ring = before, after, change, bound, ring
         self.rise = after - before
-        self.works: list[LossPiece] = []
         self.pieces: list[SpringPiece] = []
-        self.losses: list[LossPiece] = []
+        self.lost = self.work = 0.0
 
     def drag(self, start: float, stop: float, left: float, right: float, *, came: bool = False) -> None:
         """Move springs of which those that tried to be displaced by more than their bound slide."""
         if math.isinf(self.bound):
-            self.pieces.append(SpringPiece(start, stop, left, right, 0))
-            self._spend(start, stop, (left, right), (left, right) if came else None)
+            self._stick(start, stop, (left, right), came)
             return
         width, after, bound = stop - start, self.after, self.bound
         first, last = bound * (after - start), bound * (after - stop)
@@ -86,87 +93,78 @@ class StraightStep:
                 at = start + width * (one / (one - two))
                 if min(at - start, stop - at) > CUT_TOLERANCE * after:
                     cuts.insert(1 if at < cuts[1][0] else 2, (at, sign * bound * (after - at)))
-        for (low, at_low), (high, at_high) in zip(cuts, cuts[1:], strict=False):
+        for (low, at_low), (high, at_high) in pairwise(cuts):
             if not high > low:
                 continue
             trial, limit = 0.5 * (at_low + at_high), bound * (after - 0.5 * (low + high))
             if abs(trial) < limit * (1.0 - BOUND_TOLERANCE):
-                self.pieces.append(SpringPiece(low, high, at_low, at_high, 0))
-                self._spend(low, high, (at_low, at_high), (at_low, at_high) if came else None)
+                self._stick(low, high, (at_low, at_high), came)
                 continue
             side = 1 if trial > 0.0 else -1
             ends = bound * (after - low), bound * (after - high)
-            self.pieces.append(SpringPiece(low, high, side * ends[0], side * ends[1], side))
-            slid = max(side * at_low - ends[0], 0.0), max(side * at_high - ends[1], 0.0)
-            # the bound of a coming spring grows from zero
-            self._lose(low, high, slid, (0.5 * ends[0], 0.5 * ends[1]) if came else self._mean(side, slid, ends))
-            self._spend(low, high, (at_low, at_high), (side * ends[0], side * ends[1]) if came else None)
-            if not came:
-                self._yield(low, high, side, slid)
+            borne = side * ends[0], side * ends[1]
+            self.pieces.append(SpringPiece(low, high, *borne, side))
+            if self.ring is not None:
+                springs = high - low, self.ring(low, high)
+                self._spend(springs, (at_low, at_high), borne if came else None)
+                slid = max(side * at_low - ends[0], 0.0), max(side * at_high - ends[1], 0.0)
+                self._slide(springs, side, slid, ends, came)
 
     def leave(self, start: float, stop: float, left: float, right: float) -> None:
         """Let springs go: they slide back until nothing presses them, or fall back at once if nothing slides."""
+        if self.ring is None or not stop > start:
+            return
         per = self.change / self.rise
+        begin, end = (start - self.before) * per, (stop - self.before) * per
         # displaced by so much when they lose contact, had they stuck until then
-        left, right = left + (start - self.before) * per, right + (stop - self.before) * per
+        left, right = left + begin, right + end
+        springs = stop - start, self.ring(start, stop)
+        self.work += _product(springs, (begin, end), (left - 0.5 * begin, right - 0.5 * end))
         if math.isinf(self.bound):
-            self._lose(start, stop, (left, right), (0.5 * left, 0.5 * right))
-            self._part(start, stop, left, right)
+            self.lost += _product(springs, (left, right), (0.5 * left, 0.5 * right))
             return
         cuts = [(start, left), (stop, right)]
         if left * right < 0.0:
             cuts.insert(1, (start + (stop - start) * (left / (left - right)), 0.0))
-        for (low, at_low), (high, at_high) in zip(cuts, cuts[1:], strict=False):
-            side = 1 if at_low + at_high > 0.0 else -1
-            slid = max(side * at_low, 0.0), max(side * at_high, 0.0)
-            self._lose(low, high, slid, self._mean(side, slid, (0.0, 0.0)))
-            self._part(low, high, at_low, at_high)
-            self._yield(low, high, side, slid)
+        for (low, at_low), (high, at_high) in pairwise(cuts):
+            if high > low:
+                side = 1 if at_low + at_high > 0.0 else -1
+                slid = max(side * at_low, 0.0), max(side * at_high, 0.0)
+                self._slide((high - low, self.ring(low, high)), side, slid, (0.0, 0.0), False)
 
-    def _mean(self, side: int, slid: tuple[float, float], ends: tuple[float, float]) -> tuple[float, float]:
-        """Return the mean bound of springs that start to slide in a step, from how far they slide and how they end."""
+    def _stick(self, start: float, stop: float, ends: Ends, came: bool) -> None:
+        """Keep springs that stick."""
+        self.pieces.append(SpringPiece(start, stop, *ends, 0))
+        if self.ring is not None:
+            self._spend((stop - start, self.ring(start, stop)), ends, ends if came else None)
+
+    def _spend(self, springs: Springs, trial: Ends, came: Ends | None) -> None:
+        """Add the work on springs that stick and end at `trial`; those that `came` to where they are began at rest."""
+        if came is not None:
+            self.work += _product(springs, trial, (0.5 * came[0], 0.5 * came[1]))
+        elif self.change != 0.0:
+            half = 0.5 * self.change
+            self.work += _product(springs, (self.change, self.change), (trial[0] - half, trial[1] - half))
+
+    def _slide(self, springs: Springs, side: int, slid: Ends, ends: Ends, came: bool) -> None:
+        """Add the loss of springs that slide until they bear `ends`, and take from the work what they do not resist."""
+        if slid[0] == 0.0 and slid[1] == 0.0:
+            return
+        if came:  # the bound of a coming spring grows from zero
+            self.lost += _product(springs, slid, (0.5 * ends[0], 0.5 * ends[1]))
+            return
         # the bound changes in proportion to the distance that is slid
         closing = side * self.change - self.bound * self.rise
         share = 0.5 * self.bound * self.rise / closing if closing > 0.0 else 0.0
-        return ends[0] - share * slid[0], ends[1] - share * slid[1]
-
-    def _spend(self, start: float, stop: float, trial: Ends, came: Ends | None) -> None:
-        """Note the work on springs that stick and end at `trial`; those that `came` to where they are began at rest."""
-        if came is not None:
-            self._work(start, stop, trial, (0.5 * came[0], 0.5 * came[1]))
-        else:
-            half = 0.5 * self.change
-            self._work(start, stop, (self.change, self.change), (trial[0] - half, trial[1] - half))
-
-    def _part(self, start: float, stop: float, left: float, right: float) -> None:
-        """Note the work on springs that stick until they part, where they are displaced by `left` to `right`."""
-        if self.account:
-            per = self.change / self.rise
-            step = (start - self.before) * per, (stop - self.before) * per
-            self._work(start, stop, step, (left - 0.5 * step[0], right - 0.5 * step[1]))
-
-    def _yield(self, start: float, stop: float, side: int, slid: Ends) -> None:
-        """Take away from the work what springs that slide at last do not resist any more."""
-        closing = side * self.change - self.bound * self.rise
+        self.lost += _product(springs, slid, (ends[0] - share * slid[0], ends[1] - share * slid[1]))
         if closing > 0.0:
-            share = -0.5 * side * self.change / closing
-            self._work(start, stop, slid, (share * slid[0], share * slid[1]))
-
-    def _work(self, start: float, stop: float, one: Ends, other: Ends) -> None:
-        """Note a work that is a product of two straight lines over the gap."""
-        if self.account and stop > start:
-            self.works.append(_product(start, stop, one, other))
-
-    def _lose(self, start: float, stop: float, slid: tuple[float, float], mean: tuple[float, float]) -> None:
-        """Note the loss of springs: sliding length times mean bound, both straight over the gap."""
-        if not stop > start or (slid[0] == 0.0 and slid[1] == 0.0):
-            return
-        self.losses.append(_product(start, stop, slid, mean))
+            self.work -= 0.5 * side * self.change / closing * _product(springs, slid, slid)
 
 
-def _product(start: float, stop: float, first: Ends, second: Ends) -> LossPiece:
-    """Return the product of two straight lines between two gaps."""
-    if stop - start < LEAST_DEPTH:  # a flat end may still be among them
-        return LossPiece(start, stop, first[0] * second[0], 0.0, 0.0)
-    one, two = (first[0] - first[1]) / (stop - start), (second[0] - second[1]) / (stop - start)
-    return LossPiece(start, stop, first[1] * second[1], one * second[1] + two * first[1], one * two)
+def _product(springs: Springs, first: Ends, second: Ends) -> float:
+    """Return the sum over springs of the product of two straight lines over their gap."""
+    width, (zeroth, linear, square) = springs
+    if width < LEAST_DEPTH:  # a flat end may still be among them
+        return first[0] * second[0] * zeroth
+    one, two = (first[0] - first[1]) / width, (second[0] - second[1]) / width
+    return first[1] * second[1] * zeroth + (one * second[1] + two * first[1]) * linear + one * two * square

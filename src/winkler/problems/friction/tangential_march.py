@@ -91,7 +91,8 @@ class SlipRow:
         self.pressed = isinstance(path.normal, Depth)
         deepest = max(0.0, *(goal.depth for goal in self.goals))
         self._curves = NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH)
-        self.sums = SlipSums(self._curves)
+        depths = np.atleast_1d(contact.depth)
+        self.sums = SlipSums(self._curves, self._curves.many(depths) if deepest > 0.0 and depths.size >= MANY else None)
         stiffness, _, _ = self.sums.at(deepest)
         greatest = float(np.max(np.abs(path.along)))
         size = greatest if self.driven or stiffness == 0.0 else greatest / (ratio * stiffness)
@@ -137,16 +138,15 @@ class SlipRow:
 
     def begin(self, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs pressed straight down, and moved after."""
-        memory, _ = SlipMemory.fresh().moved(goal.depth, 0.0, self.beta)
+        memory = SlipMemory.fresh().moved(goal.depth, 0.0, self.beta).memory
         return self.step(SlipState(memory, 0.0), goal)
 
     def step(self, state: SlipState, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs after a step that is straight in depth and shift, to a shift or to a shear force."""
         change = goal.along - state.shift if self.driven else self._change(state.memory, goal.depth, goal.along)
-        step = state.memory.worked(goal.depth, change, self.beta)
+        memory, lost, work = state.memory.moved(goal.depth, change, self.beta, self.sums)
         shift = goal.along if self.driven else state.shift + change
-        lost = max(self.ratio * self.sums.lost(step.losses), 0.0)
-        return Reached(SlipState(step.memory, shift), self.ratio * self.sums.spent(step, change), lost)
+        return Reached(SlipState(memory, shift), self.ratio * work, max(self.ratio * lost, 0.0))
 
     def halfway(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
         """Return what is prescribed at the middle of the depths."""
@@ -188,7 +188,7 @@ class SlipRow:
         change, slope, short = 0.0, 0.0, 0.0
 
         def look(at: float) -> tuple[float, float]:
-            after, _ = memory.moved(depth, at, self.beta)
+            after = memory.moved(depth, at, self.beta).memory
             return target - self.ratio * self.sums.shear(after), self.ratio * self.sums.stiffness(after, memory.depth)
 
         short, slope = look(0.0)

@@ -67,7 +67,7 @@ class SummedRow(Row[SummedGoal, SummedCells]):
 
     def begin(self, goal: SummedGoal) -> Reached[SummedCells]:
         """Return the contact pressed straight down, and sheared after."""
-        memory, _ = SlipMemory.fresh().moved(goal.force / self.modulus, 0.0, self.friction)
+        memory = SlipMemory.fresh().moved(goal.force / self.modulus, 0.0, self.friction).memory
         return self.step(SummedCells(memory, (), 0.0), goal)
 
     def step(self, state: SummedCells, goal: SummedGoal) -> Reached[SummedCells]:
@@ -75,7 +75,7 @@ class SummedRow(Row[SummedGoal, SummedCells]):
         bed, modulus, sums = self.bed, self.modulus, self.sums
         refuse_sliding(self.friction, *goal, 1.0)
         change = goal.shear / modulus - state.memory.on_axis
-        memory, losses = state.memory.moved(goal.force / modulus, change, self.friction)
+        memory, lost, _ = state.memory.moved(goal.force / modulus, change, self.friction, sums)
         if self.lean != 0.0 and goal.force > 0.0:
             strips = strips_of(bed, memory, self.lean)
             lost, further = work_and_shift(bed, state.strips, strips)
@@ -83,7 +83,7 @@ class SummedRow(Row[SummedGoal, SummedCells]):
         if sums is None:
             return Reached(SummedCells(memory, (), 0.0), math.nan, 0.0)
         shift = bed.along_share * shift_of_memory(sums, memory, modulus) if goal.force > 0.0 else 0.0
-        return Reached(SummedCells(memory, (), shift), math.nan, max(bed.along_share * sums.lost(losses), 0.0))
+        return Reached(SummedCells(memory, (), shift), math.nan, max(bed.along_share * lost, 0.0))
 
 
 def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float:

@@ -174,6 +174,13 @@ class NormalCurves:
         """Return as `NormalCurve.at`."""
         return self._of(depth).at(depth)
 
+    def many(self, depths: Array) -> dict[float, tuple[float, float, float]]:
+        """Return K [N/m], F [N] and W [J] at those of many depths [m] that the greatest curve resolves."""
+        resolved = np.unique(depths[depths * SHALLOWER >= self.depth])
+        curve = self.greatest()
+        rows = [curve.read(resolved, which).tolist() for which in range(3)]
+        return dict(zip(resolved.tolist(), zip(*rows, strict=True), strict=True))
+
     def between(self, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
         """Return as `NormalCurve.between`."""
         return self._of(depth).between(gap, stiffness, depth)

@@ -101,7 +101,6 @@ MOTION: dict[str, Word] = {
     "loss_stiffness": Word("k''", "N/m", "loss per cycle over pi times the squared amplitude of the shift"),
     "loss_factor": Word(r"\eta", "", "loss per cycle over pi times the amplitudes of shift and shear force"),
     "last_cycle": Word("", None, "where the last cycle of a path runs, its loss and its amplitudes"),
-    "damping_ratio": Word(r"\zeta", "", "loss per cycle over two pi times the amplitudes of motion and load"),
     "damping": Word("c", "N s/m", "viscous damper that loses as much"),
     "frequency": Word("f", "Hz", "oscillations per second"),
     "depth_amplitude": Word("A_z", "m", "amplitude of the depth"),
