@@ -141,7 +141,8 @@ def test_every_kind_answers_states_its_limits_and_is_archived(group):
 @pytest.mark.parametrize("group", marked((), ALL_QUICK[:3]))
 def test_every_kind_is_drawn_and_reported(group):
     """Figures take a second for a kind: most groups are looked at before a release."""
-    assert seen(group, legible, charts, whole_page) == {}
+    wrong = seen(group, legible, charts, whole_page)
+    assert wrong == {}, wrong
 
 
 def test_one_kind_is_drawn_and_reported():

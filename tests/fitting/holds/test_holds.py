@@ -70,7 +70,7 @@ def test_a_poroelastic_body_is_found_from_holds():
     assert found.poisson == pytest.approx(0.0, abs=0.01)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_hold_the_numbers_of_balls():
     """Forces of a ball by the dual integral equations, at nu = 0.3, with 1 % of scatter."""
     body, tau = Body(0.3, 120.0), np.geomspace(0.01, 100.0, 25)

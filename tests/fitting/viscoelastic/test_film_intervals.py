@@ -102,7 +102,7 @@ def test_noise_as_it_is_assumed():
     assert np.all((inside >= binom.ppf(5e-4, 200, 0.95)) & (inside <= binom.ppf(1.0 - 5e-4, 200, 0.95))), inside
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_fits_of_curves_with_white_noise():
     """Whole fits: of 20 curves as many are held as once in a thousand tests, and the errors are those of intervals."""
     inside, errors = np.zeros(len(FREE), dtype=int), []

@@ -243,7 +243,7 @@ def test_the_sections_of_a_round_tip_are_no_profile_of_a_strip():
         wk.LineFoundation(wk.AreaFunction([24.5, 1e-7]), wk.HalfSpace(STEEL))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_conforming_groove_yields_before_its_upright_end():
     strong = wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=0.7e9), wk.Elastic(210e9, 0.3))
     groove = wk.LineFoundation(wk.BallInSocket(10e-3, 10.1e-3), strong)

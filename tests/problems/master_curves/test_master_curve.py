@@ -181,7 +181,7 @@ def test_shifts_by_one_of_them_are_its_own(by):
     assert other > 2.0 * own
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_one_body_contradicts_itself_as_rarely_as_it_says():
     """Scores of 96 differences are those of a normal number: variance 1 +- 0.15, none beyond one in a thousand."""
     scores = []

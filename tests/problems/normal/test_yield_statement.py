@@ -231,7 +231,7 @@ def test_friction_on_layers_is_known_and_so_are_wide_contacts():
     assert "of the strength of the layer 1" in wide.statement
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_attraction_without_range():
     """The edge is torn with an infinite stress whatever the strength; the constant stress of Dugdale is finite."""
     rubber = wk.HalfSpace(wk.Elastic(1e6, 0.5, 1e9))

@@ -60,7 +60,7 @@ def test_pull_off_of_a_ball_under_the_lennard_jones_law():
     assert found.pull_off_force == pytest.approx(-pull_off(1.5) * math.pi * radius * law.work, rel=5e-3)
 
 
-@pytest.mark.parametrize(("tabor", "count"), [(1.0, 48), pytest.param(2.0, 128, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("tabor", "count"), [(1.0, 48), pytest.param(2.0, 128, marks=pytest.mark.long)])
 def test_pull_off_of_a_ball_under_dugdales_stress(tabor, count):
     """As Maugis has it, by springs."""
     strength, work = 1.0, 1.0

@@ -67,7 +67,7 @@ def test_up_to_the_maximum_of_the_creep_curve_and_not_beyond():
         rolled(wk.ShearForce(1.01 * most))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_forces_after_one_near_the_maximum_of_the_creep_curve():
     """Where the curve is flat no stiffness leads on: each force begins from rest, in any order."""
     most = float(np.max(rolled(wk.Creepage(longitudinal=np.linspace(2e-3, 5e-3, 61))).longitudinal_force))

@@ -84,7 +84,7 @@ tolerance = 0.1
 """
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_iso_table_has_one_row_for_each_quantity_and_few_columns(tmp_path):
     """Six curves stand in two tables, each at most four curves wide; every quantity of the CSV file is in both."""
     shutil.copy(DATA / "berkovich.toml", tmp_path)

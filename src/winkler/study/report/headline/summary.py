@@ -114,7 +114,7 @@ def _sizes(found: Any) -> list[SummaryNumber]:
 
 
 def _bed(found: Any) -> Any:
-    """Return the bed of a contact, or its problem where that names the bodies; a moment of a history has a bed alone."""
+    """Return the bed of a contact, or its problem where that names the bodies; a moment of a history has a bed."""
     problem = getattr(found, "problem", found)
     return getattr(problem, "bed", problem)
 
