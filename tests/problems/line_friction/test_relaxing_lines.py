@@ -138,6 +138,7 @@ def test_stuck_strips_lose_nothing_to_friction():
     assert ours.dissipation_per_length[-1] < 1e-4 * MU * LOAD * ours.half_width[-1]
 
 
+@pytest.mark.slow
 def test_layers_that_relax_alike_have_their_elastic_limit_and_feel_their_base():
     layers = wk.CoatedHalfSpace([Layer(wk.Elastic(1.0, 0.3), 0.01)], on=wk.Elastic(10.0, 0.3))
     shear = 0.6 * MU * LOAD * np.array([0.0, 1.0, -1.0, 1.0])

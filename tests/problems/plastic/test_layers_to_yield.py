@@ -45,6 +45,7 @@ def test_equal_layers_yield_where_hertz_and_mises_have_it():
     assert hit.duration == pytest.approx(2.0 * depth / velocity * lasting, rel=1e-9)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", COATED)
 def test_the_path_is_elastic_up_to_first_yield(kind):
     bed, first = COATED[kind], onset(kind)
@@ -61,6 +62,7 @@ def test_the_path_is_elastic_up_to_first_yield(kind):
     np.testing.assert_allclose(by_depth.force, force, rtol=1e-9, atol=1e-12)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", COATED)
 def test_the_first_part_to_yield_is_named_with_its_load(kind):
     bed, first = COATED[kind], onset(kind)
@@ -74,6 +76,7 @@ def test_the_first_part_to_yield_is_named_with_its_load(kind):
             beyond.solve()
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", COATED)
 def test_impacts_below_yield_follow_the_equation_of_motion(kind):
     bed, first = COATED[kind], onset(kind)
@@ -114,6 +117,7 @@ def test_the_base_and_the_layer_are_felt():
     assert onset("hard").z == pytest.approx(THICKNESS, rel=1e-6)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("strength", [1e9, 5e9])
 def test_a_note_says_up_to_where(strength):
     bed = ball(wk.Elastic(420e9, 0.25, strength))
