@@ -43,7 +43,7 @@ from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
-from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded, has_tail
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded, has_tail, in_own_lengths
 from winkler.numerics.transforms.strips import strip_punches
 from winkler.numerics.transforms.strips.layered_strips import LayeredStrips
 from winkler.numerics.transforms.strips.strip_equation import (
@@ -229,6 +229,11 @@ class LayeredLineFoundation(LineBed):
     def repeated(self, profile: Profile, pitch: float) -> PeriodicLayers:
         """Return the bed of strips at a pitch [m], as of `LineFoundation.repeated`."""
         return PeriodicLayers(profile, self.medium, pitch)
+
+    @property
+    def alike(self) -> tuple[object, ...]:
+        """What beds have in common whose strips of one half-width press alike, but for the modulus."""
+        return (self.profile, *in_own_lengths(self.medium.response))
 
     def solved(self, half_width: Array) -> StripResponse:
         """Return what the layers add under strips [m]."""
@@ -605,6 +610,11 @@ class PeriodicLayers(LayeredLineFoundation):
                     pressed[place] += (side * found.shares) @ (slopes[place] * self.pitch * end)
         return coupled, pressed
 
+    @property
+    def alike(self) -> tuple[object, ...]:
+        """As of `LayeredLineFoundation`, with the pitch."""
+        return (self.profile, self.pitch, *in_own_lengths(self.medium.response))
+
     def solved(self, half_width: Array) -> StripResponse:
         """Return what the layers add under strips [m]."""
         response, first_wave = self.medium.response, np.array([2.0 * math.pi / self.pitch])
@@ -660,6 +670,11 @@ class ZonedLayers(Zone, LayeredLineFoundation):
         """The same on a half-plane of the uppermost layer."""
         plain = LayeredLineFoundation(self.profile, self.medium).half_plane
         return plain.zoned(self.strength, self.contact, self.outer)
+
+    @property
+    def alike(self) -> tuple[object, ...]:
+        """Itself: the attraction is no part of the modulus."""
+        return (self,)
 
     def own_modes(self, half_width: Array) -> None:
         """None: the stress beside the strip is no mode of its pressure."""
@@ -739,14 +754,14 @@ def _edge_fall(modes: Array, half_width: Array) -> Array:
 
 
 @functools.lru_cache(maxsize=16)
-def _kept(bed: LayeredLineFoundation) -> dict[float, tuple[Array, Array]]:
-    """Return the responses of the last half-widths; it fills itself."""
+def _kept(alike: tuple[object, ...]) -> dict[float, tuple[Array, Array]]:
+    """Return the responses of the last half-widths under beds that are alike; it fills itself."""
     return {}
 
 
 def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
     """Return what the layers add under strips of these half-widths; those solved before are kept."""
-    kept, places = _kept(bed), half_width.tolist()
+    kept, places = _kept(bed.alike), half_width.tolist()
     missing = np.array(sorted({a for a in places if a not in kept}))
     if missing.size:
         if len(kept) > MOST_KEPT:

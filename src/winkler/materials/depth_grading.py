@@ -11,6 +11,7 @@ from typing import Annotated, Protocol
 
 import numpy as np
 
+from winkler.numerics.caching import rounded
 from winkler.numerics.types import Array
 from winkler.values.checks.contract import offered
 from winkler.values.checks.number_checks import (
@@ -110,6 +111,11 @@ class ExponentialGrading(_SmoothGrading):
         """Depth below which E is settled [m]."""
         return self.depth_scale * self._lengths_to(tolerance)
 
+    def in_units(self, modulus: float, length: float) -> ExponentialGrading:
+        """Return the same grading in units of a modulus [Pa] and a length [m]."""
+        surface, deep = rounded(self.surface_young / modulus), rounded(self.deep_young / modulus)
+        return ExponentialGrading(surface, deep, rounded(self.depth_scale / length), self.poisson)
+
 
 @value
 class SigmoidalGrading(_SmoothGrading):
@@ -147,6 +153,12 @@ class SigmoidalGrading(_SmoothGrading):
     def settled_at(self, tolerance: float) -> float:
         """Depth below which E is settled [m]."""
         return self.transition_depth + self.transition_width * self._lengths_to(tolerance)
+
+    def in_units(self, modulus: float, length: float) -> SigmoidalGrading:
+        """Return the same grading in units of a modulus [Pa] and a length [m]."""
+        moduli = (rounded(young / modulus) for young in (self.surface_young, self.deep_young))
+        depths = (rounded(depth / length) for depth in (self.transition_depth, self.transition_width))
+        return SigmoidalGrading(*moduli, *depths, self.poisson)
 
 
 @value
@@ -204,3 +216,9 @@ class TabulatedGrading:
     def settled_at(self, tolerance: float) -> float:
         """The last depth of the table [m]."""
         return float(self.depths[-1])
+
+    def in_units(self, modulus: float, length: float) -> TabulatedGrading:
+        """Return the same grading in units of a modulus [Pa] and a length [m]."""
+        depths = [rounded(depth / length) for depth in self.depths.tolist()]
+        youngs = [rounded(young / modulus) for young in self.youngs.tolist()]
+        return TabulatedGrading(depths, youngs, self.poissons)

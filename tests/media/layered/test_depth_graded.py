@@ -240,11 +240,17 @@ def test_the_default_tolerance_holds(grading):
 
 
 @pytest.mark.slow
-def test_a_flat_punch_by_ritz():
-    """k(a) from above: the energy of any displacement outside is too large; here by Legendre polynomials, n = 24."""
+@pytest.mark.parametrize(
+    ("grading", "a", "allowed"), [(EXPONENTIAL, 0.8, 1e-8), (ExponentialGrading(1.0, 1e3, 1.0, 0.3), 0.05, 1e-6)]
+)
+def test_a_flat_punch_by_ritz(grading, a, allowed):
+    """k(a) from above: the energy of any displacement outside is too large; here by Legendre polynomials, n = 24.
+
+    With the logarithm of a body that stiffens a thousandfold they converge slowly: to the tolerance of the medium.
+    """
     from scipy.special import spherical_jn
 
-    medium, a, count = DepthGradedHalfSpace(EXPONENTIAL), 0.8, 24
+    medium, count = DepthGradedHalfSpace(grading), 24
     # (I + K) phi = 1 in the weak sense: phi = sum of c_n P_2n(x / a), whose cosine transform is a Bessel function
     nodes, weights = np.polynomial.legendre.leggauss(24)
     edges = np.concatenate([[0.0], np.geomspace(1e-3, 4.0, 14), np.arange(8.0, 8000.0, 4.0)]) / a
@@ -254,7 +260,48 @@ def test_a_flat_punch_by_ritz():
     waves = np.array([(-1) ** n * spherical_jn(2 * n, xi * a) for n in range(count)])
     matrix = np.diag(1.0 / (4.0 * np.arange(count) + 1.0)) + a * (2.0 / np.pi) * (waves * (w * m)) @ waves.T
     c = np.linalg.solve(matrix, np.eye(count)[0])
-    assert float(medium.punch_stiffness(np.array(a))) == pytest.approx(2.0 * medium.modulus * a * c[0], rel=1e-8)
+    assert float(medium.punch_stiffness(np.array(a))) == pytest.approx(2.0 * medium.modulus * a * c[0], rel=allowed)
+
+
+@pytest.mark.few(1, slow=2)
+@pytest.mark.parametrize("ratio", [1e3, 1e4, 1e6])
+def test_a_thousand_to_a_million_times_stiffer_below(ratio):
+    """Wide punches were not resolved on bodies that stiffen a thousandfold.
+
+    A wide punch rests on what lies far below, under a soft skin whose columns are squeezed: by the energy of the
+    pressure of a flat punch, F^2 ln(a) / (4 pi a^2) times the integral of 1/M(z) - 1/M, which for this grading is
+    ln(E / E(0)) / M.  That the skin is stretched besides, a few per cent of it, is left out.
+    """
+    nu = 0.3
+    medium = DepthGradedHalfSpace(ExponentialGrading(1.0, ratio, depth_scale=1.0, poisson=nu))
+    a = np.array([1e-9 / ratio, 2000.0, 4000.0, 8000.0])
+    share = medium.punch_stiffness(a) / (2.0 * medium.modulus * a)
+    assert share[0] == pytest.approx(1.0, abs=1e-6)
+    first, second = np.diff(a[1:] * (ratio / share[1:] - 1.0)) / math.log(2.0)
+    assert first == pytest.approx(second, rel=0.05)
+    wanted = (1.0 - 2.0 * nu) / (1.0 - nu) ** 2 * math.log(ratio) / (2.0 * math.pi)
+    assert second == pytest.approx(wanted, rel=0.05)
+
+
+def test_tables_are_kept_by_ratios():
+    """Another modulus and another length: the same numbers in their units, from the tables that stand."""
+    from winkler.numerics.transforms import punch_tables
+
+    def stiffness(unit, length, kind):
+        gradings = {
+            "exponential": ExponentialGrading(1.3 * unit, 4.1 * unit, 0.7 * length, 0.3),
+            "sigmoidal": SigmoidalGrading(1.3 * unit, 4.1 * unit, 1.1 * length, 0.7 * length, 0.3),
+            "tabulated": TabulatedGrading(np.array([0.0, 0.7, 1.9]) * length, np.array([1.0, 3.0, 2.0]) * unit,
+                                          [0.2, 0.3, 0.4]),
+        }  # fmt: skip
+        medium = DepthGradedHalfSpace(gradings[kind], wk.Elastic(5.0 * unit, 0.2), tolerance=1e-3)
+        return float(medium.punch_stiffness(np.array(0.9 * length))) / (unit * length)
+
+    for kind in ("exponential", "sigmoidal", "tabulated"):
+        first = stiffness(1.0, 1.0, kind)
+        solved = punch_tables._tables.cache_info().misses
+        assert stiffness(2.1e11, 3.7e-4, kind) == pytest.approx(first, rel=1e-12)
+        assert punch_tables._tables.cache_info().misses == solved
 
 
 @pytest.mark.slow

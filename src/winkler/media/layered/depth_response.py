@@ -47,6 +47,8 @@ SERIES_WAVE_NUMBER = 100.0
 SERIES_SPAN = 16.0
 """The series is fitted up to this many xi_1."""
 SERIES_TERMS = 6
+SAME_UNIT = 1e-12
+"""By how much rounding may move a unit from one."""
 FAR = 1e3
 """Where a grading is what it is far below, over the depth at which it has settled."""
 STIFFNESS_ERROR_RATIO = 0.434
@@ -138,6 +140,16 @@ class DepthResponse(WavePair):
 
     compressed = math.inf
     """The limit of (1 + M) / xi for long waves: the body is a half-space."""
+
+    @property
+    def own(self) -> tuple[DepthResponse, float]:
+        """The same in units of the surface of the graded body, and its unit of length [m], where it has them."""
+        modulus, length = self.first.unit
+        in_units = getattr(self.first.grading, "in_units", None)
+        if in_units is None or max(abs(modulus - 1.0), abs(length - 1.0)) < SAME_UNIT:
+            return self, 1.0
+        first = GradedBody(in_units(modulus, length), self.first.tolerance)
+        return DepthResponse(self.mode, first, self._own_second), length
 
     @functools.cached_property
     def length(self) -> float:

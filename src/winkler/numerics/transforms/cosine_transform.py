@@ -260,7 +260,8 @@ def has_tail(response: WaveResponse) -> bool:
 
 def on_axis(response: WaveResponse, xi: Array) -> Array:
     """Return M at real wave numbers of any shape, to its precision, from polynomials; zero where it has vanished."""
-    panels = _ray(response, 0.0)
+    own, unit = in_own_lengths(response)
+    panels, xi = _ray(own, 0.0), xi * unit
     return np.where(xi <= panels.edges[-1], np.real(panels(xi)), 0.0)
 
 

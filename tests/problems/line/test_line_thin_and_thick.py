@@ -1,0 +1,63 @@
+"""Lines on thin and thick layers, soft and stiff to a factor of a million, incompressible: equations of another kind."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from layer_waves import excesses
+from strips_of_layers import Kernel, released
+
+import winkler as wk
+
+LAYER = 1.0
+"""Shear modulus; the thickness and the radius of the body are one, too."""
+
+
+def bed(poisson: float, contrast: float | None) -> wk.LayeredLineFoundation:
+    solid = wk.Elastic(2.0 * (1.0 + poisson) * LAYER, poisson)
+    on = wk.Rigid() if contrast is None else wk.Elastic(2.6 * contrast * LAYER, 0.3)
+    return wk.LayeredLineFoundation(wk.Paraboloid(1.0), wk.CoatedHalfSpace([wk.Layer(solid, 1.0)], on=on))
+
+
+def carried(poisson: float, contrast: float | None, a: float) -> float:
+    return float(bed(poisson, contrast).load_profile(np.array([a]))[0])
+
+
+@pytest.mark.few(3, slow=6)
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
+@pytest.mark.parametrize("contrast", [1e6, 1e3, 1e-3, 1e-6])
+@pytest.mark.parametrize("a", [1.0, 30.0])
+def test_against_a_singular_integral_equation(poisson, contrast, a):
+    """The load without tension at the edges, of an equation for the pressure at Gauss-Chebyshev points."""
+    kernel = Kernel(lambda k: excesses([(LAYER, poisson, 1.0)], (contrast * LAYER, 0.3), k)[0], 2.0 * a)
+    count = 240
+    alone, pushed = (released(kernel, a, load, lambda x: x, count) for load in (0.0, a * a))
+    wanted = a * a * alone / (alone - pushed)
+    assert carried(poisson, contrast, a) == pytest.approx(wanted, rel=1e-6)
+
+
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
+@pytest.mark.parametrize("contrast", [1e6, 1e-6, None])
+def test_narrow_lines_feel_the_layer_alone(poisson, contrast):
+    """pi a^2 / (4 R), less what is felt of the base, (a / h)^2 times the contrast at the most."""
+    assert carried(poisson, contrast, 1e-6) == pytest.approx(0.25 * np.pi * 1e-12, rel=1e-9)
+
+
+@pytest.mark.few(0, slow=3)
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
+def test_wide_lines_squeeze_a_film(poisson):
+    """Bonded to a rigid base: each column by itself, or where it cannot change its volume, Reynolds' equation.
+
+    What is left is of the edges, of the order h / a.
+    """
+    modulus = bed(poisson, None).medium.modulus
+    misfits = []
+    for a in (250.0, 500.0, 1000.0):
+        if poisson == 0.5:
+            wanted = 2.0 / 15.0 * LAYER * a**5
+        else:
+            wanted = 2.0 * LAYER * (1.0 - poisson) / (1.0 - 2.0 * poisson) * 2.0 / 3.0 * a**3
+        misfits.append(modulus * carried(poisson, None, a) / wanted - 1.0)
+    assert abs(misfits[-1]) < 0.01
+    assert misfits[0] / misfits[1] == pytest.approx(2.0, rel=0.02)
+    assert misfits[1] / misfits[2] == pytest.approx(2.0, rel=0.01)
