@@ -27,17 +27,15 @@ from winkler.problems.line.pressing_load import given_by, pressing
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields
 from winkler.problems.line.strip import OfStrip, Strip
-from winkler.problems.line.validity import shape_notes
+from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.one_load import one_of, single
 from winkler.values.errors import OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
 __all__ = ["LayeredLineSolution", "LineIndentation", "LineSolution", "PowerLawLineSolution"]
-
-PALLOT = "A. E. Giannakopoulos, P. Pallot, J. Mech. Phys. Solids 48 (2000) 1597-1631"
 
 
 @value
@@ -269,17 +267,7 @@ class OnPowerLaw(OfStrip, PerLoad[Q]):
 
     def dragged_notes(self, friction: float) -> tuple[Note, ...]:
         """Return how far the result can be trusted, as of `LineSolution.dragged_notes`."""
-        bed: PowerLawLineFoundation = self.problem.bed
-        response = Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Linear elastic bodies whose modulus follows one power of the depth, in plane strain under normal load: "
-            "flat punches of all half-widths add up to the solution itself; the ends of a body of finite length are "
-            "not included.",
-            PALLOT,
-        )
-        range_of_law = (note for note in bed.medium.notes if note.standing is not Standing.EXACT)
-        return (*range_of_law, *shape_notes(bed, float(np.max(self.half_width)), response))
+        return line_notes(self.problem.bed, float(np.max(self.half_width)))
 
     @staticmethod
     def _unknown_stresses() -> OutsideValidity:

@@ -7,12 +7,14 @@ import math
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["line_notes", "shape_notes"]
 
 JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
+PALLOT = "A. E. Giannakopoulos, P. Pallot, J. Mech. Phys. Solids 48 (2000) 1597-1631"
 
 
 def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tuple[Note, ...]:
@@ -26,6 +28,17 @@ def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tu
     sticking : bool
         Whether the edges may pull: then that the contact is one strip is examined elsewhere.
     """
+    if isinstance(bed, PowerLawLineFoundation):
+        response = Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Linear elastic bodies whose modulus follows one power of the depth, in plane strain under normal load: "
+            "flat punches of all half-widths add up to the solution itself; the ends of a body of finite length are "
+            "not included.",
+            PALLOT,
+        )
+        range_of_law = (note for note in bed.medium.notes if note.standing is not Standing.EXACT)
+        return (*range_of_law, *shape_notes(bed, half_width, response, examined=not sticking))
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,

@@ -38,7 +38,7 @@ Bed = LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
 WORN_SLIP = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Similar half-planes slip by the coefficient of friction times the distance that the contact under the load "
+    "Similar bodies slip by the coefficient of friction times the distance that the contact under the load "
     "P - Q/mu leaves open beside it, for a worn profile too.",
     SLIP_SUMS.source,
 )
