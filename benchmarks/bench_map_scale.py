@@ -1,9 +1,7 @@
-"""Large height maps: time, memory and steps from 256 x 256 to 4096 x 4096 pixels, beside other boundary-element codes.
+"""Large height maps: time, memory and steps from 256 x 256 pixels on, beside other boundary-element codes.
 
-One run of both cores:  pip install ".[peers]" && python benchmarks/bench_map_scale.py
-It prints the table and puts it into docs/benchmarks.md; a peer that is not installed is left out, with a sentence.
-Every cell is a process of its own, so that its peak of memory is its own; clocks start when the map is there and the
-model of a peer is set up.  Grids of a peer end where the next one would take more than `MOST_SECONDS`.
+Rows for measure.py.  Every cell is a process of its own, so that its peak of memory is its own; clocks start when the
+map is there and the model of a peer is set up.
 
 The map is a self-affine surface whose shortest waves span eight pixels, so that larger maps hold more of them; the
 force presses some five per cent of it into contact.  What a code leaves is measured by one rule for all: displacements
@@ -22,10 +20,8 @@ import math
 import resource
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable
-from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
 
@@ -34,9 +30,7 @@ import pytest
 
 pytestmark = pytest.mark.bench
 
-GRIDS = {True: (256, 512, 1024, 2048, 4096), False: (256, 512, 1024, 2048)}
-MOST_SECONDS, GROWTH = 40.0, 5.0
-"""Processor time up to which peers are run, and how much more of it their next grid should take."""
+HEAD = ["map", "code", "time", "processor time", "per pixel", "memory", "steps", "left", "contact"]
 SIDE, FORCE = 1e-3, 2e-9
 GIB = 2.0**30
 
@@ -218,42 +212,6 @@ def row(code: str, count: int, periodic: bool, found: dict[str, float]) -> list[
     ]
 
 
-def main() -> None:
-    """Measure all cells, the smallest first, and write the table."""
-    from pages import machine, replace, table
-
-    lines: list[list[str]] = []
-    remarks: list[str] = []
-    with tempfile.TemporaryDirectory() as folder:
-        maps = {count: Path(folder) / f"{count}.npy" for count in GRIDS[True]}
-        for count, saved in maps.items():
-            np.save(saved, heights(count))
-        for periodic, counts in GRIDS.items():
-            kind = "periodic" if periodic else "free"
-            for code, (module, _) in CODES.items():
-                if not importlib.util.find_spec(module):
-                    remarks.append(f"{code} is not installed here and was left out.")
-                    continue
-                last = 0.0
-                for count in counts:
-                    if code != "winkler" and GROWTH * last > MOST_SECONDS:
-                        remarks.append(
-                            f"{code} was not run on {count} x {count} pixels, {kind}: half as many along a side took "
-                            f"{last:.0f} s of processor time."
-                        )
-                        break
-                    found = measured(code, maps[count], periodic)
-                    last = found["spent"]
-                    lines.append(row(code, count, periodic, found))
-                    print(lines[-1], flush=True)
-    lines.sort(key=lambda line: ("free" in line[0], int(line[0].split()[0])))
-    head = ["map", "code", "time", "processor time", "per pixel", "memory", "steps", "left", "contact"]
-    versions = ", ".join(f"{code} {version(code)}" for code in CODES if importlib.util.find_spec(CODES[code][0]))
-    text = f"{table(head, lines)}\n\n{' '.join(dict.fromkeys(remarks))}\n\nMeasured on {machine()}; {versions}."
-    print(text)
-    replace("scale", text)
-
-
 @pytest.mark.parametrize(("periodic", "limit"), [(True, 4.0), (False, 8.0)])
 def bench_a_large_map(benchmark, below, periodic, limit):
     run = by_winkler(heights(1024), periodic)
@@ -263,7 +221,4 @@ def bench_a_large_map(benchmark, below, periodic, limit):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["cell"]:
-        cell(sys.argv[2], sys.argv[3], sys.argv[4] == "1")
-    else:
-        main()
+    cell(sys.argv[2], sys.argv[3], sys.argv[4] == "1")

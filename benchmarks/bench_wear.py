@@ -17,12 +17,12 @@ COUNT = 400
 MU = 0.5
 
 
-def fretting(medium: wk.HalfSpace, rate: float) -> wk.FrettingWear:
+def fretting(medium: wk.HalfSpace, rate: float, count: int = COUNT) -> wk.FrettingWear:
     """Return ten thousand cycles of a steel ball that sticks within half of its contact."""
     bed = wk.Foundation(wk.Paraboloid(10e-3), medium)
     swing = wk.Shift(MU * medium.modulus / medium.shear_modulus * 0.75e-6)
     cycles = np.array([0.0, 100.0, 1000.0, 10000.0])
-    return wk.FrettingWear(bed, wk.Archard(rate), wk.Coulomb(MU), wk.Depth(1e-6), swing, cycles, count=COUNT)
+    return wk.FrettingWear(bed, wk.Archard(rate), wk.Coulomb(MU), wk.Depth(1e-6), swing, cycles, count=count)
 
 
 @pytest.mark.parametrize("rate", [1e-14, 1e-12, 1e-10], ids=["hardly worn", "half worn", "to the limit"])

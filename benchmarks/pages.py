@@ -10,7 +10,6 @@ from importlib.metadata import version
 from pathlib import Path
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
-FIGURES = PAGE.parent / "figures"
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import re
+import sys
 import tomllib
 import warnings
 import weakref
@@ -27,6 +28,9 @@ from winkler.calculators.single_page import calculator_page
 from winkler.study.finding.finding import known, neighbours, words
 from winkler.study.ledger.ledger import case_files, ledger, remarks
 from winkler.study.ledger.ledger_page import markdown
+
+sys.path.insert(0, str(Path(__file__).parent))
+from legibility import faults
 
 pyplot.switch_backend("Agg")
 
@@ -71,8 +75,11 @@ _shown: weakref.WeakKeyDictionary[Figure, tuple[str, list[str]]] = weakref.WeakK
 def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
     """Give the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them.
 
-    One that a later block goes on with is saved once more, so that the page shows it as it is in the end.
+    One that a later block goes on with is saved once more, so that the page shows it as it is in the end. A figure that
+    cannot be read is a warning, which stops the build.
     """
+    by_pyplot = [pyplot.figure(number) for number in pyplot.get_fignums()]
+    script = Path(block_vars["src_file"]).name
     paths = []
     for item in list(block_vars["example_globals"].values()):
         if not isinstance(item, Figure):
@@ -84,9 +91,18 @@ def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
             continue
         path = _shown[item][0] if item in _shown else paths[-1]
         item.savefig(path, dpi=110, bbox_inches="tight")
+        report(script, item)
         _shown[item] = path, [str(artist) for artist in item.findobj()]
         pyplot.close(item)
+    for item in by_pyplot:
+        report(script, item)
     return str(figure_rst(paths, gallery_conf["src_dir"]))
+
+
+def report(script: str, figure: Figure) -> None:
+    """Warn of what a reader cannot read in a figure of a script."""
+    for fault in faults(figure):
+        logging.getLogger(__name__).warning("%s: a figure is to be mended, %s", script, fault)
 
 
 sphinx_gallery_conf = {

@@ -48,7 +48,7 @@ def pytest_configure(config: pytest.Config) -> None:
             os.environ["NUMBA_CACHE_DIR"] = fresh.name
 
 
-MOST_SLOW = 8
+MOST_SLOW = 4
 """Slow members of one test."""
 
 

@@ -35,6 +35,7 @@ def test_there_are_examples():
 QUICK = {
     "adhesion/snap_in_and_pull_off.py",
     "conduction/thermal_joint.py",
+    "course/lesson_1_springs.py",
     "data/make_force_curves.py",
     "data/make_rough_surface.py",
     "data/gel_holds/make_holds.py",

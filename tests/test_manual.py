@@ -221,7 +221,7 @@ def test_a_cell_that_answers_otherwise_is_found(media, cells):
     assert not cells.agrees(cells.cells["indentation", "half_space"], media.Cell(media.NO_PLACE))
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(
     "medium",
     [

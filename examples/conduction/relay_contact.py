@@ -30,7 +30,7 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(10.5, 4.0), layout="constrai
 for area_resistance, colour in ((0.0, "C0"), (1e-13, "C1"), (1e-12, "C2")):
     pair = wk.ElectricalConductors(metal, metal, wk.SurfaceFilm(area_resistance))
     curve = wk.Constriction(rivet, pair, wk.Force(force), mean_free_path=53e-9).solve()
-    name = f"film of {area_resistance:g} Ω m²" if area_resistance else "clean"
+    name = f"film of $10^{{{np.log10(area_resistance):.0f}}}$ Ω m²" if area_resistance else "clean"
     left.loglog(force, curve.resistance * 1e3, color=colour, label=name)
     power = np.polyfit(np.log(force), np.log(curve.resistance), 1)[0]
     at_one = np.interp(1.0, force, curve.resistance)

@@ -58,7 +58,7 @@ axes.loglog(
     1e3 * widths, 1e6 * 16.8e-9 / (2.0 * widths), color="0.6", linestyle="--", label="a full disc of that radius"
 )
 axes.axhline(1e6 * one, color="0.6", linewidth=0.8)
-axes.set(xlabel="radius of the disc they lie in [mm]", ylabel="resistance [µohm]", ylim=(8, 120))
+axes.set(xlabel="radius of the disc they lie in [mm]", ylabel="resistance [µΩ]", ylim=(8, 120))
 axes.set_title("dotted: each alone; solid grey: one spot of the same area", fontsize=9)
 axes.legend(frameon=False)
 plt.show()

@@ -108,7 +108,7 @@ if __name__ == "__main__":
     axes.plot(-1e6 * tip, 1e9 * hertz, "k--", label="half-space (Hertz)")
     for thickness in (10e-6, 5e-6, 2e-6):
         force = bonded_film(tip, 1e3, 5e-6, 0.5, thickness)
-        axes.plot(-1e6 * tip, 1e9 * force, label=f"film of {1e6 * thickness:.0f} um")
-    axes.set(xlabel="depth (um)", ylabel="force (nN)")
+        axes.plot(-1e6 * tip, 1e9 * force, label=f"film of {1e6 * thickness:.0f} µm")
+    axes.set(xlabel="depth (µm)", ylabel="force (nN)")
     axes.legend()
     plt.show()

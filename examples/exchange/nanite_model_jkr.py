@@ -107,6 +107,6 @@ if __name__ == "__main__":
         force = jkr_retraction(tip, 10e3, 5e-6, 0.5, work)
         axes.plot(-1e6 * tip, 1e9 * force, label=f"{1e3 * work:g} mJ/m²")
     axes.axhline(0.0, color="0.7", linewidth=0.8)
-    axes.set(xlabel="depth (um)", ylabel="force (nN)")
+    axes.set(xlabel="depth (µm)", ylabel="force (nN)")
     axes.legend()
     plt.show()

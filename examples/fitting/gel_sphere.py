@@ -93,5 +93,5 @@ for name, color in (("Hertz", "C1"), ("DMT", "C2"), ("JKR", "C0")):
     below.plot(place, fitted.residuals * 1e9, color=color, linewidth=0.8)
 above.set(ylabel="force [nN]")
 above.legend(frameon=False)
-below.set(xlabel="position from first touch [um]", ylabel="misfit [nN]")
+below.set(xlabel="position from first touch [µm]", ylabel="misfit [nN]")
 plt.show()

@@ -26,7 +26,7 @@ for place in (0, 5, len(log.cycles) - 1):
     low, _, end = log.cycles[place]
     axes[0].plot(1e6 * log.displacement[low:end], log.force[low:end], ".", markersize=3, label=f"cycle {place + 1}")
 axes[0].plot(1e6 * loops.loop[0], loops.loop[1], "k", linewidth=1.0, label="fitted to the last")
-axes[0].set(xlabel="displacement [um]", ylabel="friction force [N]")
+axes[0].set(xlabel="displacement [µm]", ylabel="friction force [N]")
 axes[0].legend(frameon=False)
 axes[1].plot(np.arange(1, len(log.cycles) + 1), 1e6 * log.loss_per_cycle, ".")
 axes[1].set(xlabel="cycle", ylabel="loss per cycle [uJ]", ylim=(0, None))

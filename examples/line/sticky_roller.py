@@ -51,9 +51,9 @@ for amplitude in (0.0, 0.1e-6, 0.2e-6):
     profile = bed.profile + wk.Wavy(amplitude=amplitude, wavelength=50e-6) if amplitude else bed.profile
     wavy = wk.LineFoundation(profile, rubber)
     states = wk.LineAdhesion(wavy, wk.ShortRange(WORK), wk.HalfWidth(widths)).solve()
-    axes.plot(states.force_per_length, widths * 1e6, label=f"waves of {amplitude * 1e6:.1f} um")
+    axes.plot(states.force_per_length, widths * 1e6, label=f"waves of {amplitude * 1e6:.1f} µm")
     firm = wk.LineAdhesion(wavy, wk.ShortRange(WORK), wk.LineForce(0.0)).solve()
     print(f"waves of {amplitude * 1e6:.1f} um: pull-off {firm.pull_off_force_per_length:.3f} N/m")
-axes.set(xlabel="force per length [N/m]", ylabel="half-width [um]")
+axes.set(xlabel="force per length [N/m]", ylabel="half-width [µm]")
 axes.legend()
 plt.show()

@@ -57,7 +57,7 @@ print("strips:", ", ".join(f"{count:.0f}" for count in ground.strip_count))
 figure, axes = plt.subplots(layout="constrained")
 axes.loglog(loads / 1e3, ground.contact_length * 1e6, label="ground, sum of the strips")
 axes.loglog(loads / 1e3, 2e6 * smooth.half_width, "--", label="smooth")
-axes.set(xlabel="force per length [N/mm]", ylabel="contact length [um]")
+axes.set(xlabel="force per length [N/mm]", ylabel="contact length [µm]")
 axes.legend(frameon=False)
 
 draw(ground.at(6))

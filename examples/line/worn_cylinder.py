@@ -39,8 +39,8 @@ for state in worn.states:
     right.plot(1e6 * state.places, 1e-9 * state.pressure)
 x = np.linspace(0.0, 1.1 * limit.half_width, 800)
 left.plot(1e6 * x, 1e9 * limit.worn(x), "k:", label="the limit")
-left.set(xlabel="x [um]", ylabel="worn depth [nm]", title="Worn off")
-right.set(xlabel="x [um]", ylabel="pressure [GPa]", title="Pressure", ylim=(0.0, 1.6))
+left.set(xlabel="x [µm]", ylabel="worn depth [nm]", title="Worn off")
+right.set(xlabel="x [µm]", ylabel="pressure [GPa]", title="Pressure", ylim=(0.0, 1.6))
 left.legend(frameon=False)
 plt.show()
 

@@ -48,9 +48,9 @@ figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.4), layout="constrained", shar
 for axis, (name, contact) in zip(axes, contacts.items(), strict=True):
     below = contact.stresses_on_plane(depths, x=SIDE / 2)
     filled = axis.contourf(below.y * 1e6, below.z * 1e6, below.von_mises / 1e6, levels=12)
-    axis.set(title=name, xlabel="y [um]")
+    axis.set(title=name, xlabel="y [µm]")
     figure.colorbar(filled, label="von Mises stress [MPa]")
-axes[0].set_ylabel("depth [um]")
+axes[0].set_ylabel("depth [µm]")
 axes[0].invert_yaxis()
 plt.show()
 

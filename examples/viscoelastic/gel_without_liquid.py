@@ -19,7 +19,7 @@ for depth in (10e-6, 40e-6):
     ).solve()
     measured = gel.force * (1.0 + 5e-3 * rng.standard_normal(time.size))
     holds.append(HeldForce(gel.problem.profile, depth, time, measured))
-    axes.semilogx(time, measured / gel.first_force, ".", markersize=4, label=f"{depth * 1e6:.0f} um")
+    axes.semilogx(time, measured / gel.first_force, ".", markersize=4, label=f"{depth * 1e6:.0f} µm")
     axes.semilogx(time, gel.force / gel.first_force, "k", linewidth=0.8)
 axes.set(xlabel="time [s]", ylabel="force over the first one [-]")
 axes.legend(title="depth", frameon=False)

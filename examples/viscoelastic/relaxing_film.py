@@ -33,7 +33,7 @@ left.semilogx(time, 1e6 * held.radius)
 for elastic, name in ((first, "elastic, at first"), (last, "elastic, after all time")):
     left.axhline(1e6 * elastic.radius, color="0.6", linestyle="--")
     left.annotate(name, (1e-4, 1e6 * elastic.radius), va="bottom")
-left.set(xlabel="time since the step [s]", ylabel="contact radius [um]")
+left.set(xlabel="time since the step [s]", ylabel="contact radius [µm]")
 assert abs(held.radius[-1] / last.radius - 1.0) < 2e-3
 print(f"at one depth the contact widens by {held.radius[-1] / held.radius[0] - 1.0:.0%}")
 
@@ -49,7 +49,7 @@ for thickness in (20e-6, THICKNESS, 1e-3):
     stack = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(film, thickness)], on=base)
     loop = wk.ViscoelasticIndentation(wk.Foundation(ball, stack), path, count=120).solve()
     lost = loop.dissipation[-1] / loop.work.max()
-    right.plot(1e6 * loop.depth, 1e3 * loop.force, label=f"{1e6 * thickness:g} um: {lost:.0%} lost")
-right.set(xlabel="depth [um]", ylabel="force [mN]")
+    right.plot(1e6 * loop.depth, 1e3 * loop.force, label=f"{1e6 * thickness:g} µm: {lost:.0%} lost")
+right.set(xlabel="depth [µm]", ylabel="force [mN]")
 right.legend(frameon=False, title="film")
 plt.show()

@@ -40,8 +40,8 @@ for state in worn.states:
     right.plot(1e6 * state.radii[inside], 1e-9 * state.pressure[inside])
 r = np.linspace(0.0, 1.4 * limit.radius, 400)
 left.plot(1e6 * r, 1e9 * limit.height(r), "k:", label="the limit")
-left.set(xlabel="r [um]", ylabel="height [nm]", title="Worn profiles")
-right.set(xlabel="r [um]", ylabel="pressure [GPa]", title="Pressure", ylim=(0.0, 1.6))
+left.set(xlabel="r [µm]", ylabel="height [nm]", title="Worn profiles")
+right.set(xlabel="r [µm]", ylabel="pressure [GPa]", title="Pressure", ylim=(0.0, 1.6))
 left.legend()
 
 # %%

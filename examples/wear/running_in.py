@@ -26,12 +26,12 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(10.5, 4.0), layout="constrai
 cap = (4.0 * 1e-3 * worn.worn_volume / np.pi) ** 0.25
 left.loglog(worn.distance, 1e6 * worn.radius, label="elastic and worn")
 left.loglog(worn.distance, 1e6 * cap, "k:", label="worn alone: $V = \\pi a^4/4R$")
-left.set(xlabel="distance [m]", ylabel="contact radius [um]", title="The contact grows")
+left.set(xlabel="distance [m]", ylabel="contact radius [µm]", title="The contact grows")
 left.legend()
 for state in worn.states[::6]:
     inside = state.radii < 1.3 * state.radius
     right.plot(1e6 * state.radii[inside], 1e-9 * state.pressure[inside], label=f"{1e3 * state.elapsed:.3g} mm")
-right.set(xlabel="r [um]", ylabel="pressure [GPa]", title="The pressure evens out")
+right.set(xlabel="r [µm]", ylabel="pressure [GPa]", title="The pressure evens out")
 right.legend()
 
 # %%

@@ -48,6 +48,6 @@ for degrees in (0, 60, 90):
     t = np.linspace(-1.2, 1.2, 241) * turned.track_half_width
     axes.plot(1e6 * t, -1e9 * turned.track(t), label=f"{degrees} degrees to the groove")
     assert np.isclose(turned.track_area, skidding.passes * ring * 50.0, rtol=1e-12)
-axes.set(xlabel="across the sliding [um]", ylabel="surface of the ring [nm]")
+axes.set(xlabel="across the sliding [µm]", ylabel="surface of the ring [nm]")
 axes.legend()
 plt.show()

@@ -214,7 +214,12 @@ from winkler.problems.particles.trace import ContactTrace
 from winkler.problems.plastic.dent_limit import DentLimit, DentLimitSolution
 from winkler.problems.plastic.impact import PlasticImpact, PlasticImpactSolution
 from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
-from winkler.problems.plastic.strength_from_dent import StrengthFromDent, StrengthFromDentSolution
+from winkler.problems.plastic.strength_from_dent import (
+    Blow,
+    Restitution,
+    StrengthFromDent,
+    StrengthFromDentSolution,
+)
 from winkler.problems.poroelastic.held import PoroelasticRelaxation, PoroelasticSolution
 from winkler.problems.pressed_maps.flow_factors import FlowFactors, flow_factors
 from winkler.problems.pressed_maps.seal import Seal, SealSolution
@@ -315,7 +320,8 @@ __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
     "Assumption", "AtTemperature", "BallImpacts", "BallImpactsSolution", "BallInSocket", "BandHeating",
-    "BandHeatingSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields", "BounceTimes",
+    "BandHeatingSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "Blow", "BodyFields",
+    "BounceTimes",
     "CalibratedArea", "CalibratedIndenter", "CalibratedTip", "CalibrationShares", "CappedCylinder",
     "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds", "ConductanceBoundsSolution",
     "Cone", "Constriction", "ConstrictionSolution", "ContactArray", "ContactEllipse", "ContactLaw",
@@ -364,7 +370,8 @@ __all__ = [
     "PullOffSolution", "PunchRow", "Pyramid", "PyramidByEdges", "Radius", "Ramp", "RandomTopography",
     "RateDependentWork", "ReducedBed", "ReducedFriction", "ReducedFrictionSolution", "Reduction", "ReductionSolution",
     "ReferenceSample", "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationSpectrum",
-    "RelaxationSweeps", "RelaxationTest", "RelaxingInProportion", "RepeatedMean", "ResistanceLog", "Rigid", "Rod",
+    "RelaxationSweeps", "RelaxationTest", "RelaxingInProportion", "RepeatedMean", "ResistanceLog", "Restitution", "Rigid",
+    "Rod",
     "RolledPatch", "RollerCentre", "RollerContact", "RollerSolution", "Rolling", "RollingSolution", "RollingStart",
     "RollingStartSolution", "RoughContact", "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution",
     "RoughLine", "RoughProfile", "RoundedCone", "RoundedEnds", "RoundedPunch", "RoundedPyramid", "SampledProfile",

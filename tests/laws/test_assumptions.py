@@ -33,22 +33,6 @@ def find(notes, assumption) -> Note:
     return max(found, key=lambda note: list(Standing).index(note.standing))
 
 
-@pytest.mark.few(3, slow=15)
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_states_what_it_declares_and_nothing_else(kind):
-    solution = result(kind)
-    declared = type(solution.problem).assumptions
-    assert isinstance(declared, frozenset)
-    assert declared <= set(Assumption)
-    notes = solution.validity
-    assert notes
-    assert {note.assumption for note in notes} <= declared
-    for note in notes:
-        assert note.statement.endswith(".")
-        assert note.source
-    assert worst(notes) in {note.standing for note in notes}
-
-
 def test_every_public_problem_declares_and_every_public_solution_states():
     public = {name: getattr(wk, name) for name in wk.__all__}
     problems = {name: cls for name, cls in public.items() if isinstance(cls, type) and hasattr(cls, "solve")}

@@ -141,7 +141,7 @@ NOTES = {
     "media.layered.depth_graded": (1, TOLERANCE),
     "problems.adhesion.model_choice": (4, COMPARED),
     "problems.assumptions.direction": (1, ELEMENTS),
-    "problems.friction.twisted_layers": (1, RECOMPUTED),
+    "problems.ring_slip.twisted_layers": (1, RECOMPUTED),
     "problems.heating.fretting": (1, RECOMPUTED),
     "problems.heating.transient": (2, MODELS),
     "problems.heating.validity": (3, MODELS),

@@ -44,7 +44,7 @@ def test_the_marked_place_has_the_greatest_of_what_is_drawn():
         assert np.hypot(across - limit.x, down - limit.z) < 0.1 * limit.half_width
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("mu", [0.0, 0.3])
 @pytest.mark.parametrize("medium", [UNDER_WEAVE, FAR_BELOW, STRONG_LAYER])
 def test_the_place_that_yields_is_on_the_map(medium, mu):

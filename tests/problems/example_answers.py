@@ -15,9 +15,7 @@ LASTING = {
     "adhesive_impact", "joint_stiffness", "reduced_friction", "reduction", "sliding_resistance", "sliding_wear",
     "surface_adhesion", "surface_rolling_start", "surface_tangential", "surface_wear", "viscoelastic_adhesion",
 }  # fmt: skip
-"""Kinds of problems whose examples take longer to solve than all others together.
-
-`tests/laws/test_assumptions.py` solves them by default; what solves them once more is a slow test."""
+"""Kinds of problems whose examples take longer to solve than all others together."""
 COSTLY = LASTING | {
     "elliptic_wear", "fretting_wear", "friction_heating", "map_stress", "master_curve", "oscillating_rolling",
     "profile_pair", "profile_pair_rolling", "rolling_start", "seal", "simplified_rolling", "transient_heating",

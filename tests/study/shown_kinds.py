@@ -1,4 +1,4 @@
-"""Which kinds of problems a real browser draws in `.ci/run`; the pictures of the others are among the slow tests."""
+"""Which kinds of problems a real browser draws in `.ci/run`; `test_every_kind.py` computes the pictures of all."""
 
 from __future__ import annotations
 

@@ -5,8 +5,10 @@ The notes of the contact hold for given parameters; these state whether the curv
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -22,16 +24,17 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.normal.indentation import Indentation
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
 from winkler.values.errors import OutsideValidity
 from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["Model", "coating_notes", "fit_notes", "free_notes"]
+__all__ = ["Model", "coating_notes", "fit_notes", "free_notes", "load_of", "with_load"]
 
-Model = Indentation | AdhesiveIndentation
-"""Models of fits without relaxation: a problem, whose load is a placeholder."""
+Model = Indentation | AdhesiveIndentation | PlasticIndentation
+"""Models of fits without relaxation: a problem, whose load or path is a placeholder."""
 
 LEAST_STIFFNESS_CHANGE = 0.01
 """Least relative change of stiffness by a body that affects the curve."""
@@ -46,6 +49,17 @@ POINTS = "count of the points in and out of contact"
 BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion"
 
 
+def load_of(model: Model) -> Any:
+    """Return the load of a model, or its path where it has one."""
+    return model.path if isinstance(model, PlasticIndentation) else model.load
+
+
+def with_load(model: Model, load: Any) -> Model:
+    """Return a model under another load, or along another path where it has one."""
+    name = "path" if isinstance(model, PlasticIndentation) else "load"
+    return dataclasses.replace(model, **{name: load})
+
+
 def fit_notes(
     model: Model, curve: ForceCurve, names: tuple[str, ...], contact: Array, widest: float, error: float
 ) -> tuple[Note, ...]:
@@ -53,7 +67,7 @@ def fit_notes(
 
     Parameters
     ----------
-    model : Indentation or AdhesiveIndentation
+    model : Indentation, AdhesiveIndentation or PlasticIndentation
         With the fitted numbers, at the largest depth.
     curve : ForceCurve
     names : tuple of str
@@ -111,7 +125,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[
         )
         yield Note(Assumption.SHAPE, Standing.EXACT, statement, "corners of the profile")
     profile = bed.profile
-    if not isinstance(profile, Paraboloid):
+    if not isinstance(profile, Paraboloid) or isinstance(model, PlasticIndentation):
         return
     radius = profile.curvature_radius
     deepest = float(np.max(model.load.depth)) if isinstance(model.load, Depth) else 0.0

@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.media.layered.plane_interior import PlaneWaves
     from winkler.media.offers import LayerStack
 
-__all__ = ["LineBed", "PressedPair", "Zone"]
+__all__ = ["SIMILAR", "LineBed", "PressedPair", "Zone"]
 
 
 SIMILAR = 1e-12
@@ -356,6 +356,10 @@ class LineBed:
         ends, where = np.unique(np.append(0.0, np.abs(x)), return_inverse=True)
         borne = np.append(0.0, np.cumsum(self.mean_pressures(ends, half_width, 0.0) * np.diff(ends)))
         return np.asarray(-2.0 * self.mismatch / self.medium.modulus * np.sign(x) * borne[where[1:]].reshape(x.shape))
+
+    def punch_softening(self, half_width: Array) -> Array:
+        """Return by how much less a flat punch of E* is displaced if it is wider, per ln(a) [-]."""
+        return np.full(np.shape(half_width), 2.0 / math.pi)
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
         """Return the displacement of a strip that sticks, over the shear force per length over E* [-].

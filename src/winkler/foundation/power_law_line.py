@@ -25,10 +25,14 @@ import numpy as np
 from winkler.foundation.line_bed import LineBed
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.graded.profile import transform
+from winkler.media.layered.wave_constants import Wave
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.surfaces.strip_elements import element_compliance, linear_slope
+from winkler.numerics.surfaces.strip_grid import strip_compliance
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
+from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
@@ -39,6 +43,16 @@ from winkler.values.value import value
 __all__ = ["PowerLawLineFoundation"]
 
 NODES = 48
+
+
+def _cosine(exponent: float) -> float:
+    """Return cos(k pi / 2), to the last digit near one."""
+    return math.sin(0.5 * math.pi * (1.0 - abs(exponent)))
+
+
+def _gammas(exponent: float) -> float:
+    """Return Gamma(1 + k/2) / Gamma(1/2 + k/2)."""
+    return math.gamma(1.0 + 0.5 * exponent) / math.gamma(0.5 + 0.5 * exponent)
 
 
 @value
@@ -77,6 +91,8 @@ class PowerLawLineFoundation(LineBed):
 
     search_step: ClassVar[float] = 4.0
 
+    sheared_as_pressed: ClassVar[bool] = True
+
     @property
     def exponent(self) -> float:
         """k [-]."""
@@ -90,12 +106,84 @@ class PowerLawLineFoundation(LineBed):
         )
 
     @property
-    def along_share(self) -> float:
-        """Refused: how far a line load moves the surface along is not built in."""
+    def mismatch(self) -> float:
+        """Zero of bodies that are alike; else not a number, and how one draws the other along is left out."""
+        return self.medium.mismatch
+
+    def _stiffer(self, unit: float) -> float:
+        """Return how far a line load moves the surface, with lengths over a unit [m], over half-planes [-]."""
+        k = self.exponent
+        return math.sqrt(math.pi) * _cosine(k) * _gammas(k) * float(self.medium.depth_scale / unit) ** k
+
+    def shear_compliance(self, edges: Array) -> Array:
+        """As `LineBed.shear_compliance`."""
+        unit = float(edges[-1])
+        return self.along_share * self._stiffer(unit) * element_compliance(edges / unit, self.exponent)
+
+    def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
+        """As `LineBed.hat_compliance`."""
+        unit = strip_compliance(count, 1.0, reference / spacing, self.exponent)
+        return self.along_share * self._stiffer(reference) * spacing * unit
+
+    def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
+        """As `LineBed.slopes`; how pressures draw along bodies that are not alike is refused."""
+        if part is Wave.COUPLING:
+            if not self.similar:
+                raise OutsideValidity(
+                    "How pressure and traction act on each other on a GradedHalfSpace of two unlike bodies is not "
+                    "built in: give coupled = False."
+                )
+            return np.zeros((x.size, nodes.size - 2))
+        share, unit = self.along_share if part is Wave.ALONG else 1.0, float(nodes[-1] - nodes[0])
+        slope = linear_slope(nodes / unit, x / unit, self.exponent)
+        return 2.0 * share * self._stiffer(unit) * slope
+
+    def drawn(self, x: Array, half_width: float) -> Array:
+        """Zero: of bodies that are alike nothing is drawn along, of others that is left out."""
+        return np.zeros(x.shape)
+
+    @property
+    def half_plane(self) -> PowerLawLineFoundation:
+        """The bed itself: no half-plane carries the surface, and all of the bed is known in closed form."""
+        return self
+
+    def edge_share(self, half_width: Array) -> Array:
+        r"""Return by how much less tension at the edges of a flat punch releases an energy than on half-planes [-].
+
+        A load P of the edges releases :math:`P^2\,(-\mathrm d K^{-1}/\mathrm da)/4` per area, K the stiffness of the punch.
+        """
+        return np.sqrt(0.5 * math.pi * self.punch_softening(half_width))
+
+    def edge_share_slope(self, half_width: Array) -> Array:
+        """Return its derivative by the half-width [1/m]."""
+        return np.asarray(-0.5 * self.exponent / half_width * self.edge_share(half_width))
+
+    def zone_start(self, half_width: Array, reach: float, strength: float) -> Array:
+        """Refused, as `zone_gap`."""
+        return self.zone_gap(half_width, half_width, strength)[0]
+
+    def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
+        """Refused: an attraction with a range is not known here."""
         raise OutsideValidity(
-            "How far a traction moves the surface of a GradedHalfSpace along a line contact is not built in; give a "
-            "DepthGradedHalfSpace that follows the power law, in a LayeredLineFoundation."
+            "An attraction with a range beside a strip on a GradedHalfSpace is not built in; give ShortRange(work)."
         )
+
+    def grid_transforms(self, nodes: Array) -> StripTransforms:
+        """Return the transforms of worn contacts between nodes [m]."""
+        return StripTransforms(nodes, self.exponent, self._scale, self._lifted)
+
+    def punch_softening(self, half_width: Array) -> Array:
+        """As `LineBed.punch_softening`: k E* over the stiffness of the punch."""
+        k = self.exponent
+        return np.asarray(2.0 * _gammas(k) ** 2 * (self.medium.depth_scale / half_width) ** k)
+
+    def stuck_compliance(self, half_width: float, unit: float) -> float:
+        """As `LineBed.stuck_compliance`."""
+        k = self.exponent
+        if k == 0.0:
+            return LineBed.stuck_compliance(self, half_width, unit)
+        under_punch = math.log(math.sqrt(math.pi) * _gammas(k) / _cosine(k)) - k * math.log(half_width / unit)
+        return 2.0 / math.pi * self.along_share * self._stiffer(unit) * math.expm1(under_punch) / k
 
     @property
     def single(self) -> bool:
@@ -221,14 +309,24 @@ class PowerLawLineFoundation(LineBed):
         inside = (x - half_width) * (x + half_width)
         c = np.sqrt(x[..., None] ** 2 - inside[..., None] * node)
         punches = (self.load_profile_slope(c.ravel()).reshape(c.shape) / c) @ weight
-        lifted = math.sin(0.5 * math.pi * (1.0 - abs(k))) / (0.5 * math.pi * self._scale)
-        return np.asarray(0.5 * lifted * inside ** (0.5 * (1.0 - k)) * punches)
+        return np.asarray(0.5 * self._lifted * inside ** (0.5 * (1.0 - k)) * punches)
+
+    @property
+    def _lifted(self) -> float:
+        """Slope of the surface at x beside a flat punch of a unit load, times (x^2 - a^2)^((1+k)/2) [m^k]."""
+        return _cosine(self.exponent) / (0.5 * math.pi * self._scale)
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
-        """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
+        """Return the distance of the surfaces [m] at places x >= 0, zero inside; negative where they would overlap."""
         x = np.asarray(x, dtype=float)
         node, weight = gauss_legendre(NODES)
         beyond = np.maximum(x - half_width, 0.0)[..., None]
         places = half_width + beyond * node**2
         slope = self.opening(places, half_width) if half_width > 0.0 else self.profile.slope(places)
-        return np.asarray((slope * 2.0 * node * beyond) @ weight)
+        apart = np.asarray((slope * 2.0 * node * beyond) @ weight)
+        if rim_load != 0.0:  # what the edges bear as a flat punch, with t = a + (x - a) v
+            power = -0.5 * (1.0 + self.exponent)
+            node, weight = gauss_jacobi(NODES, power)
+            fallen = beyond[..., 0] ** (1.0 + power) * ((2.0 * half_width + beyond * node) ** power @ weight)
+            apart = apart - rim_load * self._lifted * fallen
+        return apart

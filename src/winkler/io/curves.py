@@ -6,9 +6,7 @@ its sign.
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
-import logging
 import os
 import tempfile
 import zipfile
@@ -215,7 +213,7 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
         end = f"files that end in '{path.suffix}' are not known; tables and {', '.join(known)} are read"
         raise _no_table(path, end)
     exchanged = packed = False
-    with _quiet_and_limited(path):
+    with quiet(), limited_memory(path):
         try:
             _refuse_large_contents(path)
             with without_stale_sizes():
@@ -250,7 +248,8 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
             remedy = "save it anew, or as a table"
             with (
                 sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)),
-                _quiet_and_limited(path),
+                quiet(),
+                limited_memory(path),
             ):
                 placed = _translated(data, name, str(path), overrides, exchanged=exchanged)
         except InvalidInput as error:
@@ -334,22 +333,6 @@ def _no_table(path: Path, reason: str) -> InvalidInput:
     if _is_text(path):
         read_curve_tables(path)
     return InvalidInput(f"{path}: {reason}.")
-
-
-@contextlib.contextmanager
-def _quiet_and_limited(path: Path) -> Iterator[None]:
-    """Suppress the log and the warnings of afmformats, and limit its memory.
-
-    It logs a traceback of every reader that it tries in vain.
-    """
-    logger = logging.getLogger("afmformats")
-    level = logger.level
-    logger.setLevel(logging.CRITICAL)
-    try:
-        with quiet(), limited_memory(path):
-            yield
-    finally:
-        logger.setLevel(level)
 
 
 def _refuse_large_contents(path: Path) -> None:

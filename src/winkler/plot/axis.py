@@ -38,8 +38,6 @@ class PanelAxis:
         Of the label.
     parts
         Approximate number of integer ticks; zero: automatic.
-    sparse
-        Whether a logarithmic axis labels decades only.
     """
 
     label: str = ""
@@ -55,7 +53,6 @@ class PanelAxis:
     names: tuple[str, ...] = ()
     colour: str = style.INK
     parts: int = 0
-    sparse: bool = False
 
     @classmethod
     def of(cls, one: Series, scale: Scale | None = None, **more: Any) -> PanelAxis:

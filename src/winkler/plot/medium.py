@@ -39,6 +39,8 @@ __all__ = [
 
 LEAST_VARIATION = 1e-3
 """Relative variation of stiffness below which springs are drawn and described as equal."""
+MOST_BELOW_LAYERS = 8.0
+"""Depth that is drawn of a body below its layers, over the depth of the lowest: a thin coating stays visible."""
 OFFSET_FROM_AXIS = 1e-6
 """Relative distance from the axis, where stiffnesses may be zero or infinite, at which they are evaluated."""
 LABEL_HEIGHT = 0.075
@@ -172,7 +174,7 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
         Radius of a contact [m], drawn on the surface's scale; zero for none.
     """
     stack = interfaces(medium)
-    end = max(end, 1.3 * stack[-1] if stack else 0.0)
+    end = min(max(end, 1.3 * stack[-1]), MOST_BELOW_LAYERS * stack[-1]) if stack else end
     parts = _intervals(medium, end)
     stiffest = float(max(np.max(part.young) for part in parts))
     # a law without bounds at the surface: what lies within the upper percent of the depth does not set the scale

@@ -12,6 +12,7 @@ from matplotlib.figure import FigureBase
 from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
 from winkler.plot.render_axis import set_axis, thin_ticks
+from winkler.plot.render_legend import clear_of_curves
 from winkler.plot.render_marks import draw_mark
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
@@ -145,3 +146,5 @@ def _legend(axes: Axes, panel: Panel) -> None:
     if not panel.unframed:
         legend.set_frame_on(True)
         legend.get_frame().set(facecolor="white", edgecolor="none", alpha=0.85)
+    if not panel.outside:
+        clear_of_curves(axes, legend, panel.legend)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import LogFormatterSciNotation, LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
 
 from winkler.plot.panel import PanelAxis
 
@@ -12,6 +12,12 @@ __all__ = ["set_axis", "thin_ticks"]
 
 MOST_TICKS_ACROSS = 7
 """Parts of a horizontal axis; more of them with labels as long as -0.25 run into each other in a narrow panel."""
+
+LEAST_LABELLED_SPANS = ((0.7, (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)), (2.5, (1.0, 2.0, 5.0)))
+"""Decades that an axis spans at most -> the digits labelled there; over more decades powers of ten alone."""
+
+LONG, SYMBOL_WIDTH = 34, 10
+"""Letters of a label beside which a panel of usual height has room, and those that a symbol and its unit take."""
 
 NARROW = 0.8
 """Width over height of a panel with equal scales below which its horizontal axis has fewer ticks."""
@@ -32,14 +38,14 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         set_limits(bottom, top + one.headroom * (top - bottom))
     if one.falling:
         axis.set_inverted(True)
-    if one.log and one.plain:
+    if one.log:
         low, high = axis.get_view_interval()
-        is_narrow = np.log10(high / low) < 2.5
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if is_narrow else (1.0,), numticks=12))
-        axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
+        span = np.log10(high / low)
+        digits = next((digits for most, digits in LEAST_LABELLED_SPANS if span < most), (1.0,))
+        axis.set_major_locator(LogLocator(subs=digits, numticks=12))
+        power_of_ten = LogFormatterSciNotation(labelOnlyBase=False, minor_thresholds=(np.inf, np.inf))
+        axis.set_major_formatter(StrMethodFormatter("{x:g}") if one.plain else power_of_ten)
         axis.set_minor_formatter(NullFormatter())
-    if one.log and one.sparse:
-        axis.set_minor_formatter("")
     if one.parts:
         axis.set_major_locator(
             LogLocator(numticks=one.parts) if one.log else MaxNLocator(nbins=one.parts, integer=True)
@@ -48,7 +54,19 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         axis.set_major_locator(MaxNLocator(nbins=MOST_TICKS_ACROSS, steps=[1, 2, 2.5, 5, 10]))
     if one.ticks is not None:
         axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
-    (axes.set_ylabel if upright else axes.set_xlabel)(one.title, color=one.colour)
+    (axes.set_ylabel if upright else axes.set_xlabel)(_broken(one.title) if upright else one.title, color=one.colour)
+
+
+def _broken(title: str) -> str:
+    """Return a long label of an upright axis in two lines: the second one begins with the symbol, or is one half."""
+    name, dollar, symbol = title.partition(" $")
+    if len(name) + min(len(symbol), SYMBOL_WIDTH) <= LONG:
+        return title
+    if dollar and len(name) <= LONG:
+        return f"{name}\n${symbol}"
+    words = name.split(" ")
+    half = next(count for count in range(1, len(words) + 1) if 2 * len(" ".join(words[:count])) >= len(name))
+    return "\n".join(part for part in (" ".join(words[:half]), " ".join(words[half:]) + dollar + symbol) if part)
 
 
 def thin_ticks(axes: Axes, across: PanelAxis) -> None:

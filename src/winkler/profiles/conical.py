@@ -211,8 +211,8 @@ class _EqualAreaCone(PowerPieces):
             Note(
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
-                f"The pyramid is replaced by the cone of equal cross-section (half-angle "
-                f"{math.degrees(self.half_angle):.2f} deg): on an elastic half-space its force at a given depth is "
+                "The pyramid is replaced by the cone of equal cross-section (half-angle "
+                f"{math.degrees(self.half_angle):.2f} deg). On an elastic half-space its force at a given depth is "
                 f"{self._error} below the pyramid's, which `Pyramid` has.",
                 "boundary-element solution of the sharp pyramid, theory sheet 1.3",
             ),

@@ -148,8 +148,8 @@ class Cylinder(Shape):
 
     def __post_init__(self) -> None:
         raise OutsideValidity(
-            "Cylinder: a cylinder on its side makes a line contact, which is not a body of revolution about the load; "
-            "the depth of a line contact on a half-space is infinite (it grows with the logarithm of the body's size), "
-            "so no springs can represent it: give LineIndentation with LineFoundation(Paraboloid(R), medium), or "
+            "Cylinder: a cylinder on its side makes a line contact, which is not a body of revolution about the "
+            "load. Its depth on a half-space is infinite (it grows with the logarithm of the body's size), so that "
+            "no springs can represent it. Give LineIndentation with LineFoundation(Paraboloid(R), medium), or "
             "CappedCylinder for a cylinder standing on end."
         )

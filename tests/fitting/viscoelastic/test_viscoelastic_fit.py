@@ -42,7 +42,7 @@ def test_some_curves(kind):
 
 
 @pytest.mark.parametrize(
-    "kind", [pytest.param(kind, marks=pytest.mark.long if kind == "loop" else pytest.mark.slow) for kind in FREE]
+    "kind", [pytest.param(kind, marks=pytest.mark.slow if kind == "relaxation" else pytest.mark.long) for kind in FREE]
 )
 def test_two_hundred_curves(kind):
     """Other seeds than those of the quick test; 301 points cannot exclude slow noise, and the intervals are wide.

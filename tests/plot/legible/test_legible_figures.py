@@ -1,25 +1,14 @@
-"""Every figure of a report can be read: nothing is empty, without a name, cut, too small or over something else."""
+"""Faults of a figure are found; `tests/study/test_every_kind.py` looks for them in the figures of every kind."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-import tomli_w
 from legibility import faults
 from matplotlib.figure import Figure
 
-from winkler.study.batch.run import run
-from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.explain import example_study
-from winkler.study.language.reading import parse_study
-from winkler.study.report.figures import figures_of
-
-
-@pytest.mark.few(1, slow=6)
-@pytest.mark.parametrize("kind", list(CATALOGUE["problem"]))
-def test_the_figures_of_each_kind_can_be_read(kind):
-    shown = figures_of(run(parse_study(tomli_w.dumps({"title": kind, **example_study(kind)}))))
-    assert {one.name: found for one in shown if one.picture is not None and (found := faults(one.picture))} == {}
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet
+from winkler.plot.render import render
 
 
 def plotted():
@@ -36,6 +25,14 @@ def test_a_figure_without_a_fault_has_none():
     assert faults(plotted()[0]) == []
 
 
+@pytest.mark.parametrize("wanted", ["upper right", "best"])
+def test_a_legend_covers_no_curve(wanted):
+    x = np.linspace(0.0, 1.0, 200)
+    curves = [Line(x, 0.5 + 0.5 * np.sin(phase + 9.0 * x), name=f"after {phase} s") for phase in range(5)]
+    panel = Panel(tuple(curves), PanelAxis("place"), PanelAxis("height"), legend=wanted)
+    assert faults(render(Sheet((panel,)))) == []
+
+
 @pytest.mark.parametrize(
     ("spoil", "fault"),
     [
@@ -45,6 +42,15 @@ def test_a_figure_without_a_fault_has_none():
         (lambda axes: axes.text(0.5, 0.5, "here", fontsize=6.0), "small: 'here'"),
         (lambda axes: [axes.text(0.5, 0.5, word) for word in ("here", "there")], "overlap: 'there' and 'here'"),
         (lambda axes: axes.text(1.5, 0.5, "far away"), "outside: 'far away'"),
+        (lambda axes: axes.set_ylabel("force [uN]"), "letters: 'force [uN]'"),
+        (lambda axes: axes.set_ylim(0.0, 100.0), "flat: "),
+        (lambda axes: (axes.set_yscale("log"), axes.set_ylim(0.2, 9.0)), "one number: "),
+        (lambda axes: (axes.set_yscale("log"), axes.set_ylim(1e-19, 1.0)), "decades: "),
+        (lambda axes: axes.set_ylim(1.0 - 1e-9, 1.0), "offset: "),
+        (lambda axes: axes.plot([0.0, 0.4, 0.7, 1.0], [0.0, 0.1, 0.4, 0.9]), "polygon: a curve of 4 points"),
+        (lambda axes: axes.fill_between([0.0, 1.0], 0.0, 0.004), "thin: "),
+        (lambda axes: (axes.lines[0].set_label("curve"), axes.legend(loc="upper right")), "below the legend: 'curve'"),
+        (lambda axes: axes.text(0.45, 0.48, "here"), "struck through: 'here'"),
     ],
 )
 def test_each_fault_is_found(spoil, fault):

@@ -416,7 +416,7 @@ def test_what_is_refused():
 def test_a_ring_that_touches_first_is_refused():
     """A wave so high that the edge would have to climb over the energy of a trough."""
     bed = wk.Foundation(wk.Paraboloid(1.0) + wk.Wavy(0.02, 0.05), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
-    with pytest.raises(wk.OutsideValidity, match="a ring of the body touches there first"):
+    with pytest.raises(wk.OutsideValidity, match="A ring of the body touches there first"):
         AdhesiveCycle(bed, ShortRange(1e-7), wk.Depth([0.2])).solve()
 
 

@@ -182,13 +182,18 @@ SLOW_ON_LAYERS = (
     "LineTangential, bulk",
     "LineYieldOnset",
     "LineShakedown",
-    "LineAdhesion, Dugdale",
     "LineRolling, coupled",
 )
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW_ON_LAYERS)) for name in (*PROBLEMS, *ROLLING)]
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.long)
+        if name == "LineAdhesion, Dugdale"
+        else pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW_ON_LAYERS))
+        for name in (*PROBLEMS, *ROLLING)
+    ],
 )
 def test_layers_of_no_family_give_the_same_numbers_or_the_same_refusal(name):
     solve, read, _ = (PROBLEMS | ROLLING)[name]

@@ -190,7 +190,7 @@ def test_a_march_that_was_stopped_keeps_what_it_reached():
     [
         (wk.LineShearForce(MOST), {}, wk.OutsideValidity, "friction bears less than"),
         (wk.LineShearForce(0.1 * MOST), {"distance": 1e6}, wk.OutsideValidity, "give a shorter one"),
-        (wk.Creepage(1e-3), {}, wk.InvalidInput, "give the distance `reference`"),
+        (wk.Creepage(1e-3), {}, wk.InvalidInput, "Give the distance `reference`"),
         (wk.Creepage(1e-3), {"reference": 1.5}, wk.OutsideValidity, "nearer than 2 half-widths"),
         (wk.Creepage([1e-3, 2e-3]), {"reference": 9.0}, wk.InvalidInput, "with one number"),
         (wk.Creepage(1e-3, spin=1.0), {"reference": 9.0}, wk.OutsideValidity, "a lateral part or a spin"),

@@ -89,7 +89,7 @@ def test_media_and_parts_without_an_onset_are_refused():
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_stiff_layer_that_bends_away_says_so():
     """A million times as stiff as its base: it bends away under contacts of 3.4 to 8 thicknesses, not under wider ones.
 

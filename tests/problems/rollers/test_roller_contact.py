@@ -159,7 +159,7 @@ SHAPES = [
 ]
 
 
-@pytest.mark.few(0, slow=1)
+@pytest.mark.long
 @pytest.mark.parametrize(("ends", "alignment"), SHAPES)
 def test_the_usual_grid_is_within_one_per_cent_of_a_refined_one(ends, alignment):
     usual = bearing(ends, alignment=alignment, elements=160).solve()
@@ -297,7 +297,7 @@ def test_what_is_no_roller_is_refused(change, sentence):
 
 @pytest.mark.parametrize(
     ("radius", "elements"),
-    [(1e6, 128), pytest.param(2e3, 320, marks=pytest.mark.slow), pytest.param(1e6, 320, marks=pytest.mark.long)],
+    [(1e6, 128), pytest.param(2e3, 320, marks=pytest.mark.long), pytest.param(1e6, 320, marks=pytest.mark.long)],
 )
 def test_a_roller_much_shorter_than_its_contact_is_as_wide_as_the_elements_that_bear(radius, elements):
     """The edge lies between the middles of the last element that bears and of the next; a coarse one is within 3 %."""

@@ -119,7 +119,7 @@ def test_the_error_without_range_holds_wherever_it_is_stated(tabor, count):
 
 @pytest.mark.parametrize("tabor", [0.3, 0.6, 1.0, 1.5, 1.99])
 def test_pixels_that_do_not_tell_the_limit_without_range_are_refused(tabor):
-    with pytest.raises(OutsideValidity, match=r"on a ball as curved as the map, and .* follows from 2 on; take pixels"):
+    with pytest.raises(OutsideValidity, match=r"on a ball as curved as the map. .* follows from 2 on: take pixels"):
         drawn_without_range(tabor, 24).pull_off_without_range()
 
 
@@ -297,9 +297,9 @@ def test_where_all_pixels_touch():
 def test_refusals():
     """One sentence each: zones below the grid, hysteresis of the law, closed maps, missing heights, no row."""
     surface, radius = ball(16, 100.0), 100.0
-    with pytest.raises(OutsideValidity, match=r"1e-07 m, 1e-07 pixels; this law needs 2, .*a range of at least"):
+    with pytest.raises(OutsideValidity, match=r"1e-07 m, 1e-07 pixels. This law needs 2, .*a range of at least"):
         drawn_off(surface, wk.ExponentialAttraction(1e-3, 1e-5), [0.0])
-    with pytest.raises(OutsideValidity, match="this law needs 4"):
+    with pytest.raises(OutsideValidity, match="This law needs 4"):
         drawn_off(surface, wk.Dugdale(1e-3, 1.0), [0.0])
     with pytest.raises(OutsideValidity, match=r"needs 2\.5.*a spacing of at least"):
         drawn_off(surface, wk.LennardJones(1e-3, 1e-3), [0.0])

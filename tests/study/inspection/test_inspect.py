@@ -9,6 +9,7 @@ import pytest
 from made_files import DATA, made_files, table
 
 from winkler.cli import main
+from winkler.io.tables.relaxation_table import read_dynamic
 from winkler.study.inspection import inspect
 from winkler.study.inspection.inspect import inspect_file, inspect_files
 from winkler.values.errors import InvalidInput
@@ -257,3 +258,61 @@ def test_a_sweep_of_strain_is_no_path(tmp_path):
     found = inspect_file(table(tmp_path / "sweep.csv", head, *rows))
     assert found.taken_for == "path"
     assert any("no path of a contact" in one for one in found.doubts)
+
+
+def rheometer(path, rows):
+    """A table as a rheometer writes it: moduli, gap and normal force; `rows` are t, G', G'', f, F_n and h."""
+    lines = ["t in s;G' in Pa;G'' in Pa;f in Hz;Fn in N;h in mm;T in °C"]
+    lines += [";".join("" if one is None else f"{one:.6g}" for one in (*row, 37.0 + 1e-3 * (k % 7))) for k, row in
+              enumerate(rows)]  # fmt: skip
+    path.write_text("\n".join(lines), encoding="utf-8")
+    return path
+
+
+def test_a_sweep_of_strain_over_a_gap_that_stays_is_no_curve(tmp_path):
+    stays = [(16.0 * k, 900.0, 65.0, 1.0, 0.3 - 0.01 * k, 1.5087 + 1e-6 * (k % 3)) for k in range(25)]
+    found = inspect_file(rheometer(tmp_path / "strain.csv", stays))
+    assert not found.is_read
+    assert "all of its 25 rows have one frequency, 6.283 rad/s" in found.reason
+    moves = [(*row[:5], 4.0 - 0.1 * k) for k, row in enumerate(stays)]
+    assert inspect_file(rheometer(tmp_path / "moves.csv", moves)).taken_for == "force curve"
+
+
+def test_columns_of_moduli_without_numbers_name_no_moduli(tmp_path):
+    gaps = np.linspace(2.0, 1.5, 40)
+    pressed = [(0.1 * k, 0.0, 0.0, 0.0, 3.0 * (2.0 - gap) ** 1.5, gap) for k, gap in enumerate(gaps.tolist())]
+    found = inspect_file(rheometer(tmp_path / "compression.csv", pressed))
+    assert not found.is_read
+    assert "give columns = { gap = 6, force = 5 }" in found.reason
+
+
+def test_the_first_of_several_sweeps_is_read_and_its_study_runs(tmp_path, capsys):
+    omegas = np.geomspace(0.1, 100.0, 12).tolist()
+    first = [(k, 1000.0 * omega**0.2, 100.0, omega, 0.1, 1.5) for k, omega in enumerate(omegas)]
+    rest = [(100 + k, None, None, None, 0.02, 1.5) for k in range(8)]
+    again = [(200 + k, 500.0 * omega**0.2, 100.0, omega, 0.1, 1.5) for k, omega in enumerate(omegas)]
+    path = rheometer(tmp_path / "recovery.csv", [*first, *rest, *again])
+    found = inspect_file(path)
+    assert (found.taken_for, found.count) == ("storage and loss", 2)
+    assert found.column("storage_shear").high == pytest.approx(1000.0 * 100.0**0.2, rel=1e-3)
+    study = tmp_path / "study.toml"
+    assert main(["show", str(path), "--write", str(study)]) == 0
+    assert "test = 1" in study.read_text(encoding="utf-8")
+    assert main(["run", str(study), "--output", str(tmp_path / "results"), "--quiet"]) == 0
+    capsys.readouterr()
+
+
+def test_a_sweep_at_one_scattering_temperature_is_one_sweep(tmp_path):
+    omegas = np.geomspace(0.1, 100.0, 12).tolist()
+    rows = [(k, 1000.0 * omega**0.2, 100.0, omega, 0.1, 1.5) for k, omega in enumerate(omegas)]
+    assert inspect_file(rheometer(tmp_path / "sweep.csv", rows)).taken_for == "storage and loss"
+
+
+def test_bare_numbers_are_told_how_curves_and_moduli_are_named(tmp_path):
+    path = tmp_path / "bare.csv"
+    path.write_text("".join(f"{0.1 * 2**k:.6g},{0.8 + 0.1 * k:.6g},{0.1 + 0.02 * k:.6g}\n" for k in range(9)))
+    reason = inspect_file(path).reason
+    assert "give columns = { position = 1, force = 2 }" in reason
+    named = re.search(r'of moduli give header = "(.*)"', reason)
+    assert named
+    assert read_dynamic(path, header=named[1]).storage_shear[-1] == pytest.approx(1.6e3)

@@ -13,12 +13,14 @@ import numpy as np
 from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.elastic.contact import states_for
 from winkler.fitting.elastic.model_tables import ModelTables
+from winkler.fitting.elastic.yielding import rough_force
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.start import contact_points
 from winkler.fitting.task import FitTask
 from winkler.fitting.varied import CURVE_PARAMETERS
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.values.errors import OutsideValidity
 
 __all__ = ["starts"]
@@ -54,7 +56,8 @@ def _sized(task: FitTask, rough_outline: CurveOutline, origin: float, numbers: d
         numbers["contact_point"] = origin
     if "baseline" in numbers and "baseline" not in stated:
         numbers["baseline"] = rough_outline.baseline
-    moduli = _named(task, stated, "Pa", ("strength",))
+    elastic = not isinstance(task.model, PlasticIndentation)
+    moduli = _named(task, stated, "Pa", ("strength",) if elastic else ("young",))
     works = _named(task, stated, "J/m^2", ())
     if moduli or works:
         _scale(task, rough_outline, numbers, moduli, works)
@@ -63,6 +66,8 @@ def _sized(task: FitTask, rough_outline: CurveOutline, origin: float, numbers: d
 
 def _possible(task: FitTask, numbers: dict[str, float], works: list[str], depth: float) -> tuple[float, float]:
     """Return the force at a depth and the pull-off force, the works reduced until the theory is valid."""
+    if isinstance(task.model, PlasticIndentation):
+        return rough_force(lambda: task.with_numbers(numbers), depth), 0.0
     tables: ModelTables = task.tables
     known = tables.known(numbers, 0.0, depth)
     if known is not None:
@@ -102,7 +107,8 @@ def _scale(
             pull = -min(0.0, loss)
             share = float(np.clip((top + pull) / max(force + pull, 1e-6 * top), 1e-3, 1e3))
             worst = max(worst, share, 1.0 / share)
-            numbers.update({name: numbers[name] * share for name in moduli})
+            inside = {p.name: p.inside for p in task.parameters}
+            numbers.update({name: inside[name](numbers[name] * share) for name in moduli})
         if works and isinstance(task.model, AdhesiveIndentation):
             target = max(rough_outline.pull, 2.0 * rough_outline.noise, 1e-4 * top)
             pull = -loss

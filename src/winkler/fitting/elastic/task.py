@@ -30,7 +30,9 @@ from winkler.fitting.elastic.contact import (
 from winkler.fitting.elastic.slow_jumps import beside_jumps, missed_in_contact
 from winkler.fitting.elastic.start import starts
 from winkler.fitting.elastic.tables_for import tables_for
+from winkler.fitting.elastic.yielding import YieldingContact, turning_depths, yielding_contact
 from winkler.fitting.outcome import Fit
+from winkler.fitting.parameters import number_at
 from winkler.fitting.task import FitTask, Prediction, even_weights, moved
 from winkler.fitting.validity import Model
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
@@ -38,6 +40,9 @@ from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.plastic.first_loading import LEAST_STIFFNESS
+from winkler.problems.plastic.indentation import PlasticIndentation
+from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON
 from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["ElasticTask", "elastic_task"]
@@ -48,6 +53,8 @@ EXPLAINED_NOISE = 1.2
 """Greatest root mean square of the residuals of a start that needs no other beside it, relative to the noise."""
 MISSED_LEAST = 3.0
 """Least root mean square of the residuals in contact, relative to the noise, with which they count less."""
+LEAST_EXPONENT = 1e-9
+"""Least exponent of a metal that hardens: it is varied itself, not its logarithm, so that none is within its reach."""
 LITTLE = -3.0
 """Change of the logarithm of a work of adhesion from which it begins again."""
 
@@ -195,6 +202,36 @@ class ElasticTask(FitTask):
         return Fit(**shared, radius=radius, contact=prediction.touched)
 
 
+class YieldingTask(ElasticTask):
+    """A contact of bodies that yield, with the memory of its greatest depths."""
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return the forces [N] at coordinates."""
+        numbers = self.numbers(coordinates)
+        compliance, place = self.curve.compliance, self.place(numbers)
+        contact = yielding_contact(lambda: self.with_numbers(numbers), compliance, place, self.runs)
+        return Prediction(contact.force + self.line(numbers), contact.radius > 0.0, contact)
+
+    def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
+        """Return the derivative with respect to a number in closed form ``(n,)``, else None.
+
+        The contact point moves the greatest depth, too, which the rest of the curve remembers.
+        """
+        return None if name == "contact_point" else super().slope(name, numbers, prediction)
+
+    def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
+        """Return the derivative with respect to a coordinate."""
+        step = self.step(coordinates, index)
+        return np.asarray((self.prediction(moved(coordinates, index, step)).fitted - prediction.fitted) / step)
+
+    def model_of(self, numbers: dict[str, float], prediction: Prediction) -> PlasticIndentation:
+        """Return the model with its numbers, and the depths at which the curve turns."""
+        held: YieldingContact = prediction.contact
+        model: PlasticIndentation = self.with_numbers(numbers)
+        depth = self.place(numbers) - self.curve.compliance * held.force
+        return dataclasses.replace(model, path=Depth(turning_depths(depth, self.runs)))
+
+
 def elastic_task(
     curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array, acceleration: Array | None = None
 ) -> ElasticTask:
@@ -204,7 +241,7 @@ def elastic_task(
     ----------
     curve : ForceCurve
         Without points of holds.
-    model : Indentation or AdhesiveIndentation
+    model : Indentation, AdhesiveIndentation or PlasticIndentation
     free : dict
         Name and (low, high), or a start value, or neither (an empty tuple).
     noise : ndarray
@@ -225,8 +262,18 @@ def elastic_task(
         acceleration = tip_acceleration(curve) if acceleration is None else acceleration
         scales["inertia"] = strength / (float(np.abs(acceleration).max()) or 1.0)
     zeros = np.zeros(curve.count)
-    parameters = parameters_of(model, free, scales, NATURAL_BOUNDS)
+    yields = isinstance(model, PlasticIndentation)
+    parameters = parameters_of(model, free, scales, _yielding_bounds(model, free) if yields else NATURAL_BOUNDS)
     tables = tables_for(model, parameters)
-    return ElasticTask(
+    return (YieldingTask if yields else ElasticTask)(
         curve, model, parameters, even_weights(curve, noise), zeros, zeros, tables=tables, acceleration=acceleration
     )
+
+
+def _yielding_bounds(model: Model, free: dict[str, Any]) -> dict[str, tuple[float, float]]:
+    """Return the natural bounds of free numbers of bodies that yield: those of the law of yielding."""
+    known = {**NATURAL_BOUNDS, "poisson": (LEAST_POISSON, GREATEST_POISSON), "exponent": (LEAST_EXPONENT, 0.5)}
+    for name in free:
+        if name.endswith(".strength"):
+            known[name] = 0.0, number_at(model, f"{name.removesuffix('strength')}young") / LEAST_STIFFNESS
+    return known

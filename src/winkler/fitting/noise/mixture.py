@@ -32,6 +32,8 @@ SETTLED = 3e-3
 FAR = 12.0
 """Distance in errors beyond which a normal distribution is 0 or 1; the densities of numbers below 1e-308 take long."""
 MOST_STEPS = 60
+LEAST_BEYOND = 1e-6
+"""Least part beyond a half-width, over that wanted, of which the logarithm is taken: rounding may leave none."""
 UNCOUNTED = 1e-7
 """Weight of the least likely candidates together that no half-width counts."""
 
@@ -66,7 +68,8 @@ class Mixture(_MixtureFields):
         shares, deviations = self.shares[counted], np.sqrt(np.diag(self.covariance))
         apart = ((self.steps[counted] - self.mean) / deviations)[:, :, None]
         errors = (np.sqrt(np.einsum("mii->mi", self.covariances[counted])) / deviations)[:, :, None]
-        wanted = 2.0 * ndtr(np.array(SIGMAS)) - 1.0
+        outside = 2.0 * ndtr(-np.array(SIGMAS))
+        wanted = 1.0 - outside
         low, high = np.zeros((deviations.size, len(SIGMAS))), np.full((deviations.size, len(SIGMAS)), FARTHEST)
         width = np.broadcast_to(np.array(SIGMAS), low.shape)
         for _ in range(MOST_STEPS):
@@ -74,9 +77,9 @@ class Mixture(_MixtureFields):
             missing = wanted - np.tensordot(shares, ndtr(above) - ndtr(below), 1)
             density = np.tensordot(shares, (np.exp(-0.5 * above**2) + np.exp(-0.5 * below**2)) / errors, 1)
             low, high = np.where(missing > 0.0, width, low), np.where(missing > 0.0, high, width)
-            step = np.divide(
-                missing * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0
-            )
+            # the logarithm of what lies beyond is nearly straight far out, and curved a little near the middle
+            beyond = (missing + outside) * np.log(np.maximum((missing + outside) / outside, LEAST_BEYOND))
+            step = np.divide(beyond * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0)
             inside = (width + step >= low) & (width + step <= high)
             step = np.where(inside, step, 0.5 * (low + high) - width)
             width = width + step

@@ -136,6 +136,25 @@ class GradedHalfSpace:
         )
 
     @functools.cached_property
+    def along_modulus(self) -> float:
+        """m_L [Pa] of a shear along its wave, as under a line: 1/m_L = sum of (1+k)^2 (1-nu^2) / (beta^2 h_N E_0)."""
+        k = self.exponent
+        _ = self.shear_modulus  # Gibson's solid is refused
+        return 1.0 / math.fsum(
+            (1.0 + k) ** 2
+            * (1.0 - body.poisson)
+            * (1.0 + body.poisson)
+            / (root_squared(k, body.poisson) * normal_factor(k, body.poisson) * self._young(body))
+            for body in self._graded
+        )
+
+    @property
+    def mismatch(self) -> float:
+        """Zero of two bodies that are alike, whose pressure draws both along in the same way; else not a number."""
+        alike = len(self._graded) > 1 and len({(self._young(body), body.poisson) for body in self._graded}) == 1
+        return 0.0 if alike else math.nan
+
+    @functools.cached_property
     def torsional_modulus(self) -> float:
         """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)): springs of a twist bear 8 G_t (x/c_0)^k x."""
         k = self.exponent

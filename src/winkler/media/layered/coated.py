@@ -441,8 +441,8 @@ class StackedHalfSpace(StackMedium):
             Assumption.RESPONSE,
             Standing.EXACT,
             "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the surface "
-            "normal, each bonded to what lies below it or sliding there without friction or gap: k and g follow from "
-            "the flat punches of the stack without approximation, for one round contact.",
+            "normal, each bonded to what lies below it or sliding there without friction or gap. For one round "
+            "contact k and g follow from the flat punches of the stack without approximation.",
             BARBER,
         ),
     )
@@ -513,7 +513,7 @@ class SlidingFilm(StackMedium):
             Assumption.RESPONSE,
             Standing.EXACT,
             "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction and "
-            "does not lift off: k and g follow from its flat punches without approximation, for one round contact.",
+            "does not lift off. For one round contact k and g follow from its flat punches without approximation.",
             BARBER,
         ),
     )

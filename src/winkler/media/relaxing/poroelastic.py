@@ -187,8 +187,8 @@ class PoroelasticFilm(RelaxingByWaves):
             "Frictionless contact with a bonded film on a rigid base by Biot's linear theory, of incompressible "
             "constituents, without inertia. Liquid passes the surface freely, also into the body that is pressed in, "
             "and not the base; below a body that is sealed the force falls later. Under contacts wider than 40 "
-            "thicknesses what flows within 1e-5 h^2/D flows at once: after a step the force is 3 % too high at "
-            "1e-4 h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
+            "thicknesses what flows within 1e-5 h^2/D flows at once. After a step the force is 3 % too high at 1e-4 "
+            "h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
             BIOT,
         ),
     )

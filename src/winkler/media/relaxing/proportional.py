@@ -147,8 +147,8 @@ class RelaxingInProportion(RelaxingLayers):
             Assumption.RESPONSE,
             Standing.EXACT,
             "All parts that are not rigid relax by the same function of time, with Poisson's ratios that do not "
-            "change: then g does not change either, and while the contact is one disc every elastic result stays "
-            "true with the displacements replaced by their hereditary integral.",
+            "change. Then g does not change either. While the contact is one disc, every elastic result stays true "
+            "with the displacements replaced by their hereditary integral.",
             LEE,
         )
         return (*self.medium.notes, alike)

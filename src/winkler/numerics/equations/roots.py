@@ -19,6 +19,8 @@ STEP_TOLERANCE = 3e-9
 """A step of this part of the distance from the nearer end is the last."""
 MOST_OCTAVES_PER_STEP = 20.0
 """Octaves of one step of a search, at most."""
+MANY, SAMPLES, BLOCK = 1000, 257, 4096
+"""Number of targets from which on some are met first, how many these are, and how many are met at once afterwards."""
 LEAST_POWER = 0.25
 """Least power of x that is extrapolated: waves return to where they were."""
 MOST_OCTAVES = 100.0
@@ -56,16 +58,27 @@ def invert(
     NotConverged
         If a target is not met to rounding after 200 steps.
     """
-    low = np.full(target.shape, lower)
-    high = np.full(target.shape, upper)
-    x = np.full(target.shape, guess)
+    if target.size > MANY and np.ndim(guess) == 0:
+        begin, found = _between_samples(function, target, lower, upper, guess), np.empty(target.shape)
+        for start in range(0, target.size, BLOCK):
+            block = slice(start, start + BLOCK)
+            own = target[block]
+            found[block] = invert(function, own, lower=lower, upper=upper, guess=begin(own))
+        return found
+    low: Array = np.array(lower)
+    high: Array = np.array(upper)
+    x = np.full(target.shape, guess) if np.ndim(guess) == 0 else np.array(guess)
     for count in range(MOST_ITERATIONS):
         value, slope = function(x)
         step = _newton_step(x - lower, value, slope, target)
+        new = x + step
+        if np.all(np.abs(step) <= STEP_TOLERANCE * np.minimum(x - lower, upper - x)) and np.all(
+            (new > low) & (new < high)
+        ):
+            return new
         below = value < target
         low = np.where(below, x, low)
         high = np.where(below, high, x)
-        new = x + step
         # Newton's method doubles the digits: a step so small, against the distance from where the function may be
         # singular, leaves nothing to do after it
         settled = np.abs(step) <= np.maximum(STEP_TOLERANCE * np.minimum(x - lower, upper - x), 4e-16 * x)
@@ -87,6 +100,37 @@ def invert(
     if worst < 1e-12:
         return x
     raise NotConverged(f"No contact radius bears the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
+
+
+def _between_samples(
+    function: Callable[[Array], tuple[Array, Array]], target: Array, lower: float, upper: float, guess: float | Array
+) -> Callable[[Array], Array]:
+    """Return what says where to begin: on cubics between the roots of some targets, in logarithms of both."""
+    first, last = np.log([float(target.min()), float(target.max())]).tolist()
+    if not last > first:
+        return lambda own: np.full(own.shape, guess)
+    samples, width = np.linspace(first, last, SAMPLES), (last - first) / (SAMPLES - 1)
+    roots = invert(function, np.exp(samples), lower=lower, upper=upper, guess=guess)
+    value, slope = function(roots)
+    distance = roots - lower
+    if not np.all((slope > 0.0) & np.isfinite(slope) & (distance > 0.0)):
+        return lambda own: np.interp(np.log(own), samples, roots)
+    near, rise = np.log(distance), width * value / (slope * distance)
+    change = np.diff(near)
+    third = rise[:-1] + rise[1:] - 2.0 * change
+    columns = third, change - rise[:-1] - third, rise[:-1], near[:-1]
+
+    def begin(own: Array) -> Array:
+        place = (np.log(own) - first) / width
+        cell = np.clip(place.astype(int), 0, SAMPLES - 2)
+        place -= cell
+        found = np.zeros(own.shape)
+        for column in columns:
+            found *= place
+            found += column[cell]
+        return np.clip(lower + np.exp(found), roots[cell], roots[cell + 1])
+
+    return begin
 
 
 def _newton_step(distance: Array, value: Array, slope: Array, target: Array) -> Array:

@@ -134,8 +134,8 @@ class LayeredSurface(NamedTuple):
         if lost > MOST_LOST:
             raise OutsideValidity(
                 f"pixels of {max(pixel) / self.unit / self.response.length:.3g} times the thickness of the uppermost "
-                f"layer are too coarse: under a wave of {TESTED_WAVE:.0f} of them the displacement would be wrong by "
-                f"{lost:.0%}, since a nearly incompressible film only yields between pixels; take pixels as small as "
+                f"layer are too coarse. Under a wave of {TESTED_WAVE:.0f} of them the displacement would be wrong by "
+                f"{lost:.0%}, since a nearly incompressible film only yields between pixels: take pixels as small as "
                 "the film is thick, or a periodic map."
             )
 

@@ -327,6 +327,18 @@ def _curved(law, whole, dt, rate):  # type: ignore[no-untyped-def]
 
 
 @compiled
+def _put(state, motion, place, way):  # type: ignore[no-untyped-def]
+    """Write a state and a motion into others, number by number: to compile an assignment of slices takes seconds."""
+    for j in range(state[0].size):
+        place[0][j], place[2][j] = state[0][j], state[2][j]
+        for k in range(state[1].shape[0]):
+            place[1][k, j] = state[1][k, j]
+    place[3][0], place[3][1] = state[3][0], state[3][1]
+    for i in range(motion.size):
+        way[i] = motion[i]
+
+
+@compiled
 def advance_under_forces(law, springs, state, motion, forces, times, limits, course, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through stretches in which a force changes steadily, in place; write `FORCED_NUMBERS` of each.
 
@@ -353,8 +365,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
         How many stretches were carried through, and what has ended the next: 0 nothing, 1 no depth bears the force,
         2 steps become too short.
     """
-    u, memory, pressed, counts = state
-    there = np.empty_like(u), np.empty_like(memory), np.empty_like(pressed), np.empty_like(counts)
+    there = np.empty_like(state[0]), np.empty_like(state[1]), np.empty_like(state[2]), np.empty_like(state[3])
     room, away, sums, target, held = _room(state), np.empty(3), np.empty(STEP_NUMBERS), np.zeros(4), 0
     little, scale, viscous = limits[0], limits[1], law[1] > 0.0
     for n in range(times.size):
@@ -379,7 +390,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                 held = _go(law, springs, state, motion, whole, dt, grown, room, sums)
                 moved, worked, wasted = whole, sums[2], sums[9]
             else:
-                there[0][:], there[1][:], there[2][:], there[3][:], away[:] = u, memory, pressed, counts, motion
+                _put(state, motion, there, away)
                 moved, worked, wasted, half = 0.0, 0.0, 0.0, 0.5 * dt
                 for stage in range(2):
                     target[2] = 1.0 / half if viscous else 0.0
@@ -398,7 +409,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                         return n, 2
                     pace = dt * max(0.2, 0.9 * (little / error) ** (1.0 / 3.0))
                     continue
-                u[:], memory[:], pressed[:], counts[:], motion[:] = there[0], there[1], there[2], there[3], away
+                _put(there, away, state, motion)
                 held = touching
             work, lost = work + worked, lost + wasted
             if sudden:
@@ -414,6 +425,6 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
         numbers[n, 3], numbers[n, 4], numbers[n, 5] = (
             _energy(law, springs, state),
             lost,
-            1.0 if held > counts[0] else 0.0,
+            1.0 if held > state[3][0] else 0.0,
         )
     return times.size, 0

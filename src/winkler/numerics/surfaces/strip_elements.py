@@ -4,7 +4,7 @@ An even traction q on an element from l to r moves the surfaces along each other
 
 .. math:: u(x) = -\frac{2q}{\pi E^*}\,[\,(x-l)\ln|x-l| - (x-r)\ln|x-r| - (r-l)\,] ,
 
-and a traction whose slope jumps by :math:`\kappa_j` at :math:`s_j` has the potential of `winkler.problems.line.stress`
+(on bodies graded by a power k with :math:`(1-|x|^{-k})/k` in place of the logarithm), and a traction whose slope jumps by :math:`\kappa_j` at :math:`s_j` has the potential of `winkler.problems.line.stress`
 
 .. math:: F(\zeta) = \frac1\pi\int\frac{q(s)}{\zeta-s}\,\mathrm ds
           = \frac1\pi\sum_j\kappa_j\,(\zeta-s_j)\,[\,\ln(\zeta-s_j)-1\,] .
@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["by_hats", "element_compliance", "hats", "linear_potential", "linear_slope"]
+__all__ = ["by_hats", "element_compliance", "hats", "linear_potential", "linear_slope", "summed_power"]
 
 FAR = 30.0
 """Distance in half-lengths from which moments of the traction are summed: the logarithms lose digits there."""
@@ -25,20 +25,38 @@ CHUNK = 500_000
 """Logarithms held at once."""
 
 
-def element_compliance(edges: Array) -> Array:
+def summed_power(x: Array, exponent: float) -> Array:
+    """Return the integral of (1 - |x|^-k) / k from 0 to places, of the logarithm for k = 0.
+
+    Parameters
+    ----------
+    x : ndarray
+        Of any shape.
+    exponent : float
+        k, below one.
+    """
+    logarithm = np.log(np.where(x == 0.0, 1.0, np.abs(x)))
+    if exponent == 0.0:
+        return np.asarray(x * logarithm - x)
+    rest = 1.0 - exponent
+    return np.asarray(x * (-np.expm1(-exponent * logarithm) - exponent) / (exponent * rest))
+
+
+def element_compliance(edges: Array, exponent: float = 0.0) -> Array:
     """Return the displacement over 1/E* at the middles of elements by unit tractions on each of them ``(n, n)``.
 
     Parameters
     ----------
     edges : ndarray, (n + 1,)
         Ascending [length]; the displacement is counted from a distance of one unit of it.
+    exponent : float, optional
+        k of `summed_power`, whose kernel is that of half-planes unless given.
     """
     far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
-    lifted = far * np.log(np.where(far == 0.0, 1.0, np.abs(far))) - far
-    return np.asarray(2.0 / np.pi * np.diff(lifted, axis=1))
+    return np.asarray(2.0 / np.pi * np.diff(summed_power(far, exponent), axis=1))
 
 
-def linear_slope(nodes: Array, x: Array) -> Array:
+def linear_slope(nodes: Array, x: Array, exponent: float = 0.0) -> Array:
     """Return Re F at the surface of tractions that are one at a node and fall to zero at the next ``(k, m - 2)``.
 
     Parameters
@@ -47,9 +65,12 @@ def linear_slope(nodes: Array, x: Array) -> Array:
         Ascending; the first and the last carry nothing.
     x : ndarray, (k,)
         Places, none of them a node.
+    exponent : float, optional
+        k of `summed_power`: with the slope of its kernel in place of the inverse of the distance.
     """
     away = x[:, None] - nodes
-    return by_hats(away * np.log(np.abs(away)), nodes) / np.pi
+    lifted = summed_power(away, exponent) if exponent else away * np.log(np.abs(away))
+    return by_hats(lifted, nodes) / np.pi
 
 
 def by_hats(lifted: Array, nodes: Array) -> Array:

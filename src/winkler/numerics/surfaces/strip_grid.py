@@ -26,7 +26,7 @@ ALL_AT_ONCE = 30
 """Iterations in which all nodes change that are wrong."""
 
 
-def strip_compliance(count: int, spacing: float, reference: float) -> Array:
+def strip_compliance(count: int, spacing: float, reference: float, exponent: float = 0.0) -> Array:
     """Return the displacement over 1/E* [m] at nodes 0, 1, ... `count` spacings away from a unit hat of traction.
 
     Parameters
@@ -35,11 +35,17 @@ def strip_compliance(count: int, spacing: float, reference: float) -> Array:
         How far [-].
     spacing, reference : float
         Between nodes, and d [m].
+    exponent : float, optional
+        k: with (1 - |x/d|^-k) / k, of bodies graded by a power, in place of the logarithm.
     """
     # second difference of x^2/2 (ln|x/d| - 3/2), whose second derivative is ln|x/d|
     x = spacing * np.arange(-1.0, count + 2.0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        twice = np.where(x != 0.0, 0.5 * x * x * (np.log(np.abs(x) / reference) - 1.5), 0.0)
+        lifted = np.log(np.abs(x) / reference)
+        if exponent:
+            k, rest = exponent, (1.0 - exponent) * (2.0 - exponent)
+            lifted = (k * k - 3.0 * k - 2.0 * np.expm1(-k * lifted)) / (k * rest) + 1.5
+        twice = np.where(x != 0.0, 0.5 * x * x * (lifted - 1.5), 0.0)
     return np.asarray(-2.0 / np.pi * np.diff(twice, 2) / spacing)
 
 

@@ -8,11 +8,16 @@ within a cell is cut off there, not at the next node: what the cells miss is add
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Cuts", "GridTransforms", "SurfaceTransform"]
+__all__ = ["Cuts", "GridTransforms", "SurfaceTransform", "inner_product"]
+
+BLOCK = 128
+"""Rows of a triangular matrix that are multiplied at once."""
 
 
 class Cuts:
@@ -26,23 +31,37 @@ class Cuts:
 
     def __init__(self, squares: Array, values: Array) -> None:
         signs = values > 0.0
-        (self.cells,) = np.nonzero(signs[:-1] != signs[1:])
+        self.cells: Array = (signs[:-1] != signs[1:]).nonzero()[0]
         low, high = values[self.cells], values[self.cells + 1]
         self.start, self.stop = squares[self.cells], squares[self.cells + 1]
         width = self.stop - self.start
         self.place = self.start + width * (low / (low - high))
-        self.falls = low > 0.0
+        self.falls: Array = signs[self.cells]
         self.slope = (high - low) / width
         # what the nodes alone give: zero instead of what is negative
-        self.cut_slope = (np.maximum(high, 0.0) - np.maximum(low, 0.0)) / width
-        # where the positive part begins and ends
-        self.first = np.where(self.falls, self.start, self.place)
-        self.last = np.where(self.falls, self.place, self.stop)
+        self.cut_slope = np.where(self.falls, -low, high) / width
 
     @property
     def edge(self) -> float:
         """Where the function falls below zero for the last time, in y [m^2]; zero if nowhere."""
-        return float(self.place[self.falls][-1]) if np.any(self.falls) else 0.0
+        falls = self.place[self.falls]
+        return float(falls[-1]) if falls.size else 0.0
+
+    @property
+    def wide(self) -> Array:
+        """How wide the positive part of each cell is, in y [m^2]."""
+        return np.where(self.falls, self.place - self.start, self.stop - self.place)
+
+    def positive(self, at_nodes: Array, at_place: Array) -> tuple[Array, Array]:
+        """Return by how much something grows over the positive part of each cell, and over the whole cell.
+
+        Parameters
+        ----------
+        at_nodes : ndarray, (..., n)
+        at_place : ndarray, (..., cells)
+        """
+        start, stop = at_nodes[..., self.cells], at_nodes[..., self.cells + 1]
+        return np.where(self.falls, at_place - start, stop - at_place), stop - start
 
 
 class GridTransforms:
@@ -79,16 +98,25 @@ class GridTransforms:
 
     def set_loads(self) -> None:
         """Lay down the matrix of the loads beyond the borders of the parts, once these are known."""
-        to_nodes = self.load_of_slope(np.broadcast_to(self.squares, (self.nodes.size, self.nodes.size)))
-        self.outside = self.by_values(to_nodes[:, :-1] - to_nodes[:, 1:])
+        self._to_nodes = np.asfortranarray(self.load_of_slope(self.squares))
+        self.outside = self.by_values(self._to_nodes[:, :-1] - self._to_nodes[:, 1:])
         self.rim_load = self.load_of_rim()
+
+    @functools.cached_property
+    def node_moments(self) -> Array:
+        """Return `moments` up to the nodes."""
+        return self.moments(self.squares)
 
     def load_of_slope(self, upto: Array) -> Array:
         """Return what springs of the slope -1 over y up to places in y bear beyond each border, over E*.
 
         Parameters
         ----------
-        upto : ndarray, (n, m)
+        upto : ndarray, (m,)
+
+        Returns
+        -------
+        ndarray, (n, m)
         """
         raise NotImplementedError
 
@@ -104,30 +132,28 @@ class GridTransforms:
         """Return what springs displaced by one metre bear up to places in y, as `integral` has it."""
         raise NotImplementedError
 
-    def inside(self, cut: Cuts, upto: float) -> float:
-        """Return what springs displaced by one metre bear where a function is positive, if it is so at the axis."""
-        whole = float(self.springs_within(np.array([upto]))[0])
-        if not cut.cells.size:
-            return whole
-        ends = self.springs_within(cut.place)
-        total = float(np.sum(np.where(cut.falls, ends, -ends)))
-        return total if cut.falls[-1] else total + whole
+    def pressed(self, values: Array) -> tuple[float, float]:
+        """Return `integral`, and how it grows with values that all grow by one metre."""
+        cut, upto = Cuts(self.squares, values), self.squares[-1:] * (values[-1] > 0.0)
+        ends = np.append(np.where(cut.falls, 1.0, -1.0) * self.springs_within(cut.place), self.springs_within(upto))
+        return self.integral(values, cut), float(ends.sum())
 
     def surface_parts(self, upto: Array) -> tuple[Array, Array]:
         """Return what the surface shows at every node (rows) of springs displaced by 1 and by y, up to places in y."""
         raise NotImplementedError
 
-    def moments(self, low: Array, high: Array) -> tuple[Array, Array]:
-        """Return the integrals of 1 and x^2 between places in y."""
-        return np.sqrt(high) - np.sqrt(low), (high**1.5 - low**1.5) / 3.0
+    def moments(self, places: Array) -> Array:
+        """Return the integrals of 1 and x^2 up to places in y ``(2, m)``."""
+        roots = np.sqrt(places)
+        return np.array([roots, roots * places / 3.0])
 
     def missed(self, cut: Cuts) -> Array:
         """Return by how much the integrals of values(x)+ over the cells of a cut exceed those by nodes alone."""
-        zeroth, second = self.moments(cut.first, cut.last)
-        whole = cut.slope * (second - cut.place * zeroth)
+        if not cut.cells.size:
+            return np.zeros(0)
+        (zeroth, second), (whole, whole_second) = cut.positive(self.node_moments, self.moments(cut.place))
         base = np.where(cut.falls, cut.stop, cut.start)
-        zeroth, second = self.moments(cut.start, cut.stop)
-        return np.asarray(whole - cut.cut_slope * (second - base * zeroth))
+        return np.asarray(cut.slope * (second - cut.place * zeroth) - cut.cut_slope * (whole_second - base * whole))
 
     def means(self, squares: Array, values: Array) -> Array:
         """Return the means over the parts about the nodes of a function given at the nodes of another grid.
@@ -141,14 +167,10 @@ class GridTransforms:
 
     def borne(self, values: Array, cut: Cuts) -> Array:
         """Return what the parts about the nodes bear: their mean pressure over E*, under springs values+."""
-        beyond = self.outside @ np.maximum(values, 0.0)
+        beyond = outer_product(self.outside, np.maximum(values, 0.0))
         if cut.cells.size:
-            shape = (self.nodes.size, cut.cells.size)
-            last, first, stop, start = (
-                self.load_of_slope(np.broadcast_to(place, shape))
-                for place in (cut.last, cut.first, cut.stop, cut.start)
-            )
-            beyond = beyond - np.sum(cut.slope * (last - first) - cut.cut_slope * (stop - start), axis=1)
+            positive, whole = cut.positive(self._to_nodes, self.load_of_slope(cut.place))
+            beyond = beyond - (positive @ cut.slope - whole @ cut.cut_slope)
         if values[-1] > 0.0:
             beyond = beyond + values[-1] * self.rim_load
         return np.asarray(-np.diff(np.append(beyond, 0.0)) / self.areas)
@@ -160,8 +182,9 @@ class SurfaceTransform:
     def __init__(self, grid: GridTransforms) -> None:
         self.grid = grid
         y = grid.squares
-        zeroth, second = grid.surface_parts(np.broadcast_to(y[None, :], (y.size, y.size)))
-        zeroth, second = np.diff(zeroth, axis=1), np.diff(second, axis=1)
+        parts = grid.surface_parts(y)
+        self._parts = tuple(map(np.asfortranarray, parts))
+        zeroth, second = (np.diff(part, axis=1) for part in parts)
         matrix = np.zeros((y.size, y.size))
         matrix[:, 1:] += (second - y[:-1] * zeroth) / grid.widths
         matrix[:, :-1] += (y[1:] * zeroth - second) / grid.widths
@@ -170,15 +193,34 @@ class SurfaceTransform:
 
     def __call__(self, values: Array, cut: Cuts) -> Array:
         """Return u [m] at the nodes of springs displaced by values+."""
-        restored = self.matrix @ np.maximum(values, 0.0)
+        restored = inner_product(self.matrix, np.maximum(values, 0.0))
         if cut.cells.size:
-            zeroth, second = self._between(cut.first, cut.last)
-            restored = restored + np.sum(cut.slope * (second - cut.place * zeroth), axis=1)
+            zeroth, second = map(cut.positive, self._parts, self.grid.surface_parts(cut.place))
             base = np.where(cut.falls, cut.stop, cut.start)
-            zeroth, second = self._between(cut.start, cut.stop)
-            restored = restored - np.sum(cut.cut_slope * (second - base * zeroth), axis=1)
+            restored = restored + (second[0] - cut.place * zeroth[0]) @ cut.slope
+            restored = restored - (second[1] - base * zeroth[1]) @ cut.cut_slope
         return np.asarray(restored)
 
-    def _between(self, first: Array, last: Array) -> tuple[Array, Array]:
-        ends, begins = self.grid.surface_parts(last[None, :]), self.grid.surface_parts(first[None, :])
-        return ends[0] - begins[0], ends[1] - begins[1]
+
+def inner_product(matrix: Array, values: Array) -> Array:
+    """Return the product of a lower triangular matrix ``(n, n)`` and values ``(n,)``, by blocks that are not zero."""
+    return np.concatenate([matrix[low:high, :high] @ values[:high] for low, high in _blocks(values.size)])
+
+
+def outer_product(matrix: Array, values: Array) -> Array:
+    """Return the same of an upper one with one more diagonal: a part about a node begins in the cell before it.
+
+    Values are zero beyond the contact, and so is what is borne there.
+    """
+    pressed = values.nonzero()[0]
+    stop = int(pressed[-1]) + 1 if pressed.size else 0
+    result = np.zeros(values.size)
+    for low, high in _blocks(min(stop + 1, values.size)):
+        inside = max(low - 1, 0)
+        result[low:high] = matrix[low:high, inside:stop] @ values[inside:stop]
+    return result
+
+
+def _blocks(count: int) -> list[tuple[int, int]]:
+    """Return where blocks of rows begin and end."""
+    return [(low, min(low + BLOCK, count)) for low in range(0, count, BLOCK)]

@@ -109,7 +109,7 @@ class LayeredGrid(GridTransforms):
         scaled = self.edge * values
         scaled_cut = Cuts(self.squares, scaled)
         # the rest stands still where no spring is pressed, and reaches beyond no edge
-        rise, wide = np.diff(rest)[scaled_cut.cells], scaled_cut.last - scaled_cut.first
+        rise, wide = np.diff(rest)[scaled_cut.cells], scaled_cut.wide
         scaled_cut.slope = scaled_cut.slope - np.divide(rise, wide, out=np.zeros(wide.size), where=wide > 0.0)
         scaled_cut.cut_slope = scaled_cut.cut_slope - rise / (scaled_cut.stop - scaled_cut.start)
         return scaled, scaled_cut, rest

@@ -44,6 +44,8 @@ WIDEST = 8e5
 """Radii over the thickness of the uppermost layer beyond which tables are lost in rounding, and halved without end."""
 MOST_HALVINGS = 4
 """How often an octave of radii may be halved."""
+SHORTENED_RATIO = 0.1
+"""What halving leaves of the end of a series, at the most, unless it is rounding."""
 
 
 class Punches(NamedTuple):
@@ -106,27 +108,29 @@ def _tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
     high = first_radius(response) * 2.0**octave
     if response.smooth <= response.length and high > WIDEST * response.length:
         raise NotConverged(
-            f"Flat punches with radii of up to {high / response.length:.3g} times the thickness of the uppermost layer "
-            "are lost in rounding: request narrower contacts, or leave out a layer that is so thin."
+            f"Flat punches with radii of up to {high / response.length:.3g} times the thickness of the uppermost "
+            "layer are lost in rounding. Request narrower contacts, or leave out a layer that is so thin."
         )
-    waiting = [(0.5 * high if octave else 0.0, high, 0)]
-    done: list[Punches] = []
-    while waiting:
-        low, high, depth = waiting.pop()
-        table, tail = _solve(response, low, high)
-        rounded = ROUNDING_RATIO * float(np.max(np.abs(table.phi)))
-        if tail <= max(10.0 * _settled(response), rounded) or depth == MOST_HALVINGS:
-            if tail > max(LAST_TOLERANCE, 100.0 * _settled(response)):
-                raise NotConverged(
-                    f"Flat punches with radii of {low / response.length:.3g} to {high / response.length:.3g} "
-                    f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
-                    "beyond what winkler can carry: request narrower contacts."
-                )
-            done.append(table)
-        else:
-            middle = 0.5 * (low + high)
-            waiting += [(low, middle, depth + 1), (middle, high, depth + 1)]
-    return tuple(sorted(done, key=lambda table: table.low))
+    low = 0.5 * high if octave else 0.0
+    return _resolved(response, *_solve(response, low, high), MOST_HALVINGS)
+
+
+def _resolved(response: WaveResponse, table: Punches, tail: float, halvings: int) -> tuple[Punches, ...]:
+    """Return a table, or those of so many halvings of its radii that their series end."""
+    rounded = ROUNDING_RATIO * float(np.max(np.abs(table.phi)))
+    if tail <= max(10.0 * _settled(response), rounded):
+        return (table,)
+    middle, accepted = 0.5 * (table.low + table.high), max(LAST_TOLERANCE, 100.0 * _settled(response))
+    halves = [_solve(response, *ends) for ends in ((table.low, middle), (middle, table.high))] if halvings else []
+    if tail <= accepted and all(end >= SHORTENED_RATIO * tail for _, end in halves):
+        return (table,)  # rounding keeps the series from ending
+    if not halves:
+        raise NotConverged(
+            f"Flat punches with radii of {table.low / response.length:.3g} to {table.high / response.length:.3g} "
+            f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
+            "beyond what winkler can carry: request narrower contacts."
+        )
+    return tuple(part for half, end in halves for part in _resolved(response, half, end, halvings - 1))
 
 
 def _panels(response: WaveResponse, high: float) -> Array:
@@ -249,7 +253,9 @@ def _punch(response: WaveResponse, a: float, panels: Array, count: int) -> tuple
     x, w = panel_nodes(a * panels, count)
     matrix = kernel_matrix(response, a, panels.size - 2, count, sign)
     shape = np.ones(x.size) if sign > 0.0 else x / a
-    right = np.stack([shape, 0.5 * (kernel(a - x) + sign * kernel(a + x))], axis=1)
+    # of the narrowest panels a - x would be lost in the rounding of x
+    from_edge = a * (-panel_nodes(panels - 1.0, count)[0])
+    right = np.stack([shape, 0.5 * (kernel(from_edge) + sign * kernel(a + x))], axis=1)
     phi, rho = np.linalg.solve(np.eye(x.size) + matrix, right).T
     mean, edge = float((w * shape) @ phi) / a, float(1.0 - (w * shape) @ rho)
     if sign < 0.0:

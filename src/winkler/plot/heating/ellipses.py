@@ -114,4 +114,5 @@ def _speeds_panel(item: EllipticFrictionHeatingSolution) -> Panel:
         points(once, requested, name="requested", order=5.0),
     )
     across = PanelAxis("speed of sliding $v$", middle_scale("m/s", sliding), log=True)
-    return Panel(marks, across, PanelAxis("over that of bodies at rest [-]", low=0.0, high=1.7), legend="upper right")
+    high = 1.7 * max(float(np.max(curve.flash_temperature / rest)), requested)
+    return Panel(marks, across, PanelAxis("over that of bodies at rest [-]", low=0.0, high=high), legend="upper right")

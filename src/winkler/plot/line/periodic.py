@@ -30,9 +30,8 @@ def periodic_sheet(item: PeriodicSolution, *, extent: float | None = None) -> Sh
         return Sheet(titled((shares, models_panel(along, pressures, label="pressure")), "contact", "pressure"))
     end = checked_extent(extent) or item.problem.pitch
     x = np.linspace(-end, end, PLACES)
-    title = (
-        f"{with_unit(float(item.nominal_pressure), 'Pa')}, {float(item.contact_share):.3g} of the surface in contact"
-    )
+    share = f"{100.0 * float(item.contact_share):.3g} % of the surface in contact"
+    title = f"{with_unit(float(item.nominal_pressure), 'Pa')}, {share}"
     panels = titled((_pressure_panel(item, x), _surface_panel(item, x)), "pressure", "distance of the surfaces")
     return Sheet(panels, height=3.1, title=title)
 

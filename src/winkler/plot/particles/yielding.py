@@ -78,7 +78,8 @@ def dent_limit_sheet(item: DentLimitSolution) -> Sheet:
 @without_extent(StrengthFromDentSolution)
 def dent_strength_sheet(item: StrengthFromDentSolution) -> Sheet:
     """Return the contact of a body with the strength that was found, and its dent."""
-    title = f"this dent tells a strength of {with_unit(item.strength, 'Pa')}"
+    tells = "these loads tell" if np.size(item.problem._sizes) > 1 else "this dent tells"
+    title = f"{tells} a strength of {with_unit(item.strength, 'Pa')}"
     return dataclasses.replace(plastic_sheet(item.released), title=title)
 
 

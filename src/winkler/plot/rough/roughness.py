@@ -34,7 +34,7 @@ MOST_PIXELS = 512
 WAVE_NUMBERS_DRAWN = 300
 CLIPPED_SHARE = 0.002
 """Part of the pixels that may lie beyond the range of colours, as pits and spikes."""
-LEAST_DENSITY_SHARE = 1e-14
+LEAST_DENSITY_SHARE = 1e-10
 """Relative spectral density below which only leakage of the window is left."""
 MOST_MARKED_POINTS = 40
 AXIS_FACTOR = 3.0

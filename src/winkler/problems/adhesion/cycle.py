@@ -270,7 +270,7 @@ def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
     if loss < -JUMP_ROUNDING * size:
         raise OutsideValidity(
             f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} m, "
-            f"though that costs {-loss:.3g} J: a ring of the body touches there first, and the contact is no disc; "
+            f"though that costs {-loss:.3g} J. A ring of the body touches there first, and the contact is no disc: "
             "give a flatter wave, a softer body or more work of adhesion."
         )
     position = level if isinstance(edge.control, LoadingMachine) else depth

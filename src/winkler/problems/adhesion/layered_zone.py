@@ -129,9 +129,9 @@ def layered_zone(zones: RingOnLayers, radius: Array, refuse: Callable[[Array], N
         worst = waiting[0]
         raise NotConverged(
             f"Dugdale: the opening of the ring around a contact of {radius[worst]:.3g} m still moves by "
-            f"{before[worst]:.1e} on refinement: either the ring, out to {math.hypot(radius[worst], span[worst]):.3g} "
-            "m, is too wide against the layers, or the profile is not smooth between its stated kinks; give a greater "
-            "strength, state the kinks, or use ShortRange(work)."
+            f"{before[worst]:.1e} on refinement. Either the ring, out to "
+            f"{math.hypot(radius[worst], span[worst]):.3g} m, is too wide against the layers, or the profile is not "
+            "smooth between its stated kinks: give a greater strength, state the kinks, or use ShortRange(work)."
         )
     return LayeredZone(span, np.hypot(radius, span), _gathered(parts, radius.size), level_of)
 

@@ -15,6 +15,7 @@ import numpy as np
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.media.offers import LayerStack, PlaneMedium, offers
@@ -59,7 +60,7 @@ def mismatch(medium: Medium) -> float:
     """
     if isinstance(medium, RelaxingInProportion):
         medium = medium.medium
-    if isinstance(medium, HalfSpace):
+    if isinstance(medium, HalfSpace | GradedHalfSpace):
         return medium.mismatch
     if offers(medium, PlaneMedium):
         surfaces = medium.response.first.top, medium.second

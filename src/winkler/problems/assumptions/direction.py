@@ -19,9 +19,9 @@ JAEGER = (
 MEAN = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known, and if it "
-    "is no disc, the ratio depends on the direction: on an ellipse the one of a disc belongs to the mean of the "
-    "compliances along and across, from which each of them deviates by 6 % for nu = 0.3 and curvature radii of 1:10.",
+    "The ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known; if it "
+    "is no disc, the ratio depends on the direction. On an ellipse the ratio of a disc belongs to the mean of the "
+    "compliances along and across. Each of them deviates from it by 6 % for nu = 0.3 and curvature radii of 1:10.",
     MINDLIN,
 )
 
@@ -39,9 +39,9 @@ def direction_notes(bed: Bed) -> tuple[Note, ...]:
         Note(
             Assumption.SLIP,
             Standing.EXACT,
-            f"The shear is along x, where the semi-axis is {1.0 / outline.slenderness:.3g} of that across: "
-            "the tangential stiffness is that of this direction, and sticking and slipping parts are "
-            "similar ellipses (Cattaneo, Mindlin).",
+            f"The shear is along x, where the semi-axis is {1.0 / outline.slenderness:.3g} of that across. The "
+            "tangential stiffness is that of this direction; sticking and slipping parts are similar ellipses "
+            "(Cattaneo, Mindlin).",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.2, doi:10.1017/CBO9781139171731",
         ),
     )

@@ -270,9 +270,9 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Steady state; temperature follows from voltage for a contact of any shape, if the metals obey "
-                "Wiedemann's and Franz' law with one Lorenz number, the ends are kept at the temperature of the bodies "
-                "and nothing is lost around them; thermoelectric effects are left out.",
+                "Steady state. Temperature follows from voltage for a contact of any shape, if the metals obey "
+                "Wiedemann's and Franz' law with one Lorenz number. The ends are kept at the temperature of the "
+                "bodies, and nothing is lost around them; thermoelectric effects are left out.",
                 KOHLRAUSCH,
             ),
         ]

@@ -191,9 +191,9 @@ class LineConstrictionSolution(PerLoad[Q]):
         reference = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "Half-planes of constant resistivity that conduct through one strip of one voltage, counted between points "
-            f"{self.problem.first_depth:.4g} m and {self.problem.second_depth:.4g} m below the middle of the surfaces: "
-            "twice the depth costs rho ln(2)/pi more, and there is no resistance without a stated depth.",
+            "Half-planes of constant resistivity that conduct through one strip of one voltage, counted between "
+            f"points {self.problem.first_depth:.4g} m and {self.problem.second_depth:.4g} m below the middle of the "
+            "surfaces. Twice the depth costs rho ln(2)/pi more; there is no resistance without a stated depth.",
             HOLM,
         )
         notes = [*self.contact.validity, reference]
@@ -205,8 +205,8 @@ class LineConstrictionSolution(PerLoad[Q]):
             most = MOST_SPREADING * sum(self.problem._resistivities)
             share = most / float(np.min(self.resistance_per_length))
             spread = (
-                "The film is counted in series with the strip of one voltage, a lower bound; that it spreads the "
-                f"current costs at most {most:.3g} ohm m more, {100.0 * share:.2g} % of the resistance."
+                "The film is counted in series with the strip of one voltage, which is a lower bound. That it "
+                f"spreads the current costs at most {most:.3g} ohm m more, {100.0 * share:.2g} % of the resistance."
             )
             notes.append(Note(Assumption.CONDUCTION, Standing.APPROXIMATE, spread, "two bounds, by Rayleigh's theorem"))
         return tuple(notes)

@@ -114,9 +114,9 @@ class SpringState(RoundNormal[float]):
 IN_PLANE = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "In the plane every spring slips along its own displacement; forces and energies are sensible, but the traction "
-    "restored over the contact is not admissible everywhere: it exceeds the coefficient times the pressure by 5 % "
-    "after two strokes at a right angle, and grows like a logarithm at the edge of the stick zone of a circle.",
+    "In the plane every spring slips along its own displacement. Forces and energies are sensible, but the traction "
+    "restored over the contact is not admissible everywhere. It exceeds the coefficient times the pressure by 5 % "
+    "after two strokes at a right angle; it grows like a logarithm at the edge of the stick zone of a circle.",
     "measured on a sphere, each stroke or the circle's radius half the shift of gross slip; tests/problems/"
     "test_spring_march.py",
 )
@@ -124,15 +124,15 @@ IN_PLANE = Note(
 DROPPING = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump, "
-    "forces and energies are of first order in the distance of the springs, and restored tractions are singular there.",
+    "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump. "
+    "Forces and energies are of first order in the distance of the springs; restored tractions are singular there.",
     "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The law of friction bounds the load of every spring, not the traction at every point: only where the bound is in "
-    "proportion to the load are the two the same.",
+    "The law of friction bounds the load of every spring, not the traction at every point. Only where the bound is "
+    "in proportion to the load are the two the same.",
     "Coulomb friction is the case in which they are: M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, "
     "doi:10.1016/S0020-7683(97)00154-6",
 )
@@ -173,10 +173,9 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
                 Assumption.SLIP,
                 Standing.APPROXIMATE,
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
-                f"{100.0 * spread:.2g} %): tangential tractions then differ in shape from pressures, and a bound for "
-                "every spring is not the same as a bound for every point of the surface. Compared with the method "
-                "rings, shear forces were off by up to 8 % of the friction on soft coatings, by up to 44 % on hard "
-                "ones.",
+                f"{100.0 * spread:.2g} %). Tangential tractions then differ in shape from pressures; a bound for "
+                "every spring is not a bound for every point of the surface. Compared with the method rings, shear "
+                "forces were off by up to 8 % of the friction on soft coatings, by up to 44 % on hard ones.",
                 "tests/problems/friction/test_slip_on_layers.py; the table of docs/chapters/coatings.md",
             )
         )

@@ -39,9 +39,15 @@ from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffne
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
 from winkler.problems.round_march import RoundSlip
-from winkler.problems.viscoelastic.tangential import DraggedState, dragged_notes, dragged_states, pressed_alone
+from winkler.problems.viscoelastic.tangential import (
+    DraggedState,
+    Relaxed,
+    dragged_notes,
+    dragged_states,
+    pressed_alone,
+)
 from winkler.values.checks.number_checks import Whole, between
-from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput
 from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
@@ -139,7 +145,7 @@ class Tangential:
                     f"{Method.SPRINGS}; the law is a {type(self.law).__name__}, the method {self.method}, and the path "
                     f"{'leaves' if self.path.in_plane else 'keeps to'} its line."
                 )
-            pressed_alone(self.bed, self.path, self.count, self.tolerance)
+            pressed_alone("Tangential", self.bed, self.path, self.count, self.tolerance)
         elif self.by_rings:
             pushed_body(self.bed)
 
@@ -235,7 +241,7 @@ class Tangential:
 
 
 @value
-class TangentialSolution(RoundSlip[Array], Looped, OfPath[State]):
+class TangentialSolution(RoundSlip[Array], Looped, Relaxed, OfPath[State]):
     """The solution of a `Tangential` problem, point by point; its numbers are those of `RoundSlip`.
 
     Parameters
@@ -262,34 +268,6 @@ class TangentialSolution(RoundSlip[Array], Looped, OfPath[State]):
             If springs were followed, not rings.
         """
         return self._known("nested")
-
-    @property
-    def friction_loss(self) -> Array:
-        """Lost to friction since the beginning by bodies that relax [J], ``(steps,)``.
-
-        Raises
-        ------
-        OutsideValidity
-            If the bodies are elastic.
-        """
-        return self._known("friction_loss")
-
-    @property
-    def bulk_loss(self) -> Array:
-        """Lost since the beginning in the dashpots of bodies that relax [J], ``(steps,)``.
-
-        Raises
-        ------
-        OutsideValidity
-            If the bodies are elastic.
-        """
-        return self._known("bulk_loss")
-
-    def _known(self, name: str) -> Array:
-        """Return a number that only rings, or only bodies that relax, have."""
-        if not all(hasattr(state, name) for state in self.states):
-            raise OutsideValidity(f"Tangential: {name} is not known of this method and medium; leave it out.")
-        return np.array([getattr(state, name) for state in self.states])
 
     @property
     def _loop(self) -> PathLoop:

@@ -14,7 +14,7 @@ a twist and a pressure do not act on each other there either; on bodies graded i
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.torsion_bound import twist_bound
@@ -24,7 +24,7 @@ from winkler.loading.path import Path
 from winkler.media.twisting.kernels import twisted_medium
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.declared import BALANCED, PRESSED
+from winkler.problems.assumptions.declared import BALANCED, PRESSED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
@@ -33,11 +33,18 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
 from winkler.problems.round_march import RoundTwist
+from winkler.problems.viscoelastic.tangential import Relaxed, pressed_alone
+from winkler.problems.viscoelastic.torsion import DraggedTwist, dragged_twist_notes, dragged_twists
+from winkler.values.checks.number_checks import Whole, between
 from winkler.values.errors import InvalidInput
+from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
 __all__ = ["Torsion", "TorsionSolution"]
+
+TwistState = TorsionState | DraggedTwist
+"""The contact at one point of a path, of bodies that are elastic, or relax."""
 
 
 @value
@@ -48,18 +55,24 @@ class Torsion:
     ----------
     bed : Bed
         The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a
-        homogeneous half-space, on layers, bonded or sliding, or on a body graded in depth.
+        homogeneous half-space, on layers, bonded or sliding, or on a body graded in depth; elastic, or relaxing by one
+        function of time.
     law : Coulomb
         Friction.
     path : Path
         Its normal load a Depth or Force, its lateral load an Angle or Torque.
+    count : int, optional
+        How many springs, where bodies relax; the error falls with its square.
+    tolerance : float, optional
+        On bodies that relax the error of a step: of the torque over what friction can bear, of the energy lost to
+        friction over that torque times the greatest angle, and of depth and angle under forces over the greatest ones.
 
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's, or the path prescribes a shift.
+        If the law is not Coulomb's, the path prescribes a shift, or layers relax each by a law of its own.
     OutsideValidity
-        If the medium relaxes or is measured: there the bound of the springs is not known.
+        If the medium is measured: there the bound of the springs is not known.
 
     References
     ----------
@@ -88,9 +101,11 @@ class Torsion:
     bed: Bed
     law: Coulomb
     path: Path
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 400
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
-    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED | {Assumption.SLIP}
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | PRESSED | BALANCED | {Assumption.SLIP}
     needs_round: ClassVar[str] = "torsion"
 
     def __post_init__(self) -> None:
@@ -99,14 +114,22 @@ class Torsion:
                 f"Torsion: the path prescribes a {type(self.path.lateral).__name__}; give Path(time, normal, lateral) "
                 "with the lateral load Angle([...]) or Torque([...])."
             )
-        twisted_medium(self.bed.medium)
+        if self.relaxes:
+            pressed_alone("Torsion", self.bed, self.path, self.count, self.tolerance)
+        else:
+            twisted_medium(self.bed.medium)
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether the bodies relax, so that each spring remembers its loads over time."""
+        return hasattr(self.bed.medium, "timeless")
 
     @property
     def total(self) -> int:
         """How many states `steps` yields: one for every point of the path."""
         return self.path.time.size
 
-    def steps(self) -> Iterator[TorsionState]:
+    def steps(self) -> Iterator[TwistState]:
         """Yield the state at every point of the path.
 
         Raises
@@ -117,6 +140,9 @@ class Torsion:
         NotConverged
             If the profile is too rough, or a step too long for the angle or the loss to settle.
         """
+        if self.relaxes:
+            yield from dragged_twists(self.bed, self.law, self.path, self.count, self.tolerance)
+            return
         unit = 8.0 * twisted_medium(self.bed.medium).torsional_modulus
         forced = not isinstance(self.path.normal, Depth)
         for point in ring_points(self.bed, self.law.coefficient, self.path, unit, twist_bound):
@@ -136,7 +162,7 @@ class Torsion:
                 springs=TwistedSprings(self.bed, self.law.coefficient, point.bound.widest, forced, point.memory),
             )
 
-    def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
+    def gathered(self, states: Iterable[TwistState]) -> TorsionSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
         return gather(TorsionSolution, self, states)
 
@@ -156,7 +182,7 @@ class Torsion:
 
 
 @value
-class TorsionSolution(RoundTwist[Array], Looped, OfPath[TorsionState]):
+class TorsionSolution(RoundTwist[Array], Looped, Relaxed, OfPath[TwistState]):
     """The solution of a `Torsion`, point by point; its numbers are those of `RoundTwist`.
 
     Parameters
@@ -165,7 +191,7 @@ class TorsionSolution(RoundTwist[Array], Looped, OfPath[TorsionState]):
         The problem that was solved.
     nested : ndarray of bool, (steps,)
         Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
-    states : tuple of TorsionState
+    states : tuple of TorsionState or DraggedTwist
         One by one, with the springs from which fields are restored.
     """
 
@@ -173,7 +199,7 @@ class TorsionSolution(RoundTwist[Array], Looped, OfPath[TorsionState]):
 
     problem: Torsion
     nested: Array
-    states: tuple[TorsionState, ...]
+    states: tuple[TwistState, ...]
 
     @property
     def _loop(self) -> PathLoop:
@@ -185,11 +211,11 @@ class TorsionSolution(RoundTwist[Array], Looped, OfPath[TorsionState]):
         """How far the result can be trusted."""
         problem = self.problem
         bed = problem.bed
-        contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, self.states))
+        balance = energy_note(self.work, self.stored_energy, self.dissipation), *self._cycle_notes
+        dragged = [state for state in self.states if isinstance(state, DraggedTwist)]
+        if dragged:
+            return (*dragged_twist_notes(bed, dragged), *balance)
+        states = [state for state in self.states if isinstance(state, TorsionState)]
+        contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, states))
         by_torque = isinstance(problem.path.lateral, Torque)
-        return (
-            *contact,
-            *torsion_notes(bed, problem.law, self.states, by_torque),
-            energy_note(self.work, self.stored_energy, self.dissipation),
-            *self._cycle_notes,
-        )
+        return (*contact, *torsion_notes(bed, problem.law, states, by_torque), *balance)

@@ -17,12 +17,12 @@ from winkler.media.interior.peak import greatest
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.problems.friction.twisted_layers import twisted_layer_notes
 from winkler.problems.normal.greatest_stress import sharp_places
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import SurfaceFriction, yield_notes_of_bed
 from winkler.problems.ring_slip.ring_notes import ring_notes
+from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["torsion_notes", "torsion_yield_notes"]
@@ -51,11 +51,12 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
         Assumption.SLIP,
         Standing.EXACT,
         "Torsion of a round contact and its normal load do not act on each other, whatever the Poisson ratios are, "
-        "also of elastically dissimilar bodies: for small rotations the springs give the three-dimensional solution "
+        "also of elastically dissimilar bodies. For small rotations the springs give the three-dimensional solution "
         "itself, as long as what slides is an outer ring.",
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )
-    yield from twisted_layer_notes(bed, states)
+    widest = max(states, key=lambda state: state.radius)
+    yield from twisted_layer_notes(bed, widest.radius, widest.springs.bound)
     depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("depth", "radius"))
     falling = np.flatnonzero((np.diff(depth) < 0.0) & (radius[1:] > 0.0)) + 1
     examined = falling[:: max(1, falling.size // PATH_SAMPLES)].tolist()

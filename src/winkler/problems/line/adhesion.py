@@ -20,6 +20,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
 from winkler.loading.loads import HalfWidth, LineForce
@@ -48,7 +49,7 @@ class LineAdhesion(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies, homogeneous or layered.
     law : ShortRange or Dugdale
         How the surfaces attract each other; with hysteresis, the work of opening counts.
@@ -82,7 +83,7 @@ class LineAdhesion(PerLoad[Q]):
         load=("", None, "what is prescribed: a force per length or a half-width"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: LineLaw
     load: LineForce[Q] | HalfWidth[Q]
 
@@ -179,9 +180,24 @@ class LineAdhesionSolution(OfStrip, PerLoad[Q]):
         """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) where they are free, less at a rim.
 
         Zero under a law with a range.
+
+        Raises
+        ------
+        OutsideValidity
+            On bodies graded by a power of the depth, whose tension grows by another power towards the edges.
         """
+        if isinstance(self.problem.bed, PowerLawLineFoundation):
+            raise OutsideValidity(
+                "LineAdhesionSolution: on a GradedHalfSpace the tension at the edges grows like the power (k - 1)/2 of "
+                "the distance, which no stress intensity states; use energy_release_rate or edge_load."
+            )
         if isinstance(self.problem.law, Dugdale):
             return shaped(np.zeros(np.shape(self.half_width)))
+        return self._intensity
+
+    @property
+    def _intensity(self) -> Q:
+        """K_I of half-planes that release the same energy [Pa m^(1/2)]."""
         a, bed = np.ravel(self.half_width), self.problem.bed
         pull = np.maximum(-bed.medium.modulus * bed.edge_share(a) * self._edge_lengths(), 0.0)
         return shaped(pull / np.sqrt(np.pi * np.where(a > 0.0, a, np.inf)), np.shape(self.half_width))
@@ -191,7 +207,7 @@ class LineAdhesionSolution(OfStrip, PerLoad[Q]):
         """G = K_I^2 / (2 E*) [J/m^2]: the work of adhesion where the edges are free."""
         if isinstance(self.problem.law, Dugdale):
             return shaped(np.full(np.shape(self.half_width), self.problem.law.work))
-        return shaped(np.asarray(self.stress_intensity) ** 2 / (2.0 * self.problem.bed.medium.modulus))
+        return shaped(np.asarray(self._intensity) ** 2 / (2.0 * self.problem.bed.medium.modulus))
 
     @property
     def outer_half_width(self) -> Q:

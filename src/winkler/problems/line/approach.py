@@ -83,8 +83,8 @@ def depth_of(place: Place, name: str, half_width: float) -> float:
     depth = place.depth if isinstance(place, RollerCentre | PlateBase) else place
     if not isinstance(depth, Real) or not 0.0 < depth < np.inf:
         raise InvalidInput(
-            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give "
-            f"the depth below the {name} body's surface, positive and finite, against which it is counted, "
+            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound. Give "
+            f"what it is counted against: a positive, finite depth below the {name} body's surface, "
             "RollerCentre(radius) or PlateBase(thickness)."
         )
     if finite is not None and half_width > WIDEST * depth:

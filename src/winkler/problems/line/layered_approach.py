@@ -109,9 +109,9 @@ def _logarithm(ratio: float) -> float:
 def _first_depth(medium: PlaneMedium, place: float | Reference | None) -> float:
     if not isinstance(place, Real) or not medium.thickness <= place < math.inf:
         raise InvalidInput(
-            "A line contact on layers has no depth of its own unless a rigid base carries them: give the depth below "
-            "the first body's surface against which it is counted, finite and at least the "
-            f"{medium.thickness:.6g} m of the layers or the grading."
+            "A line contact on layers has no depth of its own unless a rigid base carries them. Give the depth below "
+            f"the first body's surface against which it is counted, finite and at least the {medium.thickness:.6g} m "
+            "of the layers or the grading."
         )
     return float(place)
 
@@ -128,8 +128,8 @@ def _second_depth(medium: PlaneMedium, place: float | Reference | None, half_wid
     depth = finite.depth if finite is not None else place
     if not isinstance(depth, Real) or not 0.0 < depth < math.inf:
         raise InvalidInput(
-            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound: give the "
-            "depth below the second body's surface, positive and finite, against which it is counted, "
+            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound. Give "
+            "what it is counted against: a positive, finite depth below the second body's surface, "
             "RollerCentre(radius) or PlateBase(thickness)."
         )
     if finite is None:

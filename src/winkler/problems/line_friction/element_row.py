@@ -133,7 +133,8 @@ class ElementRow(Row[LineGoal, LineCells]):
         self.elements = elements_for(bed, under_force(bed, path.across / modulus))
         self.unit = modulus * self.elements.scale
         """E* A [N/m]."""
-        rows = path.across / self.unit, path.along / self.unit, bed.strain_per_stress * path.bulk, path.bulk
+        strain = bed.strain_per_stress * path.bulk if path.bulk.any() else path.bulk
+        rows = path.across / self.unit, path.along / self.unit, strain, path.bulk
         self.goals = [LineGoal(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
         self.most = friction * max(goal.force for goal in self.goals)
         self.strained = bool(path.bulk.any())

@@ -15,7 +15,7 @@ from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.line.peak_pressure import rim_load
 
-__all__ = ["LineElements", "elements_for", "pressed_elements"]
+__all__ = ["LineElements", "elements_for", "pressed_elements", "pressures_of"]
 
 INNER = 200
 """Elements on half of the narrowest contact, narrow at its edge."""
@@ -77,12 +77,22 @@ def pressed_elements(bed: LineBed, elements: LineElements, force: float, half_wi
     half_width : float
         a [m].
     """
-    n = elements.x.size // 2
-    a, load = half_width / elements.scale, force / (bed.medium.modulus * elements.scale)
+    n, a = elements.x.size // 2, half_width / elements.scale
+    load = force / (bed.medium.modulus * elements.scale)
     if load == 0.0:
         return np.zeros(2 * n)
     on_rim = rim_load(bed, force, half_width)
-    borne = bed.mean_pressures(elements.scale * elements.edges[n:], half_width, on_rim) * elements.widths[n:]
+    mean = bed.mean_pressures(elements.scale * elements.edges[n:], half_width, on_rim)
+    return pressures_of(elements, mean, load, a)
+
+
+def pressures_of(elements: LineElements, mean: Array, load: float, a: float) -> Array:
+    """Return the mean pressures over E* ``(n,)`` from those on the right half, of a contact of half-width `a` over A.
+
+    What presses on an element that does not touch counts to the last that does, and all add up to P over E* A.
+    """
+    n = elements.x.size // 2
+    borne = mean * elements.widths[n:]
     touching = max(int(np.sum(elements.x[n:] < a * (1.0 - ROUNDING))), 1)
     borne[touching - 1] += float(np.sum(borne[touching:]))
     borne[touching:] = 0.0

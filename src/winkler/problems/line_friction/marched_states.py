@@ -6,6 +6,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array, ArrayLike
@@ -13,11 +14,12 @@ from winkler.problems.line.peak_pressure import rim_load
 from winkler.problems.line.stress import LineContact, poisson_of, stresses
 from winkler.problems.line_friction.element_row import TouchingElements
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
+from winkler.problems.line_viscoelastic.states import LineViscoelasticState
 from winkler.values.checks.place_checks import finite_places
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["LineMarchedState", "marched_state", "stuck_strip"]
+__all__ = ["LineDraggedState", "LineMarchedState", "marched_state", "stuck_strip"]
 
 PLACES = 400
 """Places between the edges at which the traction below which stresses are computed is sampled, besides the elements."""
@@ -31,7 +33,7 @@ class LineMarchedState(ShearedStrip):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
@@ -50,7 +52,7 @@ class LineMarchedState(ShearedStrip):
         rubbed=("", "J/m^2", "what friction has lost per area, element by element"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Coulomb
     stick_half_width: float
     stick_middle: float
@@ -147,8 +149,33 @@ class LineMarchedState(ShearedStrip):
         return np.concatenate([ends[0], nodes[finite], ends[1]]), values
 
 
+@value
+class LineDraggedState(LineMarchedState):
+    """A sheared line contact of bodies that relax, at one moment; what it has besides those that do not relax.
+
+    Parameters
+    ----------
+    pressed : LineViscoelasticState
+        The contact without friction.
+    """
+
+    __words__ = words(pressed=("", None, "the contact without friction"))
+
+    pressed: LineViscoelasticState
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure [Pa] at places x [m], zero outside of the contact."""
+        return self.pressed.pressure(x)
+
+    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+        raise OutsideValidity(
+            "LineTangential: stresses inside bodies that relax are not computed for a line; read pressure(x) and "
+            "traction(x)."
+        )
+
+
 def marched_state(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation,
     law: Coulomb,
     row: TouchingElements,
     force: float,
@@ -156,14 +183,19 @@ def marched_state(
     shear: float,
     bulk: float,
     lost: float,
+    pressed: LineViscoelasticState | None = None,
 ) -> LineMarchedState:
-    """Return the state of elements under these forces [N/m], this bulk stress [Pa] and after this loss [J/m]."""
+    """Return the state of elements under these forces [N/m], this bulk stress [Pa] and after this loss [J/m].
+
+    Of bodies that relax it holds their contact without friction.
+    """
     used = row.traction / row.bound
     middle, half = stuck_strip(row, used, half_width)
-    return LineMarchedState(
-        force, half_width, shear, bulk, row.slip_shift, lost, bed, law, half, middle, row.x, used, row.ahead,
-        row.rubbed,
-    )  # fmt: skip
+    numbers = force, half_width, shear, bulk, row.slip_shift, lost
+    of_elements = half, middle, row.x, used, row.ahead, row.rubbed
+    if pressed is not None:
+        return LineDraggedState(*numbers, bed, law, *of_elements, pressed)
+    return LineMarchedState(*numbers, bed, law, *of_elements)
 
 
 def stuck_strip(row: TouchingElements, used: Array, half_width: float) -> tuple[float, float]:

@@ -40,11 +40,13 @@ class LinePath:
         stress at every point.
     count : int, optional
         Into how many equal parts each step between two points is divided.
+    time : float or ndarray, (points,), optional
+        When the points are reached [s], never falling, of bodies that relax; equal times are a sudden step.
 
     Raises
     ------
     InvalidInput
-        If the lengths differ, or one number is given for the bulk stress and there is no shear force.
+        If the lengths differ, the time falls, or one number is given for the bulk stress and there is no shear force.
 
     Examples
     --------
@@ -56,6 +58,8 @@ class LinePath:
 
     __words__ = words(
         count=("n", None, "parts into which each step is divided"),
+        time=("t", "s", "when the points are reached"),
+        moments=("t", "s", "time of every point"),
         across=("P", "N/m", "normal force per length at every point"),
         along=("Q", "N/m", "shear force per length at every point"),
         bulk=("", "Pa", "bulk stress in the first body at every point"),
@@ -67,17 +71,21 @@ class LinePath:
     shear_force_per_length: FiniteQuantity
     bulk_stress: FiniteQuantity = 0.0
     count: Annotated[int, Whole(1, PATH_POINTS, "parts")] = 1
+    time: NonNegativeQuantity = 0.0
 
     def __post_init__(self) -> None:
-        rows = (self.force_per_length, self.shear_force_per_length, self.bulk_stress)
+        rows = (self.force_per_length, self.shear_force_per_length, self.bulk_stress, self.time)
         shapes = [np.shape(row) for row in rows]
         lengths = {shape for shape in shapes if shape != ()}
         if len(lengths) > 1 or any(len(shape) != 1 or shape == (0,) for shape in lengths):
-            beside = "" if shapes[2] == () else f", and the bulk stress {shapes[2]}"
+            named = zip(("bulk stress", "time"), shapes[2:], strict=True)
+            beside = "".join(f", and the {name} {shape}" for name, shape in named if shape != ())
             raise InvalidInput(
                 f"LinePath: the forces have the shapes {shapes[0]} and {shapes[1]}{beside}; give one number for each "
                 "point, or one for all."
             )
+        if np.any(np.diff(self.time) < 0.0 if np.ndim(self.time) else False):
+            raise InvalidInput("LinePath: the time falls from one point to the next; give times that never fall.")
         points = max((shape[0] for shape in lengths), default=1)
         affordable("LinePath", "points", 1 + (points - 1) * self.count, PATH_POINTS)
         if shapes[2] == () and self.bulk_stress != 0.0 and not np.any(self.shear_force_per_length):
@@ -102,6 +110,11 @@ class LinePath:
         return self._divided(2) if np.ndim(self.bulk_stress) else self.bulk_per_shear * self.along
 
     @property
+    def moments(self) -> Array:
+        """Time of every point [s], those in between included."""
+        return self._divided(3)
+
+    @property
     def bulk_per_shear(self) -> float:
         """Bulk stress over the shear force per length [1/m], where they are in phase."""
         if not np.any(self.bulk_stress) or not np.any(self.shear_force_per_length):
@@ -120,7 +133,8 @@ class LinePath:
 
     def _divided(self, which: int) -> Array:
         bulk = self.bulk_stress if np.ndim(self.bulk_stress) else 0.0
-        rows = (np.atleast_1d(row) for row in (self.force_per_length, self.shear_force_per_length, bulk))
+        given = self.force_per_length, self.shear_force_per_length, bulk, self.time
+        rows = (np.atleast_1d(row) for row in given)
         row = np.broadcast_arrays(*rows)[which]
         between = np.arange(1 + (row.size - 1) * self.count) / self.count
         low = np.minimum(between.astype(int), max(row.size - 2, 0))

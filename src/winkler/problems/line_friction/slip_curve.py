@@ -6,8 +6,8 @@ while the bodies shift by Q, with
 
 .. math:: K = \frac{2E^*}\pi\ln a , \qquad D = \int t\,\mathrm ds\,\mathrm dK , \qquad s = Q - t ,
 
-the forces counted over E*.  K has no bound at a sharp middle, where nothing slips: its reference does not matter.  The
-moments of dK follow from
+the forces counted over E*; on bodies graded by a power K is -E*^2 over the stiffness of a flat punch.  K has no bound
+at a sharp middle, where nothing slips: its reference does not matter.  The moments of dK follow from
 
 .. math:: G_1 = \int\gamma\,\mathrm dK , \quad G_2 = \int\gamma^2\,\mathrm dK , \quad
           F = \gamma K - G_1 , \quad W = \tfrac12\gamma^2K - \gamma G_1 + \tfrac12G_2 ,
@@ -108,14 +108,14 @@ def slip_curve(bed: LineBed, load: float) -> SlipCurve:
     edges = np.union1d(np.linspace(top - FOLDS, top, FOLDS + 1), breaks)
 
     def lengthening(place: Array) -> Array:
-        """d ln(a) / d ln(gamma)."""
+        """d ln(a) / d ln(gamma), times by how much a wider punch is stiffer."""
         load = np.exp(place)
         a = under_force(bed, load.ravel()).reshape(place.shape)
         with np.errstate(divide="ignore", invalid="ignore"):
-            share = load / (a * bed.load_profile_slope(a))
+            share = bed.punch_softening(a) * load / (a * bed.load_profile_slope(a))
         return np.where(np.isfinite(share) & (a < bed.rim), share, 0.0)
 
-    scale = 2.0 * bed.medium.modulus / math.pi
+    scale = bed.medium.modulus
     share = _resolved(lengthening, edges)
     nodes = fit_nodes(share.edges)
     values = scale * share(nodes)

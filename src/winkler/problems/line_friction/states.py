@@ -6,6 +6,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.friction.slip_memory import SlipMemory
@@ -26,7 +27,7 @@ class LineTangentialState(ShearedStrip):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     law : Coulomb
         Friction.
@@ -42,7 +43,7 @@ class LineTangentialState(ShearedStrip):
         sliding=("", None, "whether all of the contact slides"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Coulomb
     lean: float
     memory: SlipMemory

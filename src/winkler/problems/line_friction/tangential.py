@@ -22,20 +22,22 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
-from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.last_cycle import Cycled, PathLoop
 from winkler.problems.line.half_width import grows, refuse_unless_strips, under_force
 from winkler.problems.line_friction.bulk import has_closed_form, refuse_bulk
 from winkler.problems.line_friction.element_row import ElementRow
-from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
+from winkler.problems.line_friction.marched_states import LineDraggedState, LineMarchedState, marched_state
 from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_friction.relaxing_row import RelaxingElementRow, refuse_timeless
 from winkler.problems.line_friction.sheared_strip import LineSlip
 from winkler.problems.line_friction.slip_work import SummedRow
 from winkler.problems.line_friction.states import LineTangentialState
-from winkler.problems.line_friction.validity import sheared_line_notes
+from winkler.problems.line_friction.validity import dragged_line_notes, sheared_line_notes
 from winkler.problems.method import Method, refuse_method
 from winkler.problems.one_load import OfPath
 from winkler.problems.row import follow
@@ -55,22 +57,23 @@ class LineTangential:
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies: elastic half-planes, or layers through which shear reaches the base.
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
+        Profile and bodies: half-planes, or layers through which shear reaches the base, elastic, or relaxing by one
+        function of time.
     law : Coulomb
         Friction.
     path : LinePath
-        Normal and shear force per length, and a bulk stress.
+        Normal and shear force per length, and a bulk stress; with a time where the bodies relax.
     method : Method, optional
         How slip is followed: AUTO, EXACT (sums of earlier contacts) or ELEMENTS; by default the sums where they hold.
 
     Raises
     ------
     InvalidInput
-        If the method is another one.  If the first body, or what carries its layers, is rigid and there is a bulk
-        stress.
+        If the method is another one.  If bodies relax, each by a law of its own, or along a path without time.  If the
+        body, or what carries its layers, is rigid and there is a bulk stress.
     OutsideValidity
-        If a layer slides on what lies below it, or the bodies relax.
+        If a layer slides on what lies below it.
 
     References
     ----------
@@ -95,7 +98,7 @@ class LineTangential:
 
     __words__ = words(bed=("", None, "profile and bodies of the line contact"))
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Sliding
     path: LinePath
     method: Method = Method.AUTO
@@ -107,12 +110,20 @@ class LineTangential:
         "ciavarella_1998",
         "nowell_hills_1987",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         refuse_method("LineTangential", self.method, METHODS)
+        if self.relaxes:
+            refuse_timeless(self.bed, self.path, self.method)
+            return
         _ = self.bed.along_share
         refuse_bulk(self.bed, self.path)
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether the bodies relax, so that the elements remember their tractions over time."""
+        return hasattr(self.bed.medium, "timeless")
 
     @property
     def total(self) -> int:
@@ -129,6 +140,10 @@ class LineTangential:
             the states before it have been yielded.  If the method exact is asked for where no sum holds.
         """
         bed, mu = self.bed, self.law.coefficient
+        if self.relaxes:
+            row = RelaxingElementRow(bed, mu, self.path)
+            yield from row.states(self.law)
+            return
         modulus = bed.medium.modulus
         forces = self.path.across
         widths = under_force(bed, forces / modulus)
@@ -261,6 +276,10 @@ class LineTangentialSolution(LineSlip[Array], Cycled, OfPath["LineTangentialStat
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
+        widest = self.states[int(np.argmax(self.half_width))]
+        if isinstance(widest, LineDraggedState):
+            moments = self.problem.path.moments[: len(self.states)]
+            return (*dragged_line_notes(self.problem.bed, self.problem.law, widest, moments), *self._cycle_notes)
         widest = self.states[int(np.argmax(self.force_per_length))]
         greatest = float(np.max(np.abs(self.bulk_stress)))
         return (*sheared_line_notes(self.problem.bed, self.problem.law, widest, greatest), *self._cycle_notes)

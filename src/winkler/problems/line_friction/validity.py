@@ -8,17 +8,20 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import LineForce
+from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line_friction.bulk import bulk_note
 from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
+from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["SLIP_SUMS", "sheared_line_notes", "slid_yield_notes"]
+__all__ = ["SLIP_SUMS", "dragged_line_notes", "sheared_line_notes", "slid_yield_notes"]
 
 CIAVARELLA = (
     "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, Arch. "
@@ -27,7 +30,7 @@ CIAVARELLA = (
 SLIP_SUMS = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "On similar half-planes the tractions of partial slip are sums of those of normal contacts; every history of "
+    "On similar bodies the tractions of partial slip are sums of those of normal contacts; every history of "
     "straight steps in both forces is followed but for rounding.",
     CIAVARELLA,
 )
@@ -36,15 +39,32 @@ SLIP_SUMS = Note(
 MARCHED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Coulomb friction step by step on boundary elements: loss and slip are within about a thousandth of their greatest "
-    "values, the traction within some hundredths where zones of stick and slip meet.",
+    "Coulomb friction step by step on boundary elements. Loss and slip are within about a thousandth of their "
+    "greatest values, the traction within some hundredths where zones of stick and slip meet.",
     "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
     "Kluwer, 1994",
 )
 
 
+DRAGGED = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "Coulomb friction step by step on boundary elements that relax; the pressure does not depend on the traction. "
+    "Tractions and losses differ by up to 1 % of their greatest values from elements and steps of other kinds.",
+    "tests/problems/line_friction/test_relaxing_lines.py",
+)
+
+
+def dragged_line_notes(
+    bed: LineFoundation | LayeredLineFoundation, law: Coulomb, widest: LineMarchedState, moments: Array
+) -> tuple[Note, ...]:
+    """Return how far a sheared line contact of bodies that relax can be trusted; its moments [s]."""
+    pressed = relaxing_line_notes(bed, moments, widest.half_width)
+    return (*pressed, sticking_note(bed.medium, law.coefficient), DRAGGED)  # type: ignore[arg-type]
+
+
 def sheared_line_notes(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation,
     law: Coulomb,
     widest: LineTangentialState | LineMarchedState,
     bulk: float,
@@ -53,7 +73,7 @@ def sheared_line_notes(
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
     law : Coulomb
     widest : LineTangentialState or LineMarchedState
         Of the path.
@@ -69,7 +89,7 @@ def sheared_line_notes(
         notes.append(SLIP_SUMS)
     else:
         notes.append(bulk_note(widest.lean, a, widest.force_per_length / bed.medium.modulus))
-    return (*notes, *slid_yield_notes(contact, law, bed.strain_per_stress * bulk))
+    return (*notes, *slid_yield_notes(contact, law, bed.strain_per_stress * bulk if bulk else 0.0))
 
 
 def slid_yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tuple[Note, ...]:

@@ -70,9 +70,12 @@ class UnderOneDrive(PerLoad[Q]):
             strip = self.strips[0]
             within = (strip.x[0] <= x / a) & (x / a <= strip.x[-1])
             return np.where(within, np.interp(x / a, 0.5 * (strip.x[1:] + strip.x[:-1]), strip.slip), 0.0)
+        bed = self.problem.bed
         behind = np.maximum((a - x) * (a - 2.0 * c - x), 0.0)
-        rate = np.sqrt(behind) * abs(mu) * self.problem.bed.along_share / self.problem.bed.profile.curvature_radius
-        beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(self.problem.bed, a, abs(mu))
+        away = np.sqrt(behind + c * c)  # from the middle of what sticks
+        opens = np.sqrt(behind) / bed.profile.curvature_radius if bed.hertzian else bed.opening(away, c)
+        rate = opens * abs(mu) * bed.along_share
+        beyond = abs(float(self.longitudinal_creepage)) - sliding_creepage(bed, a, abs(mu))
         rate += max(beyond, 0.0) if c == 0.0 else 0.0
         return np.asarray(np.sign(mu) * np.where((np.abs(x) <= a) & (x <= a - 2.0 * c), rate, 0.0))
 

@@ -39,7 +39,7 @@ from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["RolledStrip", "creepage_error", "loss_error", "rolled_strip", "sliding_creepage"]
+__all__ = ["RolledStrip", "creepage_error", "load_growth", "loss_error", "rolled_strip", "sliding_creepage"]
 
 COUNT = 400
 """Elements of the strip."""
@@ -257,15 +257,20 @@ class _Rollers(NamedTuple):
 
     @property
     def growth(self) -> float:
-        """By which power of the half-width the load grows: two of half-planes."""
-        if self.bed.hertzian:
-            return 2.0
-        one = np.array([self.half_width])
-        return float((self.half_width * self.bed.load_profile_slope(one) / self.bed.load_profile(one))[0])
+        """By which power of the half-width the load grows."""
+        return load_growth(self.bed, self.half_width)
 
     def grid(self, half: float) -> _EdgeDenseGrid:
         """Return the equations of a strip of this half-width, over that without friction."""
         return _grid(self.bed, self.half_width * (1.0 if self.bed.hertzian else half), self.coupled, self.elements)
+
+
+def load_growth(bed: LineBed, half_width: float) -> float:
+    """Return by which power of the half-width [m] the load of a cylinder grows: two of half-planes."""
+    if bed.hertzian:
+        return 2.0
+    one = np.array([half_width])
+    return float((half_width * bed.load_profile_slope(one) / bed.load_profile(one))[0])
 
 
 def sliding_creepage(bed: LineBed, half_width: float, friction: float, count: int = COUNT) -> float:
@@ -283,7 +288,7 @@ def sliding_creepage(bed: LineBed, half_width: float, friction: float, count: in
         Elements.
     """
     rollers = _Rollers(bed, half_width, False, count)
-    if bed.hertzian:
+    if bed.sheared_as_pressed:
         return friction * bed.along_share * rollers.slope
     return friction * rollers.slope * _StripEquations(rollers.grid(1.0), 0.0, 1.0).sliding(1.0).creepage
 

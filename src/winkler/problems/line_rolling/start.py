@@ -29,6 +29,8 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import SIMILAR
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading.loads import LineShearForce
 from winkler.numerics.surfaces.strip_grid import StripStep, StuckStrip, strip_step
@@ -78,7 +80,7 @@ class LineRollingStart:
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base, or
         a body graded with depth.
     friction : Coulomb
@@ -134,7 +136,7 @@ class LineRollingStart:
         count=("n", "", "elements on half of the contact"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     friction: Sliding
     drive: Annotated[LineShearForce[float] | Creepage[float], ONE_DRIVE]
     load: OneLineLoad
@@ -152,9 +154,9 @@ class LineRollingStart:
         _ = self.bed.along_share
         if isinstance(self.drive, Creepage) and not math.isfinite(self.reference):
             raise InvalidInput(
-                "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound under "
-                "a force per length: give the distance `reference` in m against which it is counted, or prescribe "
-                "LineShearForce(Q)."
+                "LineRollingStart: a creepage is prescribed, and the surface of a half-plane moves without bound "
+                "under a force per length. Give the distance `reference` in m against which it is counted, or "
+                "prescribe LineShearForce(Q)."
             )
         if not isinstance(self.drive, Creepage) and math.isfinite(self.reference):
             raise InvalidInput(
@@ -293,7 +295,7 @@ class LineRollingStartSolution:
         sign = 1.0 if float(steady.shear_force_per_length) >= 0.0 else -1.0
         notes = [note for note in self.contact.validity if note.assumption is not Assumption.ELASTIC]
         notes += [sliding_note(bed.medium, mu), ELEMENTS if bed.hertzian else ELEMENTS_ON_LAYERS]  # type: ignore[arg-type]
-        if not bed.similar:
+        if abs(bed.mismatch) > SIMILAR:  # of gradings by a power it is no number, and left out
             notes.append(DRAGGED)
         if not bed.hertzian:
             return (*notes, *slid_yield_notes(self.contact, self.problem.friction, 0.0))

@@ -14,18 +14,18 @@ __all__ = ["DRAGGED", "ELEMENTS", "ELEMENTS_ON_LAYERS", "LineRollingState", "rol
 ELEMENTS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction: with 80 elements on half of the contact the steady creepage is within "
-    "0.2 % of Carter's from a tenth to nine tenths of the force of sliding and within 0.6 % beyond, and the error "
+    "Boundary elements with Coulomb friction. With 80 elements on half of the contact the steady creepage is within "
+    "0.2 % of Carter's from a tenth to nine tenths of the force of sliding, and within 0.6 % beyond. The error "
     "halves with twice as many; yielding is that of the steady state.",
     "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 ELEMENTS_ON_LAYERS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction and the response of the layers to shear: with 80 elements on half of the "
-    "contact the steady creepage is within 0.4 % of that of `LineRolling` from a tenth to nine tenths of the force of "
-    "sliding and within 0.6 % beyond, and the error halves with twice as many; the stresses of yielding are those of a "
-    "contact that slides.",
+    "Boundary elements with Coulomb friction and the response of the layers to shear. With 80 elements on half of "
+    "the contact the steady creepage is within 0.4 % of that of `LineRolling` from a tenth to nine tenths of the "
+    "force of sliding, and within 0.6 % beyond. The error halves with twice as many; the stresses of yielding are "
+    "those of a contact that slides.",
     "compared with singular integral equations of the steady state; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 DRAGGED = Note(

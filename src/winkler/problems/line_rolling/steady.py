@@ -7,7 +7,8 @@ it with the creepage xi.  They stick from the leading edge a back to a - 2 c and
           \frac Q{\mu P} = 1-\frac{c^2}{a^2} , \qquad \xi = \frac{\mu(a-c)}R ,
 
 the second root within the zone of stick only.  Behind it the slip is :math:`(\mu/R)\sqrt{(x-a+c)^2-c^2}` of the speed.
-Bodies that are elastically dissimilar creep even without a force, and layers answer the traction in another manner
+On bodies graded by a power k of the depth the pressures are those of this medium, and
+:math:`Q/\mu P = 1-(c/a)^{2+k}`.  Bodies that are elastically dissimilar creep even without a force, and layers answer the traction in another manner
 than the pressure: then the strip is divided into elements (`winkler.problems.line_rolling.rolled_strip`).
 
 References
@@ -25,6 +26,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading.loads import LineShearForce
 from winkler.numerics.types import Array, PerLoad, Q, shaped
@@ -40,7 +42,13 @@ from winkler.problems.line_rolling.pressed import (
     rolling_yield_notes,
     touching_strip,
 )
-from winkler.problems.line_rolling.rolled_strip import RolledStrip, loss_error, rolled_strip, sliding_creepage
+from winkler.problems.line_rolling.rolled_strip import (
+    RolledStrip,
+    load_growth,
+    loss_error,
+    rolled_strip,
+    sliding_creepage,
+)
 from winkler.problems.line_rolling.strip_stresses import FULL_COUPLING, strip_note, strip_yield_notes
 from winkler.problems.rolling.creepage import Creepage
 from winkler.values.errors import OutsideValidity
@@ -72,7 +80,7 @@ class LineRolling(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base, or
         a body graded with depth.
     friction : Coulomb
@@ -122,7 +130,7 @@ class LineRolling(PerLoad[Q]):
         coupled=("", None, "whether pressure and traction of dissimilar bodies act on each other"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     friction: Sliding
     drive: LineShearForce[Q] | Creepage[Q]
     load: OneLineLoad
@@ -148,7 +156,8 @@ class LineRolling(PerLoad[Q]):
         """
         contact = touching_strip("LineRolling", self.bed, self.load)
         most = self.friction.coefficient * float(contact.force_per_length)
-        by_elements = not self.bed.hertzian or (self.coupled and not self.bed.similar)
+        by_elements = not self.bed.sheared_as_pressed or (self.coupled and not self.bed.similar)
+        growth = load_growth(self.bed, float(contact.half_width))
         limit = sliding_creepage(self.bed, float(contact.half_width), self.friction.coefficient)
         if isinstance(self.drive, LineShearForce):
             force = np.asarray(self.drive.shear_force_per_length, dtype=float)
@@ -160,15 +169,17 @@ class LineRolling(PerLoad[Q]):
             if by_elements:
                 return self._by_nodes(contact, np.clip(force, -most, most))
             ratio = np.minimum(np.abs(force) / most, 1.0)
-            share = np.sqrt(1.0 - ratio)
-            creepage = np.sign(force) * limit * ratio / (1.0 + share)
+            with np.errstate(divide="ignore"):
+                used = -np.expm1(np.log1p(-ratio) / growth)
+            share, creepage = 1.0 - used, np.sign(force) * limit * used
         elif by_elements:
             return self._by_nodes(contact, np.asarray(self.drive.longitudinal, dtype=float))
         else:
             creepage = np.asarray(self.drive.longitudinal, dtype=float)
             used = np.minimum(np.abs(creepage) / limit, 1.0)
             share = 1.0 - used
-            force = np.sign(creepage) * most * used * (2.0 - used)
+            with np.errstate(divide="ignore"):
+                force = np.sign(creepage) * most * -np.expm1(growth * np.log1p(-used))
         columns: list[Q] = [shaped(column, np.shape(force)) for column in (creepage, force, share)]
         at, given, stick = columns
         return LineRollingSolution(self, at, given, stick, contact)

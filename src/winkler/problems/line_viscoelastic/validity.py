@@ -36,9 +36,9 @@ def relaxing_line_notes(bed: RelaxingBed, time: Array, half_width: float) -> tup
     response = Note(
         Assumption.RESPONSE,
         layered.in_plane[0] if layered else Standing.EXACT,
-        f"{bodies} in plane strain with Poisson's ratios that do not change in time, without "
-        "friction and inertia: while the contact is one strip, the flat strips that make up its pressure relax one by "
-        "one; the ends of a body of finite length are not included.",
+        f"{bodies} in plane strain with Poisson's ratios that do not change in time, without friction and inertia. "
+        "While the contact is one strip, the flat strips that make up its pressure relax one by one. The ends of a "
+        "body of finite length are not included.",
         TING,
     )
     examined = Note(

@@ -56,7 +56,7 @@ def master_curve_notes(
     superposed = Note(
         Assumption.RESPONSE,
         Standing.ASYMPTOTIC if trend == 0.0 else Standing.APPROXIMATE,
-        "Temperature multiplies all times by one factor; residuals of neighbouring rows of one temperature "
+        "Temperature multiplies all times by one factor. Residuals of neighbouring rows of one temperature "
         + (
             "are not correlated beyond chance."
             if trend == 0.0

@@ -34,9 +34,9 @@ def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> No
     rises everywhere, with u1 <= 1 the separation falls.  Of such a family the narrowest contact clears all of tension,
     the widest all of overlap.  A check that does not come to an end refuses nothing: `unfinished` reports it.
     """
-    (touching,) = np.nonzero(radius > 0.0)
-    if bed.certain or not touching.size:
+    if bed.certain or not np.any(radius > 0.0):
         return
+    (touching,) = np.nonzero(radius > 0.0)
     loaded = touching[np.lexsort((depth[touching], radius[touching]))]
 
     def tension(index: int) -> None:

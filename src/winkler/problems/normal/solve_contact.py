@@ -111,7 +111,7 @@ def _radii_at_force(bed: Bed, force: Array) -> Array:
         stiffness = bed.stiffness(a)
         return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
 
-    return _rising_radii(bed, force, lambda a: with_slope(a)[0], with_slope, ("force", "N"))
+    return _rising_radii(bed, force, partial(radius_search.forces, bed), with_slope, ("force", "N"))
 
 
 def _rising_radii(

@@ -66,9 +66,9 @@ class YieldOnset:
         if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, LayerStack)):
             raise InvalidInput(
                 f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "isotropic bodies and layers only (a transversely isotropic body has no single strength, the strength "
-                "of a graded one is a profile that no single number states): give a HalfSpace, or a CoatedHalfSpace "
-                "whose layers have a strength each."
+                "isotropic bodies and layers only. A transversely isotropic body has no single strength, and the "
+                "strength of a graded one is a profile. Give a HalfSpace, or a CoatedHalfSpace whose layers have a "
+                "strength each."
             )
         if not strong_parts(self.bed.medium):
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")

@@ -12,8 +12,8 @@ POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 SPRINGS = Note(
     Assumption.RESOLUTION,
     Standing.APPROXIMATE,
-    "The shear force is that of a row of springs: with n of them in the contact, sliding all over is right to 1/4n^2, "
-    "the stiffness while nothing slips to 1/2n.",
+    "The shear force is that of a row of springs. With n of them in the contact, sliding all over is right to "
+    "1/4n^2, the stiffness while nothing slips to 1/2n.",
     "sums of midpoints; comparison with the exact solver of one direction",
 )
 PLANE = Note(

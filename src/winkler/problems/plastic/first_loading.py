@@ -22,15 +22,18 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
-from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.equations.roots import bracketed, invert
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
+from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.onset.search import onset_in
 from winkler.problems.normal.solve_contact import at_depth, at_force, flat_radius
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.yielding import YieldOnset, part_that_yields
 from winkler.problems.plastic.dent import Dent
 from winkler.problems.plastic.yielded_response import (
     GREATEST_POISSON,
@@ -189,17 +192,34 @@ class FirstLoading(NamedTuple):
     Parameters
     ----------
     bed : Foundation
-        Of a rising profile on half-spaces.
+        Of a rising profile on half-spaces or layers.
     first, second : YieldingHalf
-        The bodies.
+        The bodies, the first as its surface is; of layers nothing is followed beyond the onset.
     onset : float
         Contact radius where one of them begins to yield [m]; zero of a sharp tip, infinite if none does.
+    where : str
+        On layers where that is, the end of a sentence; empty on half-spaces, which are followed beyond it.
     """
 
     bed: Foundation
     first: YieldingHalf
     second: YieldingHalf
     onset: float
+    where: str = ""
+
+    def refuse_yielded_layers(self, owner: str) -> None:
+        """Refuse what is beyond the onset of yield on layers.
+
+        Raises
+        ------
+        OutsideValidity
+        """
+        if self.where:
+            raise OutsideValidity(
+                f"{owner}: the load leads beyond {self.at_onset(by_force=True):.6g} N, under which {self.where}. How "
+                "deep layers are dented depends on strength, modulus and thickness of each of them, and no table "
+                "holds it: stay below this load, up to which no dent is left, or give a HalfSpace."
+            )
 
     def at_onset(self, *, by_force: bool) -> float:
         """Return force [N] or depth [m] where one of the bodies begins to yield."""
@@ -311,6 +331,8 @@ class FirstLoading(NamedTuple):
         force = np.where(radius > 0.0, self.bed.stiffness(radius) * depth - self.bed.gap_load(radius), 0.0)
         if by_force:
             force = np.where(elastic, level, 0.0)
+        if yielding.any():
+            self.refuse_yielded_layers("PlasticIndentation")
         work = stored_energy(self.bed, depth, radius)
         state = GreatestLoad(radius, depth, force, depth.copy(), np.ones_like(depth))
         if not yielding.any():
@@ -338,6 +360,8 @@ class FirstLoading(NamedTuple):
 
     def stored(self, state: GreatestLoad) -> Array:
         """Return the energies that unloading from states would give back [J]."""
+        if self.where:
+            return stored_energy(self.bed, state.depth, state.radius)
         touching = state.radius > 0.0
         radius, recovery, share = (part[touching] for part in (state.radius, state.recovery, state.elastic_share))
         whole = self.bed.gap(radius)
@@ -468,11 +492,20 @@ def _refuse_turning(levels: Array) -> None:
 
 
 def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
-    """Return the elastic energy [J] of contacts on half-spaces at depths [m] and radii [m] `(n,)`."""
+    """Return the elastic energy [J] of contacts on half-spaces or layers at depths [m] and radii [m] `(n,)`."""
+    if not isinstance(bed.medium, HalfSpace):
+        curves = _elastic_curves(bed)
+        return np.array([curves.at(one)[2] if a > 0.0 else 0.0 for one, a in zip(depth, radius, strict=True)])
     wall = bed.reach if isinstance(bed.profile, Dent) else math.inf
     squares = integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
     modulus = bed.medium.modulus  # type: ignore[attr-defined]
     return np.asarray(modulus * (depth * depth * radius + squares) - depth * bed.gap_load(radius))
+
+
+@functools.lru_cache(maxsize=16)
+def _elastic_curves(bed: Foundation) -> NormalCurves:
+    """Return force and energy on layers up to the onset of yield."""
+    return NormalCurves(bed, first_loading(bed).at_onset(by_force=False))
 
 
 def integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
@@ -495,8 +528,16 @@ def integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, 
     return total
 
 
-def refuse_unknown(owner: str, bed: Bed) -> None:
+def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
     """Refuse a bed of which it is not known how its bodies yield.
+
+    Parameters
+    ----------
+    owner : str
+        The problem, for messages.
+    bed : Bed
+    layers : bool
+        Whether layers are taken, up to the onset of yield in one of them.
 
     Raises
     ------
@@ -510,10 +551,17 @@ def refuse_unknown(owner: str, bed: Bed) -> None:
             "of a profile on a HalfSpace; of lines and ellipses LineYieldOnset and EllipticYieldOnset know where it "
             "begins."
         )
-    if not isinstance(bed.medium, HalfSpace):
+    homogeneous, name = isinstance(bed.medium, HalfSpace), type(bed.medium).__name__
+    if not (homogeneous or offers(bed.medium, LayerStack)):
         raise InvalidInput(
-            f"{owner}: the medium is a {type(bed.medium).__name__}; how layered, graded or anisotropic bodies "
-            "yield is not known here: give a HalfSpace of isotropic bodies; in layers YieldOnset knows where it begins."
+            f"{owner}: the medium is a {name}; a transversely isotropic body has no single strength, and that of a "
+            "graded one is a profile, which no number states: give a HalfSpace of isotropic bodies."
+        )
+    if not (homogeneous or layers):
+        raise InvalidInput(
+            f"{owner}: the medium is a {name}; a dent in layers depends on strength, modulus and thickness of each of "
+            "them, so that one strength neither fixes it nor follows from it: give a HalfSpace. PlasticIndentation and "
+            "YieldOnset state the load up to which layers keep no dent."
         )
     parts = strong_parts(bed.medium)
     if not parts:
@@ -525,7 +573,7 @@ def refuse_unknown(owner: str, bed: Bed) -> None:
                 f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
                 f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
             )
-        if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
+        if homogeneous and not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
             raise InvalidInput(
                 f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
                 f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
@@ -539,7 +587,7 @@ def refuse_unknown(owner: str, bed: Bed) -> None:
 
 @functools.lru_cache(maxsize=64)
 def first_loading(bed: Foundation) -> FirstLoading:
-    """Return the loading curve of a bed on half-spaces.
+    """Return the loading curve of a bed on half-spaces, or on layers up to the onset of yield in one of them.
 
     Raises
     ------
@@ -547,6 +595,12 @@ def first_loading(bed: Foundation) -> FirstLoading:
         If the onset of yield of a body is not found.
     """
     medium = bed.medium
+    if not isinstance(medium, HalfSpace):
+        found = YieldOnset(bed).solve()
+        part = part_that_yields(found)
+        where = f"yielding begins ({part.name}, {abs(found.z):.4g} m deep, {found.r:.4g} m from the axis)"
+        rigid = _body(bed, RIGID, math.inf)
+        return FirstLoading(bed, rigid, rigid, found.radius, where)
     assert isinstance(medium, HalfSpace)
     onsets = {part.first: _onset(bed, part) for part in strong_parts(medium)}
     first = _body(bed, medium.first, onsets.get(True, math.inf))

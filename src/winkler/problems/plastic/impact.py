@@ -66,7 +66,8 @@ class PlasticImpact(PerLoad[Q]):
     ----------
     bed : Foundation
         As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`, one body of which has a strength,
-        or both; the strength is that at the rate of the impact.
+        or both; the strength is that at the rate of the impact.  On layers the restitution is one up to the velocity at
+        which one of them yields, and no greater one is taken.
     mass : float
         m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
     velocity : float or ndarray
@@ -109,7 +110,7 @@ class PlasticImpact(PerLoad[Q]):
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
-        refuse_unknown("PlasticImpact", self.bed)
+        refuse_unknown("PlasticImpact", self.bed, layers=True)
 
     @property
     def _loading(self) -> FirstLoading:
@@ -132,7 +133,7 @@ class PlasticImpact(PerLoad[Q]):
         ------
         OutsideValidity
             If the body is pressed in beyond what is known of its profile, or to where that is much blunter than a
-            paraboloid or sharper than a cone.
+            paraboloid or sharper than a cone; on layers, if one of them yields.
         """
         given = np.ravel(np.asarray(self.velocity, dtype=float))
         velocity, place = np.unique(given, return_inverse=True)
@@ -247,7 +248,8 @@ def _struck(curve: FirstLoading, energy: Array) -> dict[str, Array]:
     """Return the numbers of `PlasticImpactSolution` at rising energies [J]; the duration of the mass 2 kg."""
     blow = _Blows(curve, energy)
     state = blow.states
-    refuse_other_shapes("PlasticImpact", curve.bed, state.radius)
+    if not curve.where:
+        refuse_other_shapes("PlasticImpact", curve.bed, state.radius)
     yields = state.radius > curve.onset
     kept = np.where(yields, np.minimum(curve.stored(state), energy), energy)
     return {
@@ -290,6 +292,8 @@ class _Blows:
         self.first = curve.onset
         self.table: LoadingTable | None = None
         yielding = energy > _onset_energy(curve)
+        if yielding.any():
+            curve.refuse_yielded_layers("PlasticImpact")
         radius = np.zeros_like(energy)
         if not yielding.all():
             radius[~yielding] = self._elastic_radii(energy[~yielding])

@@ -24,7 +24,7 @@ from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.solve_contact import at_depth, at_force
-from winkler.problems.normal.validity import shape_notes
+from winkler.problems.normal.validity import contact_notes, shape_notes
 from winkler.problems.plastic.first_loading import FirstLoading, first_loading, refuse_unknown, stored_energy
 from winkler.problems.plastic.release import Release
 from winkler.problems.plastic.yielded_response import round_part
@@ -94,7 +94,8 @@ class PlasticIndentation:
     ----------
     bed : Foundation
         A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both; nowhere in the
-        contact much blunter than a paraboloid or sharper than a cone.
+        contact much blunter than a paraboloid or sharper than a cone.  Or over a `CoatedHalfSpace`, a `SlidingFilm` or
+        a `StackedHalfSpace` whose layers or bodies have strengths: up to the load at which one of them yields.
     path : Depth or Force
         Depths [m], or loads [N], one after the other, ``(steps,)``.
 
@@ -134,7 +135,7 @@ class PlasticIndentation:
             raise InvalidInput(
                 f"{owner}: the path has the shape {levels.shape}; give its points one after the other in one row."
             )
-        refuse_unknown(owner, self.bed)
+        refuse_unknown(owner, self.bed, layers=True)
 
     @property
     def total(self) -> int:
@@ -164,7 +165,7 @@ class PlasticIndentation:
         ------
         OutsideValidity
             If a load is tensile, leads beyond the reach of the profile, or to where the profile is much blunter than
-            a paraboloid or sharper than a cone.
+            a paraboloid or sharper than a cone; on layers, if one of them yields.
         """
         table = _states(self)
         for row in zip(*table, strict=True):
@@ -203,7 +204,8 @@ def _states(problem: PlasticIndentation) -> tuple[Array, ...]:
     curve = problem._loading
     greatest, group = np.unique(np.maximum.accumulate(np.maximum(levels, 0.0)), return_inverse=True)
     state, spent = curve.at_level(greatest, by_force=by_force)
-    refuse_other_shapes("PlasticIndentation", problem.bed, state.radius)
+    if not curve.where:
+        refuse_other_shapes("PlasticIndentation", problem.bed, state.radius)
     left, stored = state.depth - state.recovery, curve.stored(state)
     edge = curve.bed.profile.height(state.radius) - state.depth
     depth, force, radius, energy = (part[group] for part in (state.depth, state.force, state.radius, stored))
@@ -359,9 +361,23 @@ class PlasticSolution(PlasticPress[Array], Looped):
         return (*law_notes(self.problem._loading, widest), *self._cycle_notes)
 
 
+def _layers_note(loading: FirstLoading) -> Note:
+    """Return up to which load layers are followed."""
+    return Note(
+        Assumption.RESPONSE,
+        Standing.ASYMPTOTIC,
+        f"Layers are followed up to {loading.at_onset(by_force=True):.4g} N, under which {loading.where}; up to there "
+        "they are elastic and keep no dent, and beyond it every load is refused.",
+        "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
+    )
+
+
 def law_notes(loading: FirstLoading, widest: float) -> tuple[Note, ...]:
     """Return how far the law can be trusted up to a contact radius [m]."""
     bed, yields = loading.bed, widest > loading.onset
+    if loading.where:
+        at = np.array([widest])
+        return (*bed.notes, *contact_notes(bed, bed.gap(at), at), _layers_note(loading))
     notes = [note for note in bed.notes if not (yields and note.assumption is Assumption.RESPONSE)]
     if widest > 0.0:
         notes += shape_notes(bed, widest)

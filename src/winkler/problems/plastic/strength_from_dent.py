@@ -1,10 +1,10 @@
-"""The strength of a metal from a dent that a known load has left in it."""
+"""The strength of a metal from dents that known loads have left in it, or from how bodies rebound from it."""
 
 from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -15,23 +15,31 @@ from winkler.materials.elastic import Elastic
 from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.equations.roots import between
+from winkler.numerics.types import Array, PerLoad, Q
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.plastic.first_loading import LEAST_STIFFNESS, first_loading, refuse_unknown
-from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
-from winkler.values.checks.number_checks import NonNegative
-from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.problems.plastic.impact import PlasticImpact
+from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution, refuse_other_shapes
+from winkler.problems.plastic.yielded_response import round_part
+from winkler.values.checks.number_checks import POSITIVE_QUANTITY, NonNegative, PositiveNotTiny
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["StrengthFromDent", "StrengthFromDentSolution"]
+__all__ = ["Blow", "Restitution", "StrengthFromDent", "StrengthFromDentSolution"]
 
 STEP = 1e-4
-"""Relative change of force and strength over which the dent is differentiated."""
+"""Relative change of load and strength over which the dent is differentiated."""
 NEXT_STRENGTH = 0.5
 LEAST_STRENGTH = 1e-9
 """Part of Young's modulus below which no strength is sought."""
-RADIUS_ERROR, DEPTH_ERROR, PAIR_ERROR = 0.02, 0.01, 0.03
-"""What the law errs by: parts of the radius; of the depth, by which the residual depth errs, of one body and of two."""
+RADIUS_ERROR, DEPTH_ERROR, PAIR_ERROR, CONE_ERROR = 0.02, 0.01, 0.03, 0.02
+"""What the law errs by: parts of the radius; of the depth, by which the residual depth errs, of one body and of two;
+the restitution errs by as much as the latter, of a cone by the last."""
+MOST_STEPS, LONGEST_STEP, SETTLED = 40, 0.5, 1e-10
+"""Steps to the least squares of several loads, the longest and the last of them in the logarithm of the strength."""
+LEAST_DEVIATION = 1e-6
+"""Of the greatest standard deviation of several loads."""
 HARDENS = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
@@ -42,11 +50,55 @@ HARDENS = Note(
 
 
 @value
-class StrengthFromDent:
-    r"""Which strength has a metal in which a known load has left a dent?
+class Blow(PerLoad[Q]):
+    """A body that arrives straight with a velocity.
 
-    The strength is sought with which `PlasticIndentation` leaves this dent.  Errors of force and dent are carried on to
-    first order,
+    Parameters
+    ----------
+    mass : float
+        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+    velocity : float or ndarray
+        v [m/s] of approach at first touch, positive.
+    velocity_error : float, optional
+        Its standard deviation [m/s]; zero unless given.
+    """
+
+    __words__ = words(velocity_error=("u(v)", "m/s", "standard deviation of the velocity"))
+
+    mass: PositiveNotTiny
+    velocity: Annotated[Q, POSITIVE_QUANTITY]
+    velocity_error: NonNegative = 0.0
+
+    per_load: ClassVar[str] = "velocity"
+
+
+@value
+class Restitution(PerLoad[Q]):
+    """A measured velocity of parting over that of approach.
+
+    Parameters
+    ----------
+    restitution : float or ndarray
+        e [-], positive.
+    restitution_error : float, optional
+        Its standard deviation [-]; zero unless given.
+    """
+
+    __words__ = words(restitution_error=("u(e)", "", "standard deviation of the restitution"))
+
+    restitution: Annotated[Q, POSITIVE_QUANTITY]
+    restitution_error: NonNegative = 0.0
+
+    per_load: ClassVar[str] = "restitution"
+
+
+@value
+class StrengthFromDent:
+    r"""Which strength has a metal in which known loads have left dents, or from which bodies rebound?
+
+    The strength is sought with which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution.  Of
+    one load it is exact; of several it is that of least squares, each load weighed by its error.  Errors are carried on
+    to first order, of one dent of the radius r
 
     .. math:: u^2(\ln Y) = \left(\frac{\partial\ln Y}{\partial\ln F}\frac{u(F)}{F}\right)^2
               + \left(\frac{\partial\ln Y}{\partial\ln r}\frac{u(r)}{r}\right)^2 .
@@ -56,25 +108,26 @@ class StrengthFromDent:
     bed : Foundation
         As of `PlasticIndentation`.  The first body is the one whose strength is sought: an `Elastic` without one, or a
         solid that hardens.  The second one may be rigid, elastic, or have a strength of its own.
-    force : Force
-        The greatest load that the contact has borne [N], a single one.
-    dent : Radius or Depth
-        What the load has left: the radius of the dent in its plane, or its depth, by which the bodies have come nearer
-        for good, `residual_depth` of a `PlasticIndentation` [m].
+    load : Force or Blow
+        The greatest loads that fresh places of the body have borne [N], or blows that they have taken, one or several.
+    dent : Radius, Depth or Restitution
+        What each load has left: the radius of the dent in its plane, or its depth, by which the bodies have come nearer
+        for good, `residual_depth` of a `PlasticIndentation` [m].  Of a blow also its restitution [-].
     force_error, dent_error : float, optional
-        Standard deviations of force [N] and dent [m]; zero unless given.
+        Standard deviations of forces [N] and of radii or depths of dents [m]; zero unless given.  Those of blows and
+        restitutions are given with them.
 
     Raises
     ------
     InvalidInput
-        As of `PlasticIndentation`; if the first body has a strength already; if force or dent is not a single positive
-        number.
+        As of `PlasticIndentation`; if the first body has a strength already; if loads and dents are not as many
+        positive numbers; if a force has a restitution, or an error is given for what there is not.
 
     References
     ----------
     D. Tabor, The Hardness of Metals, Oxford University Press 1951 (the radius of a dent is that of the contact which
     has made it, for its rim hardly moves while it is released); K. L. Johnson, Contact Mechanics, Cambridge University
-    Press 1985, chapter 6, doi:10.1017/CBO9781139171731
+    Press 1985, chapter 6 and section 11.5, doi:10.1017/CBO9781139171731
 
     Examples
     --------
@@ -85,18 +138,21 @@ class StrengthFromDent:
     >>> found = StrengthFromDent(ball, Force(1000.0), Radius(0.36e-3), dent_error=5e-6).solve()
     >>> bool(0.9e9 < found.strength < 1.1e9), bool(found.strength_error < 0.05 * found.strength)
     (True, True)
+    >>> blows, seen = Blow(4.1e-3, [0.5, 2.0]), Restitution([0.80, 0.66], restitution_error=0.01)
+    >>> bool(0.9e9 < StrengthFromDent(ball, blows, seen).solve().strength < 1.2e9)
+    True
     """
 
     __words__ = words(
-        force=("", None, "greatest load that the contact has borne"),
-        dent=("", None, "radius or depth of the dent that it has left"),
+        load=("", None, "greatest loads that the contact has borne, or blows"),
+        dent=("", None, "radius or depth of the dent that each has left, or its restitution"),
         force_error=("u(F)", "N", "standard deviation of the force"),
         dent_error=("u(r)", "m", "standard deviation of radius or depth of the dent"),
     )
 
     bed: Bed
-    force: Force
-    dent: Radius | Depth
+    load: Force | Blow
+    dent: Radius | Depth | Restitution
     force_error: NonNegative = 0.0
     dent_error: NonNegative = 0.0
 
@@ -106,9 +162,23 @@ class StrengthFromDent:
 
     def __post_init__(self) -> None:
         owner = type(self).__name__
-        for name, number in (("force", self.force.force), ("dent", self._size)):
-            if np.ndim(number) or not number > 0.0:
-                raise InvalidInput(f"{owner}: the {name} is {number}; give a single, positive number.")
+        loads, sizes = self._loads, self._sizes
+        for name, numbers in (("load", loads), ("dent", sizes)):
+            if not numbers.size or not np.all(numbers > 0.0):
+                raise InvalidInput(f"{owner}: the {name} is {numbers}; give positive numbers.")
+        if loads.shape != sizes.shape or loads.ndim > 1:
+            raise InvalidInput(
+                f"{owner}: the loads have the shape {loads.shape}, what they have left {sizes.shape}; give one dent or "
+                "restitution for each load, in one row."
+            )
+        if isinstance(self.load, Force) and isinstance(self.dent, Restitution):
+            raise InvalidInput(f"{owner}: a force has no restitution; give Blow(mass, velocity), or the dent.")
+        for error, given, place, whose in (
+            ("force_error", isinstance(self.load, Blow), "velocity_error of the Blow", "a blow"),
+            ("dent_error", isinstance(self.dent, Restitution), "restitution_error of the Restitution", "a restitution"),
+        ):
+            if given and getattr(self, error):
+                raise InvalidInput(f"{owner}: {error} is that of no {whose.split()[1]}; give the {place}.")
         medium = self.bed.medium if isinstance(self.bed, Foundation) else None
         if isinstance(medium, HalfSpace):
             if not isinstance(medium.first, Elastic):
@@ -126,9 +196,24 @@ class StrengthFromDent:
             refuse_unknown(owner, self.bed)
 
     @property
-    def _size(self) -> Any:
-        """Radius or depth of the dent [m]."""
-        return self.dent.radius if isinstance(self.dent, Radius) else self.dent.depth
+    def _loads(self) -> Array:
+        """Forces [N], or velocities [m/s]."""
+        return np.asarray(self.load.force if isinstance(self.load, Force) else self.load.velocity, dtype=float)
+
+    @property
+    def _sizes(self) -> Array:
+        """Radii or depths of the dents [m], or restitutions [-]."""
+        match self.dent:
+            case Radius(radius=size) | Depth(depth=size) | Restitution(restitution=size):
+                return np.asarray(size, dtype=float)
+
+    @property
+    def _errors(self) -> tuple[float, float]:
+        """Standard deviations of loads and of what they have left."""
+        return (
+            self.load.velocity_error if isinstance(self.load, Blow) else self.force_error,
+            self.dent.restitution_error if isinstance(self.dent, Restitution) else self.dent_error,
+        )
 
     def _bed(self, strength: float) -> Foundation:
         """Return the bed whose first body has a strength [Pa]."""
@@ -142,13 +227,32 @@ class StrengthFromDent:
             first = Elastic(medium.first.young, medium.first.poisson, strength)
         return dataclasses.replace(bed, medium=dataclasses.replace(medium, first=first))
 
-    def _dent(self, strength: float, force: float) -> float:
-        """Return the radius or the depth [m] of the dent that a force leaves; infinite where it is out of reach."""
+    def _left(self, strength: float, loads: Array) -> tuple[Array, Array, Array, Array]:
+        """Return what loads `(n,)` leave, and depth, radius [m] and force [N] at their height."""
         bed = self._bed(strength)
-        if force >= first_loading(bed).greatest_force:
-            return math.inf
-        state = next(PlasticIndentation(bed, Force(np.array([force]))).steps())
-        return state.largest_radius if isinstance(self.dent, Radius) else state.residual_depth
+        if isinstance(self.load, Blow):
+            struck = PlasticImpact(bed, self.load.mass, loads).solve()
+            residual, seen = struck.residual_depth, struck.restitution
+            depth, radius, force = struck.greatest_depth, struck.largest_radius, struck.greatest_force
+        else:
+            state, _ = first_loading(bed).at_level(loads, by_force=True)
+            refuse_other_shapes(type(self).__name__, bed, state.radius)
+            depth, radius, force, residual = state.depth, state.radius, state.force, state.depth - state.recovery
+            seen = residual
+        return (radius if isinstance(self.dent, Radius) else residual if isinstance(self.dent, Depth) else seen,
+                depth, radius, force)  # fmt: skip
+
+    def _softer(self, strength: float) -> float:
+        """Return by how much a body of a strength seems softer than measured; two where the loads are out of reach."""
+        sizes = np.atleast_1d(self._sizes)
+        try:
+            seen = self._left(strength, np.atleast_1d(self._loads))[0]
+        except OutsideValidity:
+            if strength * LEAST_STIFFNESS >= self.bed.medium.first.young:  # type: ignore[attr-defined]
+                raise
+            return 2.0
+        change = 1.0 - seen / sizes if isinstance(self.dent, Restitution) else np.minimum(seen / sizes, 2.0) - 1.0
+        return float(np.mean(change))
 
     def solve(self) -> StrengthFromDentSolution:
         """Return the strength, and how certain it is.
@@ -157,49 +261,108 @@ class StrengthFromDent:
         ------
         OutsideValidity
             If the contact would be as large without yielding, so that the dent tells no strength; if no strength makes
-            so large a dent; as of `PlasticIndentation.steps`.
+            so large a dent; as of `PlasticIndentation.steps` and `PlasticImpact.solve`.
+        NotConverged
+            If the least squares of several loads are not found.
         """
-        force, dent = float(self.force.force), float(self._size)
+        loads, sizes = np.atleast_1d(self._loads), np.atleast_1d(self._sizes)
         young = self.bed.medium.first.young  # type: ignore[attr-defined]
         high = young / LEAST_STIFFNESS
-        least = self._dent(high, force)
-        what = "radius" if isinstance(self.dent, Radius) else "depth"
-        if dent <= least:
+        rebounds = isinstance(self.dent, Restitution)
+        if self._softer(high) >= 0.0:
+            what = "restitution" if rebounds else "radius" if isinstance(self.dent, Radius) else "depth"
+            least = float(np.max(self._left(high, loads)[0]))
+            shown = f"{float(np.max(sizes)):.6g}" + ("" if rebounds else " m")
             raise OutsideValidity(
                 f"StrengthFromDent: a first body with a strength of a fiftieth of its Young's modulus, {high:.4g} Pa, "
-                f"has a dent or a contact of {least:.6g} m already under this force; a {what} of {dent:.6g} m tells no "
-                "strength: give a greater dent, a lesser force, or check moduli and units."
+                + (
+                    f"rebounds with {least:.6g} already; a restitution of {shown} tells no strength: give faster blows, "
+                    "or check mass, moduli and units."
+                    if rebounds
+                    else f"has a dent or a contact of {least:.6g} m already under this load; a {what} of {shown} tells no "
+                    "strength: give a greater dent, a lesser load, or check moduli and units."
+                )
             )
         low = high
-        while self._dent(low := NEXT_STRENGTH * low, force) < dent:
+        while self._softer(low := NEXT_STRENGTH * low) < 0.0:
             if low < LEAST_STRENGTH * young:
                 raise OutsideValidity(
-                    f"StrengthFromDent: down to a strength of {low:.4g} Pa no dent has a {what} of {dent:.6g} m under "
-                    "this force; check force, dent and units."
+                    f"StrengthFromDent: down to a strength of {low:.4g} Pa no body is as soft as "
+                    + ("these restitutions" if rebounds else f"a dent of {float(np.max(sizes)):.6g} m")
+                    + " would have it; check loads, dents and units."
                 )
-
-        def excess(place: float) -> float:
-            return min(self._dent(math.exp(place), force) / dent, 2.0) - 1.0
-
-        strength = math.exp(between(excess, math.log(low), math.log(low / NEXT_STRENGTH), relative=1e-12))
-        by_strength, by_force = (
-            (math.log(self._dent(*more)) - math.log(self._dent(*less))) / (2.0 * STEP)
-            for more, less in (
-                ((strength * (1.0 + STEP), force), (strength * (1.0 - STEP), force)),
-                ((strength, force * (1.0 + STEP)), (strength, force * (1.0 - STEP))),
-            )
+        place = between(
+            lambda where: self._softer(math.exp(where)), math.log(low), math.log(low / NEXT_STRENGTH), relative=1e-12
         )
-        of_dent, of_force = 1.0 / by_strength, -by_force / by_strength
-        state = next(PlasticIndentation(self._bed(strength), Force(np.array([force]))).steps())
-        measured = math.hypot(of_force * self.force_error / force, of_dent * self.dent_error / dent)
+        if sizes.size > 1:
+            place = self._least_squares(place)
+        return self._solution(math.exp(place))
+
+    def _slopes(self, strength: float) -> tuple[Array, Array]:
+        """Return the changes of what loads leave by the logarithms of strength and load."""
+        loads = np.atleast_1d(self._loads)
+        pairs = (
+            ((strength * (1.0 + STEP), loads), (strength * (1.0 - STEP), loads)),
+            ((strength, loads * (1.0 + STEP)), (strength, loads * (1.0 - STEP))),
+        )
+        first, second = ((self._left(*more)[0] - self._left(*less)[0]) / (2.0 * STEP) for more, less in pairs)
+        return first, second
+
+    def _deviations(self, by_load: Array) -> Array:
+        """Return the standard deviations of what is measured less what is predicted; ones if no error is given."""
+        of_load, of_dent = self._errors
+        total = np.hypot(by_load * of_load / np.atleast_1d(self._loads), of_dent)
+        if np.any(total > 0.0):  # a load that depends on nothing tells nothing
+            return np.maximum(total, LEAST_DEVIATION * np.max(total))
+        return np.ones_like(total) if isinstance(self.dent, Restitution) else np.atleast_1d(self._sizes)
+
+    def _least_squares(self, place: float) -> float:
+        """Return the logarithm of the strength that leaves the least squares, from one near by."""
+        loads, sizes = np.atleast_1d(self._loads), np.atleast_1d(self._sizes)
+        for _ in range(MOST_STEPS):
+            by_strength, by_load = self._slopes(math.exp(place))
+            weights = self._deviations(by_load) ** -2
+            missed = sizes - self._left(math.exp(place), loads)[0]
+            step = float(np.sum(weights * by_strength * missed) / np.sum(weights * by_strength**2))
+            place += min(max(step, -LONGEST_STEP), LONGEST_STEP)
+            if abs(step) < SETTLED:
+                return place
+        raise NotConverged(
+            f"StrengthFromDent: the strength of {sizes.size} loads has not settled after {MOST_STEPS} steps; check "
+            "loads, dents and units, or take fewer."
+        )
+
+    def _solution(self, strength: float) -> StrengthFromDentSolution:
+        loads, sizes = np.atleast_1d(self._loads), np.atleast_1d(self._sizes)
+        by_strength, by_load = self._slopes(strength)
+        seen, depth, radius, force = self._left(strength, loads)
+        deviations = self._deviations(by_load)
+        weights = by_strength / deviations**2
+        information = float(np.sum(weights * by_strength))
+        of_dent = float(np.sum(weights * seen)) / information
+        of_load = -float(np.sum(weights * by_load)) / information
+        measured, scatter = 0.0, 0.0
+        if any(self._errors):
+            measured = information**-0.5
+        if sizes.size > 1:
+            scatter = math.sqrt(float(np.sum(((sizes - seen) / deviations) ** 2)) / (sizes.size - 1))
+            measured = measured or scatter * information**-0.5
+        pair = isinstance(self.bed.medium.second, Elastic)  # type: ignore[attr-defined]
+        error = PAIR_ERROR if pair else DEPTH_ERROR
         if isinstance(self.dent, Radius):
-            of_law = RADIUS_ERROR
+            of_law = RADIUS_ERROR * seen
+        elif isinstance(self.dent, Depth):
+            of_law = error * depth
         else:
-            pair = isinstance(self.bed.medium.second, Elastic)  # type: ignore[attr-defined]
-            of_law = (PAIR_ERROR if pair else DEPTH_ERROR) * state.depth / dent
+            blunt = round_part(first_loading(self._bed(strength)).exponent(radius))
+            of_law = np.where(blunt < 1.0, max(error, CONE_ERROR), error)
+        law = abs(float(np.sum(weights * of_law)) / information)
+        most = int(np.argmax(loads))
+        residual = depth[most] - first_loading(self._bed(strength)).at(radius[[most]]).recovery[0]
         return StrengthFromDentSolution(
-            self, strength, strength * measured, strength * abs(of_dent) * of_law, of_force, of_dent,
-            force / (np.pi * state.largest_radius**2), state.largest_radius, state.residual_depth, state.depth,
+            self, strength, strength * measured, strength * law, of_load, of_dent, scatter if any(self._errors) else 0.0,
+            float(force[most] / (np.pi * radius[most] ** 2)), float(radius[most]), float(residual), float(depth[most]),
+            float(force[most]),
         )  # fmt: skip
 
 
@@ -214,25 +377,31 @@ class StrengthFromDentSolution:
     strength : float
         Y [Pa]; where yielding begins if the solid is one that hardens, else the flow stress at the strain of the dent.
     strength_error : float
-        Its standard deviation by those of force and dent [Pa], to first order.
+        Its standard deviation by those of loads and dents [Pa], to first order; of several loads without errors by
+        their scatter.
     law_error : float
         What the law may add: its own error of 2 % of a radius, or of 0.01 of the depth under load (0.03 of two
-        deformable bodies), carried on to the strength [Pa].
-    of_force, of_dent : float
-        d ln Y / d ln F and d ln Y / d ln r [-], with the other measured quantity unchanged.
+        deformable bodies), carried on to the strength [Pa]; of a restitution 0.01 (0.03; of cones at least 0.02).
+    of_load, of_dent : float
+        d ln Y / d ln F, or by the velocity, and d ln Y / d ln r, or by the restitution [-], with all other measured
+        quantities unchanged; of several loads, all changed alike.
+    misfit : float
+        What several loads miss, as root mean square over their stated errors [-]: about one if one strength explains
+        all of them; zero of a single load, or where no error is stated.
     hardness : float
-        Force over the area of the dent in its plane [Pa], Meyer's hardness.
+        Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the greatest load.
     radius, residual_depth : float
-        Radius and depth of the dent [m]; one of them is that given.
-    depth : float
-        Under load [m].
+        Radius and depth of the dent [m]; of a single dent one of them is that given.
+    depth, greatest_force : float
+        Under load [m] and [N].
     """
 
     __words__ = words(
-        strength_error=("u(Y)", "Pa", "standard deviation of the strength, by those of force and dent"),
+        strength_error=("u(Y)", "Pa", "standard deviation of the strength, by those of loads and dents"),
         law_error=(r"\delta Y", "Pa", "error of the strength that the law of yielding may add"),
-        of_force=("", "", "relative change of the strength by that of the force"),
-        of_dent=("", "", "relative change of the strength by that of the dent"),
+        of_load=("", "", "relative change of the strength by that of force or velocity"),
+        of_dent=("", "", "relative change of the strength by that of dent or restitution"),
+        misfit=("", "", "what several loads miss over their stated errors"),
         released=("", None, "the contact under the load, and let go"),
         hardness=("H_M", "Pa", "force over the area of the dent in its plane, Meyer's hardness"),
     )
@@ -241,21 +410,29 @@ class StrengthFromDentSolution:
     strength: float
     strength_error: float
     law_error: float
-    of_force: float
+    of_load: float
     of_dent: float
+    misfit: float
     hardness: float
     radius: float
     residual_depth: float
     depth: float
+    greatest_force: float
 
     @property
     def released(self) -> PlasticSolution:
-        """The contact of a body with this strength under the load, and let go."""
-        force = float(self.problem.force.force)
-        return PlasticIndentation(self.problem._bed(self.strength), Force(np.array([force, 0.0]))).solve()
+        """The contact of a body with this strength under the greatest load, and let go."""
+        path = Force(np.array([self.greatest_force, 0.0]))
+        return PlasticIndentation(self.problem._bed(self.strength), path).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        law = self.released.validity
-        return law if isinstance(self.problem.bed.medium.first, Hardening) else (*law, HARDENS)  # type: ignore[attr-defined]
+        problem = self.problem
+        if isinstance(problem.load, Blow):
+            fastest = float(np.max(problem.load.velocity))
+            law = PlasticImpact(problem._bed(self.strength), problem.load.mass, fastest).solve().validity
+        else:
+            law = self.released.validity
+        hardens = isinstance(problem.bed.medium.first, Hardening)  # type: ignore[attr-defined]
+        return law if hardens else (*law, HARDENS)

@@ -196,7 +196,7 @@ class TrueAreaSolution(PerLoad[Q]):
             Assumption.RESOLUTION,
             standing_of(max(area, peak), SMALL_CHANGE, LARGE_CHANGE),
             f"On all and every second point of the map areas differ by up to {100.0 * area:.2g} per cent, greatest "
-            f"pressures by {100.0 * peak:.2g} per cent: about as far may they be from those of a finer map.",
+            f"pressures by {100.0 * peak:.2g} per cent. They may be about as far from those of a finer map.",
             YASTREBOV,
             max(area, peak),
         )

@@ -43,7 +43,7 @@ def tables_note(bound: TwistBound) -> Iterator[Note]:
         yield Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part: shear forces "
+            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part. Shear forces "
             f"err by {bound.miss:.1e} of them at most, tractions by {TABLES_ERROR:.0e} of those of rings that slide.",
             "stiffness without slip from the tables against that of flat punches; panels halved",
         )

@@ -77,8 +77,7 @@ def roller_notes(
             Assumption.HALF_SPACE,
             Standing.APPROXIMATE,
             f"The roller is {'a half-space' if homogeneous else 'flat below its surface'} as well, as if it went on "
-            "beyond its ends: a free end face beside the contact "
-            "would give way and lessen the pressure near the end.",
+            "beyond its ends. A free end face beside the contact would give way and lessen the pressure near the end.",
             JOHNSON,
         ),
         Note(
@@ -98,7 +97,7 @@ def roller_notes(
                 Assumption.SHAPE,
                 Standing.ASYMPTOTIC,
                 "A sharp end of the roller bears: the elastic pressure grows there without bound, like that at the "
-                "edge of a punch, so that there is no greatest pressure and no edge factor; a real edge yields or is "
+                "edge of a punch. So there is no greatest pressure and no edge factor; a real edge yields or is "
                 "rounded.",
                 JOHNSON,
             )

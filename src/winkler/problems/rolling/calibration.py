@@ -116,9 +116,9 @@ class Uncalibrated:
             Note(
                 Assumption.CALIBRATION,
                 Standing.OUTSIDE,
-                "The springs are not calibrated: the traction of rolling is not the same all around the contact, and "
-                "creep forces begin 41 % to 49 % (longitudinal) and 33 % to 41 % (lateral) too low, Poisson's ratio "
-                "from 0 to 0.5, against Kalker's coefficients of a circle.",
+                "The springs are not calibrated, and the traction of rolling is not the same all around the contact. "
+                "Against Kalker's coefficients of a circle creep forces begin too low: by 41 % to 49 % "
+                "(longitudinal) and 33 % to 41 % (lateral), for Poisson's ratios from 0 to 0.5.",
                 KALKER,
             ),
         )

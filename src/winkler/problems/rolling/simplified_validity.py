@@ -28,7 +28,7 @@ POLACH = "O. Polach, Wear 258 (2005) 992-1000, doi:10.1016/j.wear.2004.03.046"
 FIRST_DIGITS = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The moment under spin, which has no coefficient of its own in the springs, begins up to 27 per cent too low on "
+    "The moment under spin has no coefficient of its own in the springs: it begins up to 27 per cent too low on "
     "ellipses of 1 : 5 to 2 : 1.",
     "compared with CONTACT's coefficients of ellipses",
 )

@@ -75,9 +75,9 @@ def hardness_notes(
         Note(
             Assumption.ELASTIC,
             standing_of(heavy, LIGHT_LOAD, HEAVY_LOAD),
-            f"The force is {heavy:.2g} of hardness times the area of the map: the metal that flows has to go "
-            "somewhere, which makes measured areas smaller than cut pressures do, of plastic contacts by about "
-            f"{heavy:.2g}.",
+            f"The force is {heavy:.2g} of hardness times the area of the map. The metal that flows has to go "
+            f"somewhere, which makes measured areas smaller than cut pressures do: by about {heavy:.2g} for plastic "
+            "contacts.",
             PULLEN,
         ),
     )

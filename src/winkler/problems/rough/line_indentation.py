@@ -200,7 +200,7 @@ class RoughIndentationSolution(RoughSolution[Q]):
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "A rough body on a line of springs is exact where the body bears, and scales as the surface where "
-                "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
+                "single peaks bear. There medians of stiffness and depth are within 25 per cent of boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
             *self._line_notes,

@@ -276,7 +276,7 @@ class SurfaceConductionSolution(PerLoad[Q]):
         curved = Note(
             Assumption.ROUGHNESS,
             Standing.OUTSIDE,
-            f"A plane or paraboloid makes up {shape:.0%} of the mean square height: lines of springs hold the "
+            f"A plane or paraboloid makes up {shape:.0%} of the mean square height. Lines of springs hold the "
             "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "
             "topography.detrended(1); a rough ball is a RoughIndentation.",
             "comparison with boundary elements",

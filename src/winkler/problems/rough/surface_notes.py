@@ -77,9 +77,10 @@ def surface_notes(
                 else Standing.APPROXIMATE
                 if blurred > FINE_AREA_ERROR
                 else Standing.ASYMPTOTIC,
-                f"Spots of contact are about {0.5 / blurred:.2g} pixels wide: on this grid the area is known to about "
-                f"{100.0 * blurred:.2g} per cent, and the greatest pressure may be up to {600.0 * blurred**2:.2g} per "
-                f"cent too low{'; take a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
+                f"Spots of contact are about {0.5 / blurred:.2g} pixels wide. On this grid the area is known to "
+                f"about {100.0 * blurred:.2g} per cent, and the greatest pressure may be up to "
+                f"{600.0 * blurred**2:.2g} per cent too "
+                f"low{'; take a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
                 YASTREBOV,
                 blurred,
             )

@@ -86,8 +86,8 @@ def attraction_on_grid(stated: RangedLaw, modulus: float, pixel: tuple[float, fl
             type(law).__name__
         ]
         raise OutsideValidity(
-            f"SurfaceAdhesion: where surfaces part, the attraction acts over a zone E* w / strength^2 of "
-            f"{span * longest:.3g} m, {span:.2g} pixels; this law needs {least:g}, or the grid pins the edge: take "
+            "SurfaceAdhesion: where surfaces part, the attraction acts over a zone E* w / strength^2 of "
+            f"{span * longest:.3g} m, {span:.2g} pixels. This law needs {least:g}, or the grid pins the edge. Take "
             f"pixels of at most {span * longest / least:.3g} m, a {word} of at least {longer:.3g} m, or "
             "ShortRange(work), whose range is as short as the grid allows."
         )

@@ -67,12 +67,12 @@ def current_notes(
         Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if film else Standing.EXACT,
-            "Steady state; temperature follows from voltage for spots of any shape, if all metals obey Wiedemann's and "
-            "Franz' law with one Lorenz number, the ends are kept at the temperature of the bodies and nothing is lost "
-            "around them; thermoelectric effects are left out."
+            "Steady state. Temperature follows from voltage for spots of any shape, if all metals obey Wiedemann's "
+            "and Franz' law with one Lorenz number. The ends are kept at the temperature of the bodies, and nothing "
+            "is lost around them; thermoelectric effects are left out."
             + (
-                " The contact is taken as of one temperature, and the heat of a film as spread like the current: so it "
-                "is where both bodies are alike and clean."
+                " The contact is taken as of one temperature, and the heat of a film as spread like the current, as "
+                "where both bodies are alike and clean."
                 if film
                 else ""
             ),

@@ -65,7 +65,7 @@ def surface_shear_notes(
         Note(
             Assumption.SLIP,
             standing_left(float(np.max(misfit))),
-            f"{_named(law)} in each pixel, in the direction of its own slip: what slips is at its bound, with "
+            f"{_named(law)} in each pixel, in the direction of its own slip. What slips is at its bound, with "
             f"tractions along the slip of each step, to {float(np.max(misfit)):.1g} of the energy stored and lost.",
             KALKER,
         ),

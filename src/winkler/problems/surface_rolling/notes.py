@@ -61,9 +61,9 @@ def surface_rolling_notes(
     law = Note(
         Assumption.SLIP,
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
-        f"{bodies} that roll, {named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction "
-        f"would lose if all slipped{met} the rolling there are {across} pixels: forces err in proportion to their "
-        "size, by about 0.5 % of mu F_N with 40.",
+        f"{bodies} that roll, {named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
+        f"lose if all slipped{met} the rolling there are {across} pixels. Forces err in proportion to the size of a "
+        "pixel, by about 0.5 % of mu F_N with 40.",
         KALKER,
     )
     steady = Note(

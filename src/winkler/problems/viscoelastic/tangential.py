@@ -13,15 +13,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
+from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
-from winkler.loading.loads import Depth, Shift
+from winkler.loading.loads import Angle, Depth, Shift
 from winkler.loading.path import Path
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.twisting.kernels import twisted_medium
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
@@ -29,21 +33,41 @@ from winkler.problems.assumptions.times import path_notes
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
+from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, push_bound
+from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.problems.round_march import RoundSlip
-from winkler.problems.row import follow
+from winkler.problems.row import Reached, follow
+from winkler.problems.viscoelastic.dragged_cells import DragCells, ring_cells, spring_cells
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
-from winkler.problems.viscoelastic.tangential_march import DraggedRow, DragGoal, ErrorScales, shear_relaxation
-from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.problems.viscoelastic.tangential_march import (
+    DraggedRow,
+    DraggedSprings,
+    DragGoal,
+    ErrorScales,
+    shear_relaxation,
+    twist_relaxation,
+)
+from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["DraggedState", "dragged_notes", "dragged_states", "pressed_alone", "stick_radius"]
+__all__ = [
+    "DraggedCells",
+    "DraggedState",
+    "Relaxed",
+    "columns",
+    "dragged",
+    "dragged_notes",
+    "dragged_states",
+    "pressed_alone",
+    "stick_radius",
+]
 
 
 @value
-class DraggedState(RoundSlip[float]):
-    """A dragged viscoelastic contact at one moment; its numbers are those of `RoundSlip`.
+class DraggedCells:
+    """What a dragged viscoelastic contact has at one moment, of whatever motion; arrays by cell, ``(n,)``.
 
     Parameters
     ----------
@@ -77,31 +101,82 @@ class DraggedState(RoundSlip[float]):
     sticking: Array
 
 
-def pressed_alone(bed: Bed, path: Path, count: int, tolerance: float) -> ViscoelasticIndentation:
+@value
+class DraggedState(DraggedCells, RoundSlip[float]):
+    """A dragged viscoelastic contact at one moment; its numbers are those of `RoundSlip` and `DraggedCells`."""
+
+
+class Relaxed:
+    """The part of a solution that has the two losses of bodies that relax."""
+
+    problem: Any
+    states: Any
+
+    @property
+    def friction_loss(self) -> Array:
+        """Lost to friction since the beginning by bodies that relax [J], ``(steps,)``.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies are elastic.
+        """
+        return self._known("friction_loss")
+
+    @property
+    def bulk_loss(self) -> Array:
+        """Lost since the beginning in the dashpots of bodies that relax [J], ``(steps,)``.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies are elastic.
+        """
+        return self._known("bulk_loss")
+
+    def _known(self, name: str) -> Array:
+        """Return a number that only rings, or only bodies that relax, have."""
+        if not all(hasattr(state, name) for state in self.states):
+            who = type(self.problem).__name__
+            raise OutsideValidity(f"{who}: {name} is not known of this method and medium; leave it out.")
+        return np.array([getattr(state, name) for state in self.states])
+
+
+def pressed_alone(owner: str, bed: Bed, path: Path, count: int, tolerance: float) -> ViscoelasticIndentation:
     """Return the contact without friction; refuse what is not followed along the surface.
 
     Raises
     ------
     InvalidInput
-        If the medium is no viscoelastic half-space, or a force is tensile.
+        If the medium does not relax by one function of time, or a force is tensile.
+    OutsideValidity
+        If what rings bear, or the ratio of the stiffnesses, is not known.
     """
-    if not isinstance(bed.medium, ViscoelasticHalfSpace):
-        raise InvalidInput(
-            f"Tangential: the bed stands on a {type(bed.medium).__name__}, and slip of bodies that relax is followed "
-            "by one ratio of tangential to normal stiffness and one relaxation, which homogeneous bodies have; give "
-            "Foundation(profile, ViscoelasticHalfSpace(solid))."
-        )
+    relaxation_of(owner, bed)
+    if owner == "Torsion":
+        twisted_medium(elastic_like(bed).medium)
     return ViscoelasticIndentation(bed, Path(path.time, path.normal), count, tolerance)
 
 
 def dragged_states(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> Iterator[DraggedState]:
-    """Yield the state at every point of a path.
+    """Yield the state at every point of a path, as of `dragged`."""
+    for row, reached in dragged("Tangential", bed, law, path, count, tolerance):
+        state = reached.state
+        yield DraggedState(shift=state.shift, shear_force=state.shear_force, **columns(row, reached))
+
+
+def dragged(
+    owner: str, bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float
+) -> Iterator[tuple[DraggedRow, Reached[DraggedSprings]]]:
+    """Yield the row and where it is at every point of a path.
 
     Before the first point of the path nothing has happened; what is not zero there comes suddenly, the normal load
     first.
 
     Parameters
     ----------
+    owner : str
+        Kind of problem.
     bed : Bed
     law : Coulomb
     path : Path
@@ -121,48 +196,82 @@ def dragged_states(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: fl
     NotConverged
         If no step is short enough.
     """
-    row = _row(bed, law, path, count, tolerance)
-    density = row.row.springs.density(row.row.bed)
+    row = _row(owner, bed, law, path, count, tolerance)
     goals = map(DragGoal, path.time.tolist(), path.across.tolist(), path.along.tolist())
-    for state, work, lost in follow(row, goals):
-        time, springs = state.goal.time, state.row
-        refuse_rings("Tangential", np.array([time]), np.array([state.ring]))
-        place = springs.springs.position
-        slack = state.bounds - np.abs(state.loads)
-        yield DraggedState(
-            time, springs.depth, state.force, state.radius, state.shift, state.shear_force, work, state.stored, lost,
-            stick_radius(place, state.stuck, slack, state.radius), state.friction, state.bulk, place,
-            density * springs.loads(), density * state.loads, springs.place, state.displaced, state.stuck,
-        )  # fmt: skip
+    for reached in follow(row, goals):
+        refuse_rings(owner, np.array([reached.state.goal.time]), np.array([reached.state.ring]))
+        yield row, reached
 
 
-def _row(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> DraggedRow:
+def columns(row: DraggedRow, reached: Reached[DraggedSprings]) -> dict[str, Any]:
+    """Return what a state holds, by the names of its fields."""
+    (state, work, lost), cells = reached, row.cells
+    springs, slack = state.row, state.bounds - np.abs(state.loads)
+    return {
+        "time": state.goal.time,
+        "depth": springs.depth,
+        "force": state.force,
+        "radius": state.radius,
+        "work": work,
+        "stored_energy": state.stored,
+        "dissipation": lost,
+        "stick_radius": stick_radius(cells.place, state.stuck, slack, state.radius),
+        "friction_loss": state.friction,
+        "bulk_loss": state.bulk,
+        "position": cells.place,
+        "line_load": cells.density * springs.loads()[cells.under],
+        "shear_load": cells.lever * state.loads,
+        "recess": springs.place[cells.under],
+        "displacement": state.displaced * (cells.place if cells.motion == "Angle" else 1.0),
+        "sticking": state.stuck,
+    }
+
+
+def _row(owner: str, bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> DraggedRow:
     """Return the row before anything has happened, which knows what counts as little on this path."""
-    deepest = pressed_alone(bed, path, count, tolerance)._deepest
+    deepest = pressed_alone(owner, bed, path, count, tolerance)._deepest
     if deepest == 0.0:
-        raise OutsideValidity("Tangential: the bodies never touch along this path; press them.")
-    elastic, medium = elastic_like(bed), bed.medium
-    assert isinstance(medium, ViscoelasticHalfSpace)
-    _, reach = at_depth(elastic, np.array([deepest]))
-    springs = Springs.of(elastic, float(reach[0]), count)
-    normal, shear = relaxation_of("", bed), shear_relaxation(medium, bed.footprint.shear_share)
-    by_depth, by_shift = isinstance(path.normal, Depth), isinstance(path.lateral, Shift)
+        raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
+    elastic = elastic_like(bed)
+    reach = float(at_depth(elastic, np.array([deepest]))[1][0])
+    springs = Springs.of(elastic, reach, count)
+    normal, (cells, shear) = relaxation_of(owner, bed), _cells(owner, bed, springs, count)
+    by_depth, by_shift = isinstance(path.normal, Depth), isinstance(path.lateral, Shift | Angle)
     # the greatest stiffness of the springs: glassy, or as they are within the time that the path takes
     quick = 1.0 / max(float(path.time[-1] - path.time[0]), 1e-300)
     hard, stiff = (
         series.glassy if math.isfinite(series.glassy) else float(abs(series.dynamic(np.array(quick))))
         for series in (normal, shear)
     )
-    force = hard * springs.force(deepest) if by_depth else float(np.max(path.across))
+    pressed = springs.force(deepest)
+    force = hard * pressed if by_depth else float(np.max(path.across))
     along = float(np.max(np.abs(path.along), initial=0.0))
-    whole = stiff * float(np.sum(springs.stiffness))
+    whole = stiff * float(np.sum(cells.weights))
     slide_ = along if by_shift else along / whole
-    borne = min(law.coefficient * force, whole * slide_) if law.coefficient > 0.0 else 0.0
-    borne = borne if borne > 0.0 else force
-    slide_ = slide_ if slide_ > 0.0 else deepest
+    rubbed = force * float(cells.weights @ cells.bounds(np.maximum(deepest - springs.gap, 0.0))) / pressed
+    borne = min(law.coefficient * rubbed, whole * slide_) if law.coefficient > 0.0 else 0.0
+    borne = borne if borne > 0.0 else rubbed
+    slide_ = slide_ if slide_ > 0.0 else deepest * rubbed / force
     little = tolerance
     scales = ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
-    return DraggedRow(SpringRow(elastic, springs, normal), shear, law.coefficient, by_depth, by_shift, scales)
+    return DraggedRow(SpringRow(elastic, springs, normal), cells, shear, law.coefficient, by_depth, by_shift, scales)
+
+
+def _cells(owner: str, bed: Bed, springs: Springs, count: int) -> tuple[DragCells, RelaxationSeries]:
+    """Return what is dragged, and by which function it relaxes."""
+    elastic, medium, reach = elastic_like(bed), bed.medium, float(springs.position[-1])
+    alone = isinstance(medium, ViscoelasticHalfSpace)
+    if owner == "Torsion":
+        body = twisted_medium(elastic.medium)
+        series = twist_relaxation(medium) if alone else relaxation_of(owner, bed).scaled(8.0 * body.torsional_modulus)
+        return ring_cells(twist_bound(elastic, 1.0, reach, False), springs, count), series
+    if alone:
+        return spring_cells(elastic, springs), shear_relaxation(medium, bed.footprint.shear_share)
+    layers, series = layers_of_rings(elastic), relaxation_of(owner, bed)
+    if layers is not None:
+        return ring_cells(push_bound(elastic, 1.0, reach, False), springs, count), series.scaled(layers.shear_modulus)
+    ratio = exact_ratio(owner, elastic, reach)
+    return spring_cells(elastic, springs), series.scaled(ratio)
 
 
 def stick_radius(position: Array, stuck: Array, slack: Array, radius: float) -> float:
@@ -200,13 +309,18 @@ def dragged_notes(bed: Bed, law: Coulomb, time: Array, depth: Array, radius: Arr
     time, depth, radius : ndarray, (steps,)
         t [s], d [m], a [m].
     """
+    elastic, widest = elastic_like(bed), float(np.max(radius))
+    if layers_of_rings(elastic) is None:
+        slip: tuple[Note, ...] = (CATTANEO,)
+    else:
+        slip = push_note(elastic, widest), *tables_note(push_bound(elastic, 1.0, widest, False))
     return (
         *bed.notes,
-        CATTANEO,
+        *slip,
         sticking_note(bed.medium, law.coefficient),
         *direction_notes(bed),
         *path_notes(bed, time),
-        *contact_notes(elastic_like(bed), depth, radius),
+        *contact_notes(elastic, depth, radius),
         *relaxing_yield(bed.medium),
     )
 

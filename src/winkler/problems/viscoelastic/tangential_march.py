@@ -7,6 +7,7 @@ where the whole did (`winkler.problems.row`).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -19,12 +20,15 @@ from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
 from winkler.numerics.types import Array
 from winkler.problems.row import Reached, Row, over
+from winkler.problems.viscoelastic.dragged_cells import DragCells
 from winkler.problems.viscoelastic.march import RESTING_FORCE, SpringRow
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation"]
+__all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation", "twist_relaxation"]
 
 MOST_TRIALS = 200
+BOUND_ROUNDING = 1e-9
+"""Part of the greatest bound that is rounding."""
 FORCE_TOLERANCE = 1e-12
 """Part of what friction bears to which a shear force is met."""
 
@@ -34,16 +38,26 @@ def shear_relaxation(medium: ViscoelasticHalfSpace, share: float = 0.5) -> Relax
 
     Of a disc it is (2 - nu)/4 of each, of another outline (1 - nu + nu s)/2 with its `share` s in this direction.
     """
+    return _pair_relaxation(medium, lambda poisson: 0.5 * (1.0 - (1.0 - share) * poisson))
+
+
+def twist_relaxation(medium: ViscoelasticHalfSpace) -> RelaxationSeries:
+    """Return 8 G_t(t) [Pa] of a pair, by which its springs relax under a twist: 1/G_t = 1/G_1 + 1/G_2."""
+    return _pair_relaxation(medium, lambda _: 0.125)
+
+
+def _pair_relaxation(medium: ViscoelasticHalfSpace, part: Callable[[float], float]) -> RelaxationSeries:
+    """Return the relaxation of a pair whose compliance is a part, by Poisson's ratio, of 1/G of each body."""
     bodies = [body for body in (medium.first, medium.second) if isinstance(body, ViscoelasticSolid | Elastic)]
     if len(bodies) == 1 and isinstance(bodies[0], ViscoelasticSolid):
-        return bodies[0].series.scaled(2.0 / (1.0 - (1.0 - share) * bodies[0].poisson))
+        return bodies[0].series.scaled(1.0 / part(bodies[0].poisson))
     total = CreepSeries(0.0, 0.0, np.empty(0), np.empty(0))
     for body in bodies:
         if isinstance(body, Elastic):
-            compliance = (1.0 - (1.0 - share) * body.poisson) * (1.0 + body.poisson) / body.young
+            compliance = part(body.poisson) * 2.0 * (1.0 + body.poisson) / body.young
             total = total.plus(CreepSeries(compliance, 0.0, np.empty(0), np.empty(0)))
         else:
-            total = total.plus(of_relaxation(body.series).scaled(0.5 * (1.0 - (1.0 - share) * body.poisson)))
+            total = total.plus(of_relaxation(body.series).scaled(part(body.poisson)))
     return of_creep(total)
 
 
@@ -117,8 +131,10 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
     ----------
     row : SpringRow
         Across the surface, before anything has happened.
+    cells : DragCells
+        Those that are dragged.
     shear : RelaxationSeries
-        G*(t).
+        G*(t), of a twist 8 G_t(t).
     coefficient : float
         mu [-].
     by_depth, by_shift : bool
@@ -126,11 +142,10 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
     scales : ErrorScales
     """
 
-    owner = "Tangential"
-
     def __init__(
         self,
         row: SpringRow,
+        cells: DragCells,
         shear: RelaxationSeries,
         coefficient: float,
         by_depth: bool,
@@ -138,13 +153,14 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         scales: ErrorScales,
     ) -> None:
         self.row, self.shear, self.coefficient, self.scales = row, shear, coefficient, scales
+        self.cells, self.owner = cells, cells.owner
         self.by_depth, self.by_shift = by_depth, by_shift
         self.recovery = Recovery.of(shear)
         self.law = self.recovery.law(shear)
 
     def begin(self, goal: DragGoal) -> Reached[DraggedSprings]:
         """Return the springs at the first point, where what is not zero comes suddenly."""
-        count = self.row.springs.gap.size
+        count = self.cells.place.size
         row, none, never = self.row.copy(), np.zeros(count), np.zeros(count, dtype=bool)
         row.motion[0] = min(goal.across, 0.0) if self.by_depth else row.depth
         memory = np.zeros((count, self.recovery.rates.size))
@@ -208,15 +224,22 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         was, depth, place = row.pressed.copy(), row.depth, row.place.copy()
         change = goal.across - depth if self.by_depth else row.towards(force, dt, state.rate * dt, self.scales.force)
         pressed = row.march(np.array([change]), np.array([dt]))
-        loads = np.maximum(row.loads(), 0.0)
+        under = self.cells.under
+        loads = self.cells.bounds(np.maximum(row.loads(), 0.0))
+        if loads.min() < -BOUND_ROUNDING * loads.max():
+            raise OutsideValidity(
+                "the rings that would slide first are not the outer ones, since the layers spread their traction "
+                "inwards; give a narrower contact."
+            )
         bounds = np.where(loads > 0.0, self.coefficient * np.where(loads > 0.0, loads, 1.0), 0.0)
         # a free spring is caught when it and the body meet, while it recovers
-        share = np.ones(was.size)
-        caught = row.pressed & ~was
+        share = np.ones(under.size)
+        caught = (row.pressed & ~was)[under]
         if np.any(caught):
-            rates, gap = row.law[4], row.springs.gap[caught]
-            apart = gap + place[caught] - depth
-            closed = row.depth - gap - np.exp(-rates * dt) @ state.row.memory[: rates.size, caught]
+            rates, these = row.law[4], under[caught]
+            gap = row.springs.gap[these]
+            apart = gap + place[these] - depth
+            closed = row.depth - gap - np.exp(-rates * dt) @ state.row.memory[: rates.size, these]
             met = np.divide(apart, apart + closed, out=np.zeros(apart.size), where=apart + closed > 0.0)
             share[caught] = 1.0 - np.clip(met, 0.0, 1.0)
         moved = goal.along - state.shift if self.by_shift else self._shift_under(state, bounds, share, dt, goal.along)
@@ -253,20 +276,21 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
             bounds=bounds,
         )
         drag(
-            self.law, self.row.row[1], state.bounds, bounds, share, dt, moved, new.displaced, new.memory, new.free,
+            self.law, self.cells.weights, state.bounds, bounds, share, dt, moved, new.displaced, new.memory, new.free,
             new.loads, new.stuck, sums,
         )  # fmt: skip
         return new, sums
 
     def _shift_under(self, state: DraggedSprings, bounds: Array, share: Array, dt: float, prescribed: float) -> float:
         """Return by how much the bodies move until the springs bear a shear force."""
-        weights, endless = self.row.row[1], math.isinf(self.coefficient)
-        most = 0.0 if endless else float(weights @ bounds)
+        cells, endless = self.cells, math.isinf(self.coefficient)
+        most = 0.0 if endless else float(cells.weights @ bounds)
         close = FORCE_TOLERANCE * max(most, abs(prescribed))
         if not endless and abs(prescribed) > most + close:
             raise OutsideValidity(
-                f"a shear force of {prescribed:.6g} N is prescribed where friction bears {most:.6g} N at most, and the "
-                "bodies would slide away; press them harder, or give a Shift."
+                f"a {cells.load} of {prescribed:.6g} {cells.unit} is prescribed where friction bears {most:.6g} "
+                f"{cells.unit} at most, and the bodies would {'spin' if cells.motion == 'Angle' else 'slide away'}; "
+                f"press them harder, or give {'an' if cells.motion == 'Angle' else 'a'} {cells.motion}."
             )
         low, high, moved, stride = -math.inf, math.inf, state.slide * dt, 0.0
         for turn in range(MOST_TRIALS):
@@ -284,6 +308,9 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
                     return middle
                 moved = middle
             else:
-                stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(state.displaced))), 1e-9 * state.row.depth)
+                stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(state.displaced))), 1e-4 * self.scales.shift)
                 moved += math.copysign(stride, short)
-        raise NotConverged(f"the springs find no shift at which they bear a shear force of {prescribed:.6g} N.")
+        raise NotConverged(
+            f"the springs find no {cells.motion.lower()} at which they bear a {cells.load} of {prescribed:.6g} "
+            f"{cells.unit}."
+        )

@@ -19,6 +19,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
 from winkler.loading.path import OnePositiveLineForce, OnePositiveLineSwing
@@ -55,7 +56,7 @@ class LineFrettingWear(AtGoals):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear: homogeneous, or layers through which shear reaches the base.
     wear : Archard, PairWear or OwnWear
         How the surfaces wear.
@@ -123,7 +124,7 @@ class LineFrettingWear(AtGoals):
         layer_wears=("", None, "whether the uppermost layer wears, and not the other body"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     wear: WearLaw
     law: Sliding
     normal: OnePositiveLineForce

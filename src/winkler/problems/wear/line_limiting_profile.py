@@ -27,6 +27,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
 from winkler.loading.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -53,7 +54,7 @@ class LineLimitingProfile:
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear: homogeneous, or layers through which shear reaches the base.
     law : Coulomb
         Friction; its coefficient positive and finite.
@@ -102,7 +103,7 @@ class LineLimitingProfile:
         amplitude=("", None, "amplitude of the shear force per length"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Sliding
     normal: OnePositiveLineForce
     amplitude: OnePositiveLineSwing

@@ -16,6 +16,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.wear import Archard, OwnWear, WearLaw
 from winkler.loading.path import OnePositiveLineForce
 from winkler.numerics.types import Array
@@ -45,7 +46,7 @@ class LineSlidingWear(OfDistance):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear, homogeneous or layered.
     wear : Archard or OwnWear
         How the body that stays in contact wears: the one with the profile, on a track much longer than the contact.
@@ -107,7 +108,7 @@ class LineSlidingWear(OfDistance):
         layer_wears=("", None, "whether the uppermost layer wears, and not the other body"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     wear: Annotated[Archard | OwnWear, ONE_BODY]
     normal: OnePositiveLineForce
     distance: FiniteQuantity

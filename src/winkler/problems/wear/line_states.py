@@ -9,6 +9,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.numerics.types import Array
 from winkler.problems.wear.states import WornState
 from winkler.values.value import value, words
@@ -22,7 +23,7 @@ class LineWearState(WornState):
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear.
     elapsed : float
         How far wear has come: cycles, or distance slid [m].
@@ -46,7 +47,7 @@ class LineWearState(WornState):
         removed=("V'", "m^2", "what both bodies have lost, per length of the line"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation
+    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     elapsed: float
     jump: float
     places: Array

@@ -9,6 +9,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.loading.loads import LineForce
 from winkler.media.medium import Medium
@@ -32,7 +33,7 @@ from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
 
-Bed = LineFoundation | LayeredLineFoundation
+Bed = LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
 
 WORN_SLIP = Note(
     Assumption.SLIP,
@@ -83,7 +84,7 @@ def line_fretting_notes(
 
     Parameters
     ----------
-    bed : LineFoundation or LayeredLineFoundation
+    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Before wear.
     coefficient : float
         Of friction [-].

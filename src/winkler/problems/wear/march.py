@@ -155,17 +155,31 @@ class _WearRates:
     def __init__(self, problem: WearProblem, nodes: Array) -> None:
         self.problem, self.nodes = problem, nodes
         self.grid: WornGrid = wear_grid(problem.bed, nodes)
+        self._last: tuple[bytes, WornContact, Array] | None = None
 
     @functools.cached_property
     def system(self) -> SlidingSystem:
         return SlidingSystem(self.grid, self.problem.normal, self.problem.laws)
 
+    def rubbed(self, worn: Array) -> tuple[WornContact, Array]:
+        """Return the contact and how far it slips; the last ones are kept."""
+        key = worn.tobytes()
+        if self._last is None or self._last[0] != key:
+            there = self.grid.press(worn.sum(axis=0), self.problem.normal)
+            self._last = key, there, self.problem.slipped(self.grid, there)
+        return self._last[1:]
+
     def contact(self, worn: Array) -> WornContact:
-        return self.grid.press(worn.sum(axis=0), self.problem.normal)
+        return self.rubbed(worn)[0]
+
+    def damping(self, worn: Array) -> float:
+        """Return a bound of how fast the shortest waves of the pressure decay."""
+        there, slip = self.rubbed(worn)
+        return float(np.max(law_slope(self.problem.laws, there.pressure) * slip * self.grid.response))
 
     def rates(self, worn: Array) -> Array:
-        there = self.contact(worn)
-        return np.stack(worn_by(self.problem.laws, there.pressure)) * self.problem.slipped(self.grid, there)
+        there, slip = self.rubbed(worn)
+        return np.stack(worn_by(self.problem.laws, there.pressure)) * slip
 
     def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _JumpTrial:
         end = step(self.rates, worn, first, length, stages)
@@ -198,7 +212,7 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
         scale = problem.tolerance * scale_of(problem, here.grid, contact)
         if fastest * (goal - elapsed) <= UNCHECKED_SHARE * scale:
             return WearMoment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
-        damping = RATE_MARGIN * _damping(problem, here.grid, contact)
+        damping = RATE_MARGIN * here.damping(worn)
         wanted = jump if jump > 0.0 else FIRST_JUMP * contact.depth / fastest
         length = min(wanted, goal - elapsed)
         settled = everywhere and elapsed * damping > STIFF_DECAYS and stages_for(length, damping) > EXPLICIT_STAGES
@@ -247,11 +261,6 @@ def scale_of(problem: WearProblem, grid: WornGrid, contact: WornContact) -> floa
     """Return the displacement [m] in terms of which errors count."""
     pressed = contact.depth if grid.holds_depth(problem.normal) else float(np.max(contact.stretch))
     return min(pressed, problem.most_worn)
-
-
-def _damping(problem: WearProblem, grid: WornGrid, contact: WornContact) -> float:
-    """Return a bound of how fast the shortest waves of the pressure decay."""
-    return float(np.max(law_slope(problem.laws, contact.pressure) * problem.slipped(grid, contact) * grid.response))
 
 
 def _refuse_outgrown(bed: Any, contact: WornContact, nodes: Array) -> None:

@@ -23,7 +23,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading.loads import Depth, Normal
 from winkler.media.body_of import exponent_of
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
+from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, inner_product
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_grid
@@ -98,7 +98,7 @@ class RoundGrid(WornGrid):
 
     def lift(self, worn: Array) -> Array:
         """As `WornGrid.lift`."""
-        return np.asarray(self.rings.gap @ worn + worn[0])
+        return inner_product(self.rings.gap, worn) + worn[0]
 
     def height(self, x: Array) -> Array:
         """Height of the profile before wear [m]."""
@@ -161,8 +161,7 @@ def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array)
     """Return the depth [m] at which springs of these transforms under a gap [m] bear a force [N]."""
     # the force at the depths of the nodes, as if g never fell, gives the start
     climbing = np.maximum.accumulate(gap)
-    squares = rings.squares
-    areas = 2.0 * modulus * rings.springs_within(squares)
+    areas = 2.0 * modulus * rings.springs_within(rings.squares)
     means = np.cumsum(np.append(0.0, np.diff(areas) * 0.5 * (climbing[1:] + climbing[:-1])))
     depth = float(np.interp(force, climbing * areas - means, climbing))
     if depth == climbing[-1]:
@@ -170,13 +169,13 @@ def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array)
     low, high = float(np.min(gap)), math.inf
     for trial in range(MOST_TRIALS):
         stretch = depth - gap
-        cut = Cuts(squares, stretch)
-        error = 2.0 * modulus * rings.integral(stretch, cut) - force
+        borne, wide = rings.pressed(stretch)
+        error = 2.0 * modulus * borne - force
         # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
         if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
             return depth
         low, high = (max(low, depth), high) if error < 0.0 else (low, min(high, depth))
-        slope = 2.0 * modulus * rings.inside(cut, float(squares[-1]) if stretch[-1] > 0.0 else 0.0)
+        slope = 2.0 * modulus * wide
         following = depth - error / slope if slope > 0.0 else float(np.max(gap))
         # stiff layers part and touch again from depth to depth: halving is slow, but settles
         if trial > LATE_TRIAL and high < math.inf:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, SurfaceTransform, inner_product
 from winkler.numerics.types import Array
 
 __all__ = ["WornContact", "WornGrid"]
@@ -79,7 +79,7 @@ class WornGrid:
 
     def lift(self, worn: Array) -> Array:
         """Return how much higher the springs begin for what is worn off [m]."""
-        return np.asarray(self.transforms.gap @ worn)
+        return inner_product(self.transforms.gap, worn)
 
     def height(self, x: Array) -> Array:
         """Height of the profile before wear [m]."""

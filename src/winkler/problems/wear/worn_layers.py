@@ -192,9 +192,9 @@ def _coarse(pressure: Array, missed: Array) -> Iterator[Note]:
         yield Note(
             Assumption.RESOLUTION,
             standing_of(error, SMALL_MISS, LARGE_MISS),
-            f"Before wear the mean pressures about the nodes of the grid of {pressure.size - 1} cells differ by up to "
-            f"{100.0 * error:.2g} per cent of the greatest from those of the layers: a layer that is much stiffer than "
-            "its base takes cells that are small against its thickness. Give more cells (count).",
+            f"Before wear the mean pressures about the nodes of the grid of {pressure.size - 1} cells differ by up "
+            f"to {100.0 * error:.2g} per cent of the greatest from those of the layers. A layer that is much stiffer "
+            "than its base takes cells that are small against its thickness: give more cells (count).",
             "flat punches superposed, without a grid",
             error,
         )

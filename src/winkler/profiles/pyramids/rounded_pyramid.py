@@ -125,8 +125,8 @@ class RoundedPyramid(PowerPieces):
             Note(
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
-                f"The rounded pyramid of {self.sides} faces is replaced by the body of revolution with its force: on a "
-                f"homogeneous half-space, force, depth, stiffness and energy are those of the pyramid within "
+                f"The rounded pyramid of {self.sides} faces is replaced by the body of revolution with its force. On "
+                "a homogeneous half-space, force, depth, stiffness and energy are those of the pyramid within "
                 f"{LARGEST_ERROR:.2%}. The radius is that of a round contact as stiff; contacts wider than "
                 f"{self.blend_radius:.3g} m are not round. Pressures, stresses and adhesion are those of the body of "
                 "revolution.",

@@ -55,8 +55,8 @@ def map_notes(surface: Topography) -> tuple[Note, ...]:
             Note(
                 Assumption.RESOLUTION,
                 Standing.OUTSIDE,
-                f"The map is said to be periodic, but heights leap at its border by {leap:.2g} times the greatest step "
-                "between two of its lines: what is repeated has a cliff there; leave periodic out.",
+                f"The map is said to be periodic. But heights leap at its border by {leap:.2g} times the greatest "
+                "step between two of its lines: what is repeated has a cliff there; leave periodic out.",
                 "comparison of steps inside and at the border",
             )
         )
@@ -75,8 +75,8 @@ def _tip_note(surface: Topography) -> Note:
     return Note(
         Assumption.RESOLUTION,
         Standing.OUTSIDE if whole else standing_of(share, SMALL_SHARE, LARGE_SHARE),
-        f"Below {limit:.3g} m, {limit / max(surface.pixel):.2g} pixels, {radius} has rounded the map: "
-        f"{max(share, 0.0):.0%} of the mean square slope is of such waves, and contacts, pressures and adhesion of "
-        "spots that small are not those of the surface.",
+        f"Below {limit:.3g} m, {limit / max(surface.pixel):.2g} pixels, {radius} has rounded the map; "
+        f"{max(share, 0.0):.0%} of the mean square slope is of such waves. Contacts, pressures and adhesion of spots "
+        "that small are not those of the surface.",
         SANNER,
     )

@@ -20,6 +20,7 @@ from winkler.fitting.examined.calibrated import CalibrationShares
 from winkler.fitting.examined.over_depth import DepthSeries
 from winkler.fitting.outcome import CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.parameters import changed
+from winkler.fitting.validity import load_of, with_load
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import Path as MotionPath
@@ -120,7 +121,7 @@ def _recalled_further(study: FitStudy, content: dict[str, Any]) -> Further:
 
 
 def _written_fit(fitted_curve: AnyFit) -> dict[str, Any]:
-    load = fitted_curve.model.load if isinstance(fitted_curve, Fit) else fitted_curve.model.path.normal
+    load = load_of(fitted_curve.model) if isinstance(fitted_curve, Fit) else fitted_curve.model.path.normal
     fields = {
         field.name: getattr(fitted_curve, field.name)
         for field in dataclasses.fields(fitted_curve)
@@ -148,6 +149,6 @@ def _recalled_fit(study: FitStudy | Alternative, content: dict[str, Any]) -> Any
     }
     model = changed(study.problem, numbers) if numbers else study.problem
     if kind is Fit:
-        return Fit(model=dataclasses.replace(model, load=load), **parts)
+        return Fit(model=with_load(model, load), **parts)
     fitted_curve: AnyFit = kind(model=dataclasses.replace(model, path=MotionPath(parts["curve"].time, load)), **parts)
     return fitted_curve

@@ -9,6 +9,8 @@ import os
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from winkler.io.indenter_file import AREA, read_area
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
 from winkler.io.logs import log_tables as logs
@@ -29,7 +31,9 @@ from winkler.io.tables.header import names_columns
 from winkler.io.tables.relaxation_table import TIME
 from winkler.io.tables.table import read_table
 from winkler.materials.depth_grading import TabulatedGrading
+from winkler.materials.sweeps import DynamicSweeps
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
 __all__ = ["ASSUMED_POISSON", "GENERAL", "HELD", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
@@ -97,6 +101,13 @@ def _grading(path: str | os.PathLike[str]) -> TabulatedGrading:
     )
 
 
+def _sweeps(path: str | os.PathLike[str]) -> DynamicSweeps:
+    sweeps = sweeps_table.read_dynamic_sweeps(path)
+    if np.ptp(sweeps.temperature) < sweeps_table.LEAST_RANGE:
+        raise InvalidInput(f"{path}: all rows have one temperature, {sweeps.temperature[0]:.4g} K; it is one sweep.")
+    return sweeps
+
+
 def _headers(first: tuple[Header, ...], *rest: tuple[Header, ...]) -> tuple[Header, ...]:
     """Return the combinations of parts of headers."""
     if not rest:
@@ -118,7 +129,7 @@ SPECIFIC = (
     TableKind(
         "storage and loss at several temperatures",
         _headers(((sweeps_table.TEMPERATURE_OR_T,),), FREQUENCIES, MODULI),
-        sweeps_table.read_dynamic_sweeps,
+        _sweeps,
         "dynamic_sweeps",
     ),
     TableKind(

@@ -28,10 +28,11 @@ from winkler.io.placed_curves import UnreadCurve
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.header import header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
-from winkler.io.tables.relaxation_table import SHEAR_STORAGE
+from winkler.io.tables.relaxation_table import MODULI, SHEAR_STORAGE, read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.tables.table import read_table
-from winkler.io.tables.table_lines import sheets_naming
+from winkler.io.tables.table_lines import TablePart, sheets_naming
+from winkler.io.tables.tests_of_table import parts_of_table
 from winkler.io.text_file import existing
 from winkler.loading.loads import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
@@ -51,6 +52,7 @@ __all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
 NO_HEADER = "without a header above them"
+BARE_MODULI = 'give header = "frequency [Hz], storage [kPa], loss [kPa]"'
 BARE_CURVE = 'give columns = { position = 1, force = 2 } and units = { position = "mm", force = "N" }'
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
@@ -65,8 +67,10 @@ BERKOVICH = 24.5
 BARE_MODULUS = re.compile(r"storage[ _-]modulus|speichermodul|module de conservation", re.IGNORECASE)
 OF_SHEAR = re.compile(r"shear|torque|viscosity|scher|schub|moment|cisaillement|\bg'|rheo", re.IGNORECASE)
 """Words of rheometers, which measure in shear; a DMA, in tension and bending, has none of them."""
-BY_TEST = ("dynamic", "relaxation", "creep")
-"""Studies whose files are read by the key `test`."""
+BY_TEST = {"dynamic": read_dynamic, "relaxation": read_relaxation, "creep": read_creep}
+"""Studies whose files are read by the key `test`, and their readers."""
+STILL = 0.01
+"""Greatest travel of a gap that is held, in parts of it."""
 TWO_HOLDS = 'two holds, of other width or depth, make a study with kind = "held_contacts" (winkler show held_contacts)'
 MOST_CURVES_COUNTED, LONGEST_COUNT = 10_000, 2.0
 """Curves of a file that are counted, and time for it [s]."""
@@ -175,7 +179,7 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     """Return why a file cannot be read: by its header if that names a kind, else as the reader that lacks least."""
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
     if not named and NO_HEADER in last:
-        return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}."
+        return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}; of moduli {BARE_MODULI}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
@@ -194,8 +198,11 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         if found is not None:
             return found
     curve = _curve(file, brief=brief)
-    if curve.is_read:
+    of_moduli = [one for one in reasons if one[0] in OF_MODULI] if _has_moduli(file, head) else []
+    if curve.is_read and not (of_moduli and _is_still(curve.column("position"))):
         return curve
+    if curve.is_read:  # a rheometer's sweep of strain, over a gap that stays
+        return Inspection(str(file), "", _reason(file, curve.reason, of_moduli))
     is_curve = is_curve_table(file) if head else False
     for kind in GENERAL:
         if is_curve and kind.name == HELD:  # it names a place as well
@@ -209,9 +216,26 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         return reasons
     of_curve = ("force curve", curve.reason)
     if is_curve:  # its header names one: no reader of surfaces, which take long to refuse a table, is tried
-        of_moduli = [one for one in reasons if one[0] in OF_MODULI]  # a sweep names a force and a gap, too
+        # a sweep names a force and a gap, too; a test over the gap has columns of moduli without a number
+        reasons = [one for one in reasons if one[0] not in OF_MODULI]
         return Inspection(str(file), "", _reason(file, curve.reason, [*of_moduli, of_curve, *reasons]))
     return [*reasons, of_curve]
+
+
+def _has_moduli(file: Path, head: list[str]) -> bool:
+    """Return whether the columns of a storage modulus, if there are some, hold numbers."""
+    for size in {one[0]: None for one in MODULI}:
+        if head and names_columns(file, (size,), head=head):
+            try:
+                return bool(np.any(read_table(file, (size,)).values > 0.0))
+            except InvalidInput:  # rows without one, as between two tests
+                return True
+    return False
+
+
+def _is_still(position: InspectedColumn) -> bool:
+    """Return whether a gap stays where it is."""
+    return position.high - position.low <= STILL * max(abs(position.low), abs(position.high))
 
 
 def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple[str, str]]) -> Inspection | None:
@@ -234,12 +258,21 @@ def _tried(file: Path, kind: TableKind, why: str) -> Inspection | None:
 
 
 def _by_kind(file: Path, kind: TableKind, why: str) -> Inspection:
-    content = kind.read(file)
+    tests: list[TablePart] = []
+    try:
+        content = kind.read(file)
+    except InvalidInput:
+        tests = parts_of_table(file, kind.headers) if kind.study in BY_TEST else []
+        if len(tests) < 2:
+            raise
+        content = BY_TEST[kind.study](file, test=1)
+        why += f"; {tests[0].label}"
     done = (TWO_HOLDS,) if isinstance(content, HeldTable) else log_lines(content)
     if isinstance(content, RelaxationData | CreepData | DynamicData | DynamicSweeps) and content.reading:
         done = (*done, content.reading)
     columns = columns_of(content)
-    found = Inspection(str(file), kind.name, why, 1, columns, (), done, log_doubts(content), content=content)
+    count = max(len(tests), 1)
+    found = Inspection(str(file), kind.name, why, count, columns, (), done, log_doubts(content), content=content)
     found = dataclasses.replace(found, doubts=(*found.doubts, *_table_doubts(file, kind, content)))
     twisted = {column.word for angle in (Angle, Torque) for column in LATERAL_COLUMNS[angle]}
     study = kind.study

@@ -95,9 +95,14 @@ def _speed(inspection: Inspection) -> str:
     return f"{0.5 * GRAVITY * float(times[1] - times[0]):.4g} m/s"
 
 
+def _test(inspection: Inspection) -> str:
+    """Return the key for the first of several tests."""
+    return ", test = 1" if inspection.count > 1 else ""
+
+
 OPTIONS: dict[str, Callable[[Inspection], str]] = {
     "<down>": _down, "<poisson>": _poisson, "<longest>": _longest, "<arc>": _arc, "<restitution>": _restitution,
-    "<speed>": _speed,
+    "<speed>": _speed, "<test>": _test,
 }  # fmt: skip
 """Marks of a study, and what is written there."""
 

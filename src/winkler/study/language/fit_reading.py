@@ -13,10 +13,12 @@ from typing import Any
 import numpy as np
 
 from winkler.fitting.parameters import number_at
+from winkler.fitting.validity import with_load
 from winkler.io.foreign import path_text, reason_of
 from winkler.io.text_file import path_of
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import Path as MotionPath
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
 from winkler.study.language.build import MOST_NEIGHBOURS
@@ -30,6 +32,7 @@ from winkler.values.limits import MOST_CURVES
 __all__ = ["parse_fit_study", "read_fit_study"]
 
 PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
+PLACEHOLDER_TURNS = {"kind": "depth", "depth": ["0 m"]}
 PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}
 GLOB_MARKS = re.compile(r"[*?\[]")
 EXCLUDED_SECTIONS = ("sweep", "fields", "expect", "source", "grade")
@@ -136,6 +139,8 @@ def _placeholder(raw: dict[str, Any], at: str) -> None:
                                f"{', '.join(FITTED[:-1])} or {FITTED[-1]}.")  # fmt: skip
     if kind == FITTED[-1]:
         problem.setdefault("path", dict(PLACEHOLDER_PATH))
+    elif kind == "plastic_indentation":
+        problem.setdefault("path", dict(PLACEHOLDER_TURNS))
     else:
         problem.setdefault("load", dict(PLACEHOLDER))
 
@@ -149,7 +154,8 @@ def _unloaded(problem: Any, given: dict[str, Any]) -> Any:
                 raise InvalidInput(
                     f"fit.{key} is '{content}', which needs a body that relaxes; give {FITTED[-1]}, or leave it."
                 )
-        return dataclasses.replace(problem, load=Depth(0.0))
+        turns = isinstance(problem, PlasticIndentation)
+        return with_load(problem, Depth(np.zeros(1) if turns else 0.0))
     if part == "retract":
         raise InvalidInput(
             "fit.part is 'retract', but what a body that relaxes does depends on how it was pressed; give both."

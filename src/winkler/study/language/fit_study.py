@@ -26,7 +26,7 @@ from winkler.values.vocabulary import Word
 
 __all__ = ["FITTED", "OF_A_CURVE", "OF_A_TIMED_CURVE", "Alternative", "FitStudy", "Free", "word_of"]
 
-FITTED = ("indentation", "adhesive_indentation", "viscoelastic_indentation")
+FITTED = ("indentation", "adhesive_indentation", "plastic_indentation", "viscoelastic_indentation")
 """Problems that can be the model of a curve."""
 OF_A_CURVE = {
     "contact_point": Word("D_0", "m", "position at which the curve first touches"),

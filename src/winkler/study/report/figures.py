@@ -34,6 +34,8 @@ __all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
 MOST_BARS = 40
+LEAST_VARIATION = 1e-5
+"""Variation of an answer that is worth a figure, over its greatest number."""
 
 
 def shown_point(outcome: Outcome) -> SolvedPoint:
@@ -163,7 +165,7 @@ def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
         finite = np.isfinite(columns[name])
         content = columns[name][finite]
         same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
-        if not same and content.size and np.ptp(content) > 0.0:
+        if not same and content.size and np.ptp(content) > LEAST_VARIATION * np.max(np.abs(content)):
             names.append(name)
     return names or list(outcome.answers)
 

@@ -27,6 +27,7 @@ __all__ = [
 ]
 
 RELAXES = FITTED[-1]
+YIELDS = "plastic_indentation"
 CURVE = "fit.curve"
 """The key of the measured curve."""
 RADIUS = ("problem.bed.profile.curvature_radius", "5 um")
@@ -36,10 +37,15 @@ PLACEHOLDERS = ("problem.load", "problem.path")
 INITIALLY_FREE: dict[str, dict[str, Any]] = {
     "indentation": {"problem.bed.medium.first.young": True},
     "adhesive_indentation": {"problem.bed.medium.first.young": True, "problem.law.work": True},
+    YIELDS: {"problem.bed.medium.first.strength": True},
     RELAXES: {"problem.bed.medium.first.shear": True, "problem.bed.medium.first.exponent": [0.01, 0.9]},
 }
 """Initially free parameters, in addition to the contact point and the baseline."""
 ELASTIC_SAMPLE = {"kind": "half_space", "first": {"kind": "elastic", "young": "1 kPa", "poisson": 0.5}}
+METAL_SAMPLE = {
+    "kind": "half_space",
+    "first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "500 MPa"},
+}
 VISCOELASTIC_SAMPLE = {
     "kind": "viscoelastic_half_space",
     "first": {
@@ -51,6 +57,8 @@ VISCOELASTIC_SAMPLE = {
         "longest": "100 s",
     },
 }
+SAMPLES = {RELAXES: VISCOELASTIC_SAMPLE, YIELDS: METAL_SAMPLE}
+"""What kinds of models are pressed into, unless it is elastic."""
 NUMERIC = ("quantity", "number", "list of quantity", "list of number")
 
 
@@ -84,10 +92,10 @@ def initial_table(kind: str) -> dict[str, Any]:
     problem["bed"] = {
         "kind": "foundation",
         "profile": {"kind": "paraboloid", "curvature_radius": RADIUS[1]},
-        "medium": completed(VISCOELASTIC_SAMPLE if kind == RELAXES else ELASTIC_SAMPLE),
+        "medium": completed(SAMPLES.get(kind, ELASTIC_SAMPLE)),
     }
     free = {**INITIALLY_FREE[kind], "contact_point": True, "baseline": True}
-    part = "both" if kind == RELAXES else "approach"
+    part = "both" if kind in SAMPLES else "approach"
     return {"title": "fit of a curve", "problem": problem, "fit": {"curve": "", "part": part, "free": free}}
 
 

@@ -108,9 +108,9 @@ def _of_tail(response: WaveResponse, octave: int, half_width: Array) -> tuple[Ar
     high = response.smooth * 2.0**octave
     if octave > HIGHEST_OF_TAIL:
         raise NotConverged(
-            f"Flat strips {2.0**octave:.3g} times as wide as the length over which moduli change are not "
-            f"resolved, {2.0**HIGHEST_OF_TAIL:.0f} times at most: press less, or give a CoatedHalfSpace of layers that "
-            "follow the grading."
+            f"Flat strips {2.0**octave:.3g} times as wide as the length over which moduli change are not resolved, "
+            f"{2.0**HIGHEST_OF_TAIL:.0f} times at most. Press less, or give a CoatedHalfSpace of layers that follow "
+            "the grading."
         )
     edges, values = zip(*(tail_punch(response, float(a), high) for a in half_width), strict=True)
     panels = tail_panels(response, high)

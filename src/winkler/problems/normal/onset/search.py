@@ -205,8 +205,8 @@ def greatest_in(bed: Bed, part: StrongPart, radius: float, fine: bool, mu: float
         if not offers(bed.medium, LayerStack):
             raise
         raise NotConverged(
-            f"YieldOnset: at a contact radius of {radius:.6g} m the stress in the {part.name} is not found: the "
-            "pressure on layers of very different moduli is lost in rounding, or the profile is not smooth; give "
+            f"YieldOnset: at a contact radius of {radius:.6g} m the stress in the {part.name} is not found. The "
+            "pressure on layers of very different moduli is lost in rounding, or the profile is not smooth: give "
             "moduli that differ less, or list the kinks of the profile."
         ) from None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import STRONG, normal_formulas
 
 __all__ = ["PLASTIC", "YIELDING"]
@@ -38,7 +39,22 @@ BOUNCING = (
 
 PLASTIC = Chapter(
     "metals that yield",
-    kinds={},
+    kinds={
+        "load": {
+            "blow": kind(
+                "winkler.problems.plastic.strength_from_dent:Blow",
+                problem="strength_from_dent",
+                mass="4.1 g",
+                velocity=["0.5 m/s", "2 m/s"],
+            ),
+            "restitution": kind(
+                "winkler.problems.plastic.strength_from_dent:Restitution",
+                problem="strength_from_dent",
+                restitution=[0.8, 0.66],
+                restitution_error=0.01,
+            ),
+        },
+    },
     answers={
         "plastic_indentation": answer(
             "winkler.problems.plastic.indentation:PlasticIndentation",
@@ -84,14 +100,14 @@ PLASTIC = Chapter(
         "strength_from_dent": answer(
             "winkler.problems.plastic.strength_from_dent:StrengthFromDent",
             "johnson_1985",
-            question="Which strength has a metal in which a known load has left a dent?",
+            question="Which strength has a metal in which known loads have left dents, or from which balls rebound?",
             page="chapters/metals.md#the-strength-that-a-dent-tells",
-            en="strength from a dent yield strength from the diameter of an indentation strength from ball indentation test meyer hardness yield strength from hardness",
-            de="festigkeit aus einem eindruck streckgrenze aus der härte meyerhärte",
-            fr="limite d'élasticité d'après une empreinte dureté meyer",
+            en="strength from a dent yield strength from the diameter of an indentation strength from ball indentation test meyer hardness yield strength from hardness strength from restitution strength from rebound dynamic strength from drop tests",
+            de="festigkeit aus einem eindruck streckgrenze aus der härte meyerhärte festigkeit aus der stosszahl",
+            fr="limite d'élasticité d'après une empreinte dureté meyer résistance d'après le rebond",
             headline=("strength", "strength_error", "law_error", "hardness"),
             bed={"kind": "foundation", "medium": {"kind": "half_space"}},
-            force={"kind": "force", "force": "1 kN"},
+            load={"kind": "force", "force": "1 kN"},
             dent={"kind": "radius", "radius": "0.5 mm"},
             dent_error="5 um",
             picture=Caption(

@@ -113,9 +113,15 @@ def _sizes(found: Any) -> list[SummaryNumber]:
     return rows
 
 
+def _bed(found: Any) -> Any:
+    """Return the bed of a contact, or its problem where that names the bodies; a moment of a history has a bed alone."""
+    problem = getattr(found, "problem", found)
+    return getattr(problem, "bed", problem)
+
+
 def _shear(found: Any) -> list[SummaryNumber]:
     """Return the greatest shear stress in homogeneous bodies; none where it is infinite or not known."""
-    bed = getattr(found.problem, "bed", found.problem)
+    bed = _bed(found)
     if not isinstance(getattr(bed, "medium", None), HalfSpace):
         return []
     try:
@@ -138,7 +144,7 @@ def _shear(found: Any) -> list[SummaryNumber]:
 
 def _rated(found: Any, state: ElasticState) -> str:
     """Return the share of the static rating of bearings, of ellipses and strips of steel; else nothing."""
-    medium = getattr(getattr(found.problem, "bed", found.problem), "medium", None)
+    medium = getattr(_bed(found), "medium", None)
     if isinstance(found, IndentationSolution) or not isinstance(medium, HalfSpace):
         return ""
     if not STEELS[0] <= medium.modulus <= STEELS[1]:

@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
-from winkler.foundation.torsion_bound import twist_bound
+from winkler.foundation.torsion_bound import TwistBound
 from winkler.media.offers import GradedInDepth, LayerStack, offers
-from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["twisted_layer_notes"]
 
 
-def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[Note]:
+def twisted_layer_notes(bed: Bed, radius: float, bound: TwistBound) -> Iterator[Note]:
     """Yield what is assumed of the medium under a twist; nothing of bonded layers and of homogeneous bodies.
 
     Parameters
     ----------
     bed : Bed
-    states : sequence of TorsionState
-        Those of a path.
+        Elastic.
+    radius : float
+        Of the widest contact of a path [m].
+    bound : TwistBound
+        What its springs bear.
     """
     medium = bed.medium
     if offers(medium, LayerStack):
@@ -37,17 +39,14 @@ def twisted_layer_notes(bed: Bed, states: Sequence[TorsionState]) -> Iterator[No
                 "holds turns with the contact.",
                 "u_theta = M_z / (4 pi r sum of G h) in a sheet",
             )
-    widest = max(states, key=lambda state: state.radius)
-    if offers(medium, GradedInDepth) and widest.radius > 0.0:
-        springs = widest.springs
-        bound = twist_bound(bed, springs.coefficient, springs.widest, springs.forced)
-        known = float(medium.punch_torsional_stiffness(np.array(widest.radius)))
-        miss = abs(8.0 * medium.torsional_modulus * bound.inertia(widest.radius) / known - 1.0)
+    if offers(medium, GradedInDepth) and radius > 0.0:
+        known = float(medium.punch_torsional_stiffness(np.array(radius)))
+        miss = abs(8.0 * medium.torsional_modulus * bound.inertia(radius) / known - 1.0)
         yield Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part: the torsional "
-            f"stiffness of the springs misses that of a flat punch by {miss:.1e}, and the greatest torque that of "
-            "the pressure by about as much.",
+            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part. The "
+            f"torsional stiffness of the springs misses that of a flat punch by {miss:.1e}, and the greatest torque "
+            "that of the pressure by about as much.",
             "stiffness of the springs against that of flat punches",
         )

@@ -1,0 +1,310 @@
+r"""A sheared line contact of bodies that relax: the boundary elements, moved by tractions that have crept.
+
+The surfaces of half-planes, and of layers that relax alike, move along each other as those of elastic bodies under
+
+.. math:: c(x,t) = \int C(t-t')\,\frac{\partial q(x,t')}{\partial t'}\,\mathrm dt'
+
+in the place of the traction q over E*, with the creep C of the normal contact.  Over a step q is taken as straight, so
+that c at its end is a part that has crept already and an effective compliance times q: what sticks and what slips is
+found as on elastic bodies.  The pressures are those of `winkler.problems.line_viscoelastic.indentation`.  Steps begin
+short after each point of the path, where rates have changed, and grow fourfold until they are as long as those of elastic
+elements; none is halved.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.foundation.line import LineFoundation
+from winkler.laws.friction import Coulomb
+from winkler.materials.elastic import Rigid
+from winkler.media.relaxing.at_rate import half_space_creep
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.springs.exponential_sums import CreepSeries
+from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
+from winkler.numerics.types import Array
+from winkler.problems.line_friction.element_row import (
+    ROUNDING,
+    STEPS,
+    STEPS_BESIDE,
+    ElementRow,
+    LineCells,
+    LineGoal,
+    refuse_sliding,
+)
+from winkler.problems.line_friction.elements import elements_for, pressures_of
+from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
+from winkler.problems.line_friction.path import LinePath
+from winkler.problems.line_viscoelastic.crept_load import CreptLoad
+from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation
+from winkler.problems.line_viscoelastic.layered_strips import elastic_line
+from winkler.problems.line_viscoelastic.path import LineForcePath
+from winkler.problems.line_viscoelastic.states import LineViscoelasticState
+from winkler.problems.method import Method
+from winkler.problems.row import Reached, follow
+from winkler.values.errors import InvalidInput, OutsideValidity
+
+__all__ = ["RelaxingElementRow", "refuse_timeless"]
+
+FIRST_SPAN, LEAST_STEPS = 0.1, 8
+"""The first step after a point of the path, over the shortest time of the creep; and steps between two points."""
+SPRINGS = 400
+"""Flat strips the pressures are made of."""
+GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+class CreptTraction(NamedTuple):
+    """Tractions that have crept: what flowed, and what is delayed term by term, ``(n,)`` and ``(k, n)``."""
+
+    flowed: Array
+    delayed: Array
+
+
+class RelaxingElementRow(ElementRow):
+    """Elements on bodies that relax; units as of `ElementRow`, on the bodies as if they were elastic.
+
+    Parameters
+    ----------
+    bed : LineFoundation or LayeredLineFoundation
+        On a medium that relaxes by one function of time.
+    friction : float
+        mu [-].
+    path : LinePath
+        With a time.
+    """
+
+    def __init__(self, bed: LineFoundation | LayeredLineFoundation, friction: float, path: LinePath) -> None:
+        medium: Any = bed.medium
+        self.own = bed
+        self.bed, self.friction, self.creep = elastic_line(bed), friction, medium.creep
+        self.path, self.modulus = path, self.bed.medium.modulus
+        self.most = friction * float(np.max(path.across))
+        pressed = self._pressed(bed, path.moments, path.across)
+        self.half_widths_at = np.array([state.half_width for state in pressed])
+        self.elements = elements_for(self.bed, self.half_widths_at)
+        self.unit = self.modulus * self.elements.scale
+        self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
+        rows = [self._times(n) for n in range(path.moments.size)]
+        for last in (False, True):  # once more, with steps that end where the edge of the contact is that of an element
+            flat = np.concatenate(rows)
+            across = np.interp(flat, path.moments, path.across)
+            ends = np.cumsum([row.size for row in rows]) - 1
+            across[ends], flat[ends] = path.across, path.moments
+            self.pressed = self._pressed(bed, flat, across)
+            if not last:
+                rows = self._arriving(rows, np.array([state.half_width for state in self.pressed]))
+        self.ends, self.across, self.times = ends, across, flat
+        self.along, self.bulk = (np.interp(flat, path.moments, row) for row in (path.along, path.bulk))
+        self.along[ends], self.bulk[ends] = path.along, path.bulk
+        strain = half_space_creep(medium.first) if isinstance(medium, ViscoelasticHalfSpace) else self.creep
+        strains = 1.0 if isinstance(medium, ViscoelasticHalfSpace) else self.bed.strain_per_stress
+        self.strains = strains * self._crept(strain, self.bulk)
+        self.shears = self._crept(self.creep, self.along)
+        self.goals = [LineGoal(*row) for row in zip(path.across / self.unit, *np.zeros((3, ends.size)), strict=True)]
+        self.number, self.crept = -1, CreptTraction(*self._none(medium.creep.times.size))
+
+    def _none(self, terms: int) -> tuple[Array, Array]:
+        count = self.elements.x.size
+        return np.zeros(count), np.zeros((terms, count))
+
+    @staticmethod
+    def _pressed(
+        bed: LineFoundation | LayeredLineFoundation, times: Array, forces: Array
+    ) -> list[LineViscoelasticState]:
+        """Return the contact without friction at all moments."""
+        problem = LineViscoelasticIndentation(bed, LineForcePath(times, forces), SPRINGS)
+        found = {}
+        for state in problem.steps():  # what comes suddenly is the later one
+            found[state.time, state.force_per_length] = state
+        return [found[pair] for pair in zip(times.tolist(), np.asarray(forces).tolist(), strict=True)]
+
+    def _times(self, n: int) -> Array:
+        """Return when the steps to a point of the path end [s]."""
+        if n == 0 or self.path.moments[n] == self.path.moments[n - 1]:
+            return self.path.moments[n : n + 1]
+        start, end = self.path.moments[n - 1 : n + 1].tolist()
+        change = [abs(float(row[n] - row[n - 1])) for row in (self.path.across, self.path.along)]
+        size = max(self.friction * change[0], change[1]) / self.most
+        steps = max(math.ceil((STEPS_BESIDE if change[0] else STEPS) * size), LEAST_STEPS)
+        shares = np.arange(1, steps + 1) / steps
+        if self.creep.times.size:
+            first = FIRST_SPAN * float(np.min(self.creep.times)) / (end - start)
+            growing = 0.25 ** np.arange(1.0, 0.5 * max(math.log2(1.0 / first), 0.0) + 1.0)
+            shares = np.union1d(shares, growing[growing < shares[0]])
+        return np.append(start + (end - start) * shares[:-1], end)
+
+    def _arriving(self, rows: list[Array], half_widths: Array) -> list[Array]:
+        """Return the times with those at which the edge of the contact is that of an element."""
+        edges = self.elements.scale * self.elements.edges[self.elements.edges > 0.0]
+        start, found = 0, [rows[0]]
+        for before, row in pairwise(rows):
+            start += before.size
+            times = np.append(before[-1], row)
+            widths = half_widths[start - 1 : start + row.size]
+            if times[-1] == times[0] or abs(widths[-1] - widths[0]) <= ROUNDING * self.elements.scale:
+                found.append(row)
+                continue
+            crossed = [
+                np.interp(edges[(edges > min(pair)) & (edges < max(pair))], *zip(*sorted(zip(pair, span, strict=True)), strict=True))
+                for pair, span in zip(pairwise(widths.tolist()), pairwise(times.tolist()), strict=True)
+                if pair[0] != pair[1]
+            ]  # fmt: skip
+            inner = np.union1d(row, np.concatenate(crossed)) if crossed else row
+            apart = np.append(np.diff(inner) > ROUNDING * (times[-1] - times[0]), True)
+            found.append(np.append(inner[apart][inner[apart] < row[-1]], row[-1]))
+        return found
+
+    def _crept(self, creep: CreepSeries, loads: Array) -> Array:
+        """Return the hereditary integral of a creep and of loads at all moments."""
+        memory, found = CreptLoad(creep), np.zeros(loads.size)
+        for i, (time, load) in enumerate(zip(self.times.tolist(), loads.tolist(), strict=True)):
+            if i and time > self.times[i - 1]:
+                memory.ramp(load, time - float(self.times[i - 1]))
+            else:
+                memory.jump(load)
+            found[i] = memory.present()
+        return found
+
+    def states(self, law: Coulomb) -> Iterator[LineMarchedState]:
+        """Yield the contact at every point of the path."""
+        path = self.path
+        rows = zip(path.across.tolist(), path.along.tolist(), path.bulk.tolist(), self.ends.tolist(), strict=True)
+        for (force, shear, bulk, end), (reached, _, lost) in zip(rows, follow(self, self.goals), strict=True):
+            pressed, energy = self.pressed[end], self.lost_per_length(lost)
+            touching = self.touching(reached)
+            yield marched_state(self.own, law, touching, force, pressed.half_width, shear, bulk, energy, pressed)
+
+    def begin(self, goal: LineGoal) -> Reached[LineCells]:
+        """Return the elements at the first point, which comes suddenly, the normal force first."""
+        none = np.zeros(self.elements.x.size)
+        cells = LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), none, none, none, none, none, none, 0.0, 0.0, 0.0)
+        return self.step(cells, goal)
+
+    def step(self, state: LineCells, goal: LineGoal) -> Reached[LineCells]:
+        """Return the elements after forces and strain have changed in proportion."""
+        point = 0 if self.number < 0 else int(np.searchsorted(self.ends, self.number)) + 1
+        refuse_sliding(self.friction, goal.force, float(self.path.along[point]) / self.unit, self.unit)
+        reached = Reached(state._replace(last=np.zeros(self.elements.x.size)), 0.0, 0.0)
+        for number in range(self.number + 1, int(self.ends[point]) + 1):
+            reached = reached.then(self._onto(reached.state, number))
+        self.number = int(self.ends[point])
+        return reached
+
+    def _onto(self, cells: LineCells, number: int) -> Reached[LineCells]:
+        """Return the elements at the end of one step."""
+        elements, state = self.elements, self.pressed[number]
+        dt = float(self.times[number] - self.times[number - 1]) if number else 0.0
+        compliance, carried = self._carried(cells.traction, dt)
+        force, shear, strain = self.across[number], self.along[number] / self.unit, float(self.strains[number])
+        goal = LineGoal(force / self.unit, float(self.shears[number]) / self.unit, strain, 0.0)
+        if state.half_width == 0.0:
+            none = np.zeros(elements.x.size)
+            self._keep(cells.traction, none, dt)
+            ahead = -strain * elements.x - elements.compliance @ carried
+            parted = cells._replace(
+                goal=goal, traction=none, bound=none, slips=none, ahead=ahead, last=ahead - cells.ahead,
+                half_width=0.0, half_width_before=0.0, shift=0.0,
+            )  # fmt: skip
+            return Reached(parted, math.nan, 0.0)
+        a = state.half_width / elements.scale
+        bound = self.friction * self._pressures(state, a)
+        met = self._met(cells, (bound > 0.0) & (cells.bound == 0.0))
+        touches = bound > 0.0
+        before = -met - strain * elements.x - elements.compliance @ carried
+        if compliance == 0.0 and np.any(bound != cells.bound):
+            raise OutsideValidity(
+                f"the forces change suddenly at {self.times[number]:.6g} s, which a dashpot alongside responds to with "
+                "an infinite traction; give the step some time."
+            )
+        compliance = compliance or 1.0
+        if abs(shear) >= self.friction * goal.force * (1.0 - ROUNDING):
+            side = math.copysign(1.0, shear)
+            traction, slips = side * bound, side * touches
+            moved = elements.compliance @ (compliance * traction)
+            shift = float(side * np.max(side * (moved - before), where=touches, initial=-math.inf))
+        else:
+            found, slips, shift, moved = strip_step(
+                self.grid, before, compliance * bound, cells.slips, total=compliance * float(shear), rounding=ROUNDING
+            )
+            traction = found / compliance
+        ahead = shift - moved + before + met
+        gone = ahead - met
+        slipped = np.where(touches, np.maximum(slips * gone, 0.0), np.abs(gone))  # what parts slips before
+        rubbed = 0.5 * (cells.bound + bound) * slipped
+        ahead = np.where(touches & (slips == 0.0), met, ahead)
+        self._keep(cells.traction, traction, dt)
+        new = LineCells(
+            goal, traction, bound, ahead, slips, cells.rubbed + rubbed, ahead - cells.ahead, cells.half_width, a, shift
+        )
+        return Reached(new, math.nan, float(rubbed @ elements.widths))
+
+    def _carried(self, before: Array, dt: float) -> tuple[float, Array]:
+        """Return the effective compliance of a step, and what has crept already at its end ``(n,)``."""
+        creep, (flowed, delayed) = self.creep, self.crept
+        gone, share = _faded(creep, dt)
+        compliance = creep.glassy + 0.5 * creep.fluidity * dt + float(creep.compliances @ share)
+        begun = 0.5 * creep.fluidity * dt + float(creep.compliances @ (gone - share))
+        return compliance, flowed + (1.0 - gone) @ delayed + begun * before
+
+    def _keep(self, before: Array, after: Array, dt: float) -> None:
+        """Remember the tractions of a step."""
+        creep, (flowed, delayed) = self.creep, self.crept
+        gone, share = (row[:, None] for row in _faded(creep, dt))
+        rising = creep.compliances[:, None] * ((gone - share) * before + share * after)
+        self.crept = CreptTraction(
+            flowed + 0.5 * creep.fluidity * dt * (before + after), (1.0 - gone) * delayed + rising
+        )
+
+    def _pressures(self, state: LineViscoelasticState, a: float) -> Array:
+        """Return the mean pressures on all elements over E*."""
+        elements = self.elements
+        edges = elements.scale * elements.edges[elements.x.size // 2 :]
+        half = 0.5 * np.diff(np.minimum(edges, state.half_width))
+        places = edges[:-1, None] + half[:, None] * (1.0 + GAUSS)
+        sums = half * (np.where(half[:, None] > 0.0, state.pressure(places), 0.0) @ WEIGHTS)
+        mean = sums / np.diff(edges) / self.modulus
+        return pressures_of(elements, mean, state.force_per_length / self.unit, a)
+
+
+def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath, method: Method) -> None:
+    """Refuse a path without time, and what is not followed on bodies that relax.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    medium: Any = bed.medium
+    if not medium.in_proportion:
+        raise InvalidInput(
+            f"LineTangential: {medium.reason} so that a wide strip relaxes otherwise than a narrow one, and no single "
+            "function of time stands for all elements, as it must here; give LayeredLineFoundation(profile, "
+            "RelaxingInProportion(medium, solid, shear)) of layers that relax alike."
+        )
+    if method is Method.EXACT:
+        raise InvalidInput(
+            f"LineTangential: the method {method} adds up earlier contacts of elastic bodies, and these relax; leave "
+            "the method out."
+        )
+    if path.across.size > 1 and np.ndim(path.time) == 0:
+        raise InvalidInput(
+            "LineTangential: the bodies relax over time, and the path states none; give LinePath(force_per_length, "
+            "shear_force_per_length, time=[...])."
+        )
+    first = medium.first if isinstance(medium, ViscoelasticHalfSpace) else elastic_line(bed).strained
+    if np.any(path.bulk_stress) and isinstance(first, Rigid):
+        raise InvalidInput(
+            "LineTangential: the first body is rigid and bears no bulk stress; give the other one first."
+        )
+
+
+def _faded(creep: CreepSeries, dt: float) -> tuple[Array, Array]:
+    """Return which part of each term is forgotten in a step, and which part of a straight rise has crept, ``(k,)``."""
+    spans = dt / creep.times
+    gone = -np.expm1(-spans)
+    return gone, np.where(spans > 0.0, 1.0 - gone / np.where(spans > 0.0, spans, 1.0), 0.0)

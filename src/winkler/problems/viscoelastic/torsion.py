@@ -1,0 +1,94 @@
+r"""A viscoelastic contact that is pressed and twisted, with friction: the cells of a twist relax as they are dragged.
+
+What sticks bears :math:`q(x,t) = x\int 8\,G_t(t-t')\,\mathrm d\varphi(t')`; what slides bears what the pressure of all
+rings farther out allows, as in elastic bodies (`winkler.problems.viscoelastic.dragged_cells`).  The row is that of
+`winkler.problems.viscoelastic.tangential`, with the angle in the place of the shift.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.foundation.torsion_bound import twist_bound
+from winkler.laws.friction import Coulomb
+from winkler.loading.path import Path
+from winkler.problems.assumptions.times import path_notes
+from winkler.problems.normal.unknown_yield import relaxing_yield
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
+from winkler.problems.round_march import RoundTwist
+from winkler.problems.viscoelastic.march import elastic_like
+from winkler.problems.viscoelastic.tangential import DraggedCells, columns, dragged
+from winkler.problems.viscoelastic.tangential_march import DraggedSprings
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value
+
+__all__ = ["DraggedTwist", "dragged_twist_notes", "dragged_twists"]
+
+
+@value
+class DraggedTwist(DraggedCells, RoundTwist[float]):
+    """A twisted viscoelastic contact at one moment; its numbers are those of `RoundTwist` and `DraggedCells`.
+
+    Parameters
+    ----------
+    nested : bool
+        Whether all that slides at this moment is one outer ring, and slides to one side.
+    """
+
+    nested: bool
+
+
+def dragged_twists(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> Iterator[DraggedTwist]:
+    """Yield the state at every point of a path, as of `winkler.problems.viscoelastic.tangential.dragged`."""
+    for row, reached in dragged("Torsion", bed, law, path, count, tolerance):
+        state = reached.state
+        yield DraggedTwist(
+            angle=state.shift,
+            torque=state.shear_force,
+            torque_limit=float(row.cells.weights @ state.bounds),
+            nested=_nested(state),
+            **columns(row, reached),
+        )
+
+
+def _nested(state: DraggedSprings) -> bool:
+    """Return whether what slides is one outer ring, and slides to one side."""
+    touching = state.bounds > 0.0
+    sliding = touching & ~state.stuck
+    outer = np.flatnonzero(touching)[-int(np.sum(sliding)) :] if np.any(sliding) else np.zeros(0, dtype=int)
+    return bool(np.all(sliding[outer])) and np.unique(np.sign(state.loads[sliding])).size < 2
+
+
+def dragged_twist_notes(bed: Bed, states: Sequence[DraggedTwist]) -> tuple[Note, ...]:
+    """Return how far the states of a path can be trusted.
+
+    Parameters
+    ----------
+    bed : Bed
+    states : sequence of DraggedTwist
+    """
+    time, depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("time", "depth", "radius"))
+    nested = all(state.nested for state in states)
+    statement = (
+        "Torsion of a round contact and its normal load do not act on each other, and all relaxes by one function of "
+        "time: for small rotations the springs give the three-dimensional solution itself, as long as what slides is "
+        "an outer ring, which it "
+        + ("is at every point of the path" if nested else "is not at every point of the path")
+        + f". Sliding is decided spring by spring at the end of every step; {states[-1].position.size} springs."
+    )
+    elastic, widest = elastic_like(bed), float(np.max(radius))
+    return (
+        *bed.notes,
+        Note(Assumption.SLIP, Standing.ASYMPTOTIC if nested else Standing.APPROXIMATE, statement, JAEGER),
+        *twisted_layer_notes(elastic, widest, twist_bound(elastic, 1.0, widest, False)),
+        *path_notes(bed, time),
+        *contact_notes(elastic, depth, radius),
+        *relaxing_yield(bed.medium),
+    )
+
+
+JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
