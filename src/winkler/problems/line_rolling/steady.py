@@ -42,13 +42,7 @@ from winkler.problems.line_rolling.pressed import (
     rolling_yield_notes,
     touching_strip,
 )
-from winkler.problems.line_rolling.rolled_strip import (
-    RolledStrip,
-    load_growth,
-    loss_error,
-    rolled_strip,
-    sliding_creepage,
-)
+from winkler.problems.line_rolling.rolled_strip import RolledStrip, load_growth, loss_error, rolled_strip, sliding_creepage
 from winkler.problems.line_rolling.strip_stresses import FULL_COUPLING, strip_note, strip_yield_notes
 from winkler.problems.rolling.creepage import Creepage
 from winkler.values.errors import OutsideValidity

@@ -55,7 +55,9 @@ class StripTransforms(GridTransforms):
 
     in_the_middle = 0.0
 
-    def __init__(self, nodes: Array, exponent: float = 0.0, raised: float = 1.0, lifted: float = 2.0 / math.pi) -> None:
+    def __init__(
+        self, nodes: Array, exponent: float = 0.0, raised: float = 1.0, lifted: float = 2.0 / math.pi
+    ) -> None:
         super().__init__(nodes)
         self.k, self.q, self.lifted = exponent, 0.5 * (1.0 + exponent), lifted
         x, y = nodes[:, None], self.squares
