@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import collections
+
 import numpy as np
 import pytest
 
@@ -99,3 +101,64 @@ def test_points_in_between_change_nothing_beyond_the_stated_error(seed, kind):
     for name, scale in scales(one).items():
         apart = np.max(np.abs(getattr(one, name) - getattr(two, name)[::3])) / scale
         assert apart < 10 * CURVED_STEP_TOLERANCE, name
+
+
+RELAXING = wk.ViscoelasticHalfSpace(wk.Prony(20e9, [60e9], [1.0]))
+FORCE = 0.3
+STEADY = FORCE * np.ones(6)
+VARYING = FORCE * np.array([1.0, 1.2, 0.9, 1.1, 0.8, 1.0])
+BEYOND, AT = np.array([0.0, 0.5, -0.4, 0.3, 1.5, 0.2]), 4
+"""Parts of what friction bears; the last but one is more than all of it."""
+
+
+def round_path(force, shape=1.0, lateral=wk.ShearForce, arm=1.0):
+    return wk.Path(np.arange(6.0), wk.Force(force), lateral(np.multiply.outer(MU * force * BEYOND * arm, shape)))
+
+
+def tangential(medium, force, shape=1.0, method=wk.Method.AUTO):
+    return wk.Tangential(wk.Foundation(BALL, medium), wk.Coulomb(MU), round_path(force, shape), method, count=60)
+
+
+def on_a_map(force):
+    heights = wk.SampledProfile([4e-5, 4e-5], BALL, (17, 17))
+    return wk.SurfaceTangential(heights, HALF, wk.Coulomb(MU), round_path(force))
+
+
+def on_a_line(force, method):
+    path = wk.LinePath(1e5 * force, 1e5 * MU * force * BEYOND)
+    return wk.LineTangential(wk.LineFoundation(BALL, HALF), wk.Coulomb(MU), path, method)
+
+
+REFUSED = {
+    "by gap, steady": lambda: tangential(HALF, STEADY),
+    "by gap": lambda: tangential(HALF, VARYING),
+    "springs": lambda: tangential(HALF, VARYING, method=wk.Method.SPRINGS),
+    "springs in the plane": lambda: tangential(HALF, VARYING, [0.6, 0.8]),
+    "rings, steady": lambda: tangential(LAYERS, STEADY),
+    "rings": lambda: tangential(LAYERS, VARYING),
+    "relaxing springs": lambda: tangential(RELAXING, VARYING),
+    "twist": lambda: wk.Torsion(
+        wk.Foundation(BALL, HALF), wk.Coulomb(MU), round_path(STEADY, lateral=wk.Torque, arm=1.2e-5)
+    ),
+    "earlier strips": lambda: on_a_line(VARYING, wk.Method.AUTO),
+    "elements of a line": lambda: on_a_line(VARYING, wk.Method.ELEMENTS),
+    "a map": lambda: on_a_map(VARYING),
+}
+
+
+@pytest.mark.few(4)
+@pytest.mark.parametrize("row", REFUSED)
+def test_more_than_friction_bears_is_refused_at_its_point_and_what_came_before_stands(row):
+    problem, kept = REFUSED[row](), []
+    with pytest.raises(wk.OutsideValidity, match=rf"^{type(problem).__name__}: at index {AT} of the path"):
+        collections.deque(map(kept.append, problem.steps()), maxlen=0)
+    assert len(kept) == AT
+    before = problem.gathered(kept)
+    borne = problem.path.along[:AT]
+    found = before.torque if row == "twist" else getattr(before, "shear_force", None)
+    if found is None:
+        found = before.shear_force_per_length
+    borne = borne.reshape(AT, -1)
+    found = np.reshape(found, (AT, -1))[:, : borne.shape[1]]
+    np.testing.assert_allclose(found, borne, rtol=1e-7, atol=1e-7 * np.max(np.abs(borne)))
+    assert all(note.statement for note in before.validity)

@@ -231,18 +231,36 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
+def _room(state):  # type: ignore[no-untyped-def]
+    """Return arrays for what a step needs: its factors, spans, scratch and sums."""
+    modes, count = state[1].shape
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    return np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
+
+
+@compiled
+def _grown(law, state, dt, room):  # type: ignore[no-untyped-def]
+    """Survey a step, unless it is sudden."""
+    return _survey(law, state, dt, room[0], room[1], room[2][4]) if dt > 0.0 else (0.0, 0.0)
+
+
+@compiled
+def _go(law, springs, state, motion, change, dt, grown, room, sums):  # type: ignore[no-untyped-def]
+    """Carry the springs through a surveyed step, in place; return how many are pressed after it."""
+    held = _step(law, springs, state, motion[0], change, dt, grown, room[0], room[1], room[2], True, sums)
+    motion[0] += change
+    motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
+    motion[2] = change / dt if dt > 0.0 else 0.0
+    return held
+
+
+@compiled
 def advance_springs(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
-    modes, count = state[1].shape
-    factors, spans = np.empty((STEP_FACTORS, modes)), np.empty((3, count))
-    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    room = _room(state)
     for n in range(changes.size):
-        change, dt, sums = changes[n], times[n], numbers[n]
-        grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
-        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, True, sums)
-        motion[0] += change
-        motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
-        motion[2] = change / dt if dt > 0.0 else 0.0
+        sums, grown = numbers[n], _grown(law, state, times[n], room)
+        held = _go(law, springs, state, motion, changes[n], times[n], grown, room, sums)
         sums[5] = _energy(law, springs, state)
         sums[6] = _radius(law, springs, state, motion, held)
         sums[8] = 1.0 if held > state[3][0] else 0.0
@@ -256,17 +274,9 @@ def _most(law, springs, target, dt):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # type: ignore[no-untyped-def]
-    """Return the change of depth of a step for which a sum is what is wanted, or not-a-number, and how many springs
-    are pressed after it; they stay where they are.
-
-    The sum is that of force at the end, impulse and change, times the last three of `target`; it never falls with the
-    change.  `scale` is one that matters.
-    """
-    modes, count = state[1].shape
-    factors, spans, sums = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), np.empty(STEP_NUMBERS)
-    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
-    grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
+def _find(law, springs, state, motion, target, dt, guess, scale, grown, room):  # type: ignore[no-untyped-def]
+    """Return as `advance_to_force` for a surveyed step."""
+    factors, spans, scratch, sums = room
     change, low, high, stride = guess, -np.inf, np.inf, 0.0
     for turn in range(MOST_TRIALS):
         held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
@@ -291,18 +301,15 @@ def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # 
 
 
 @compiled
-def _towards(law, springs, state, motion, force, dt, guess, scale):  # type: ignore[no-untyped-def]
-    """Return the change of depth after which the springs bear a force, or not-a-number.
+def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # type: ignore[no-untyped-def]
+    """Return the change of depth of a step for which a sum is what is wanted, or not-a-number, and how many springs
+    are pressed after it; they stay where they are.
 
-    With a dashpot alongside, whose forces jump with the rate, the mean force of the step is meant.
+    The sum is that of force at the end, impulse and change, times the last three of `target`; it never falls with the
+    change.  `scale` is one that matters.
     """
-    wanted = np.zeros(4)
-    wanted[0] = force
-    if law[1] > 0.0 and dt > 0.0:
-        wanted[2] = 1.0 / dt
-    else:
-        wanted[1] = 1.0
-    return advance_to_force(law, springs, state, motion, wanted, dt, guess, scale)[0]
+    room = _room(state)
+    return _find(law, springs, state, motion, target, dt, guess, scale, _grown(law, state, dt, room), room)
 
 
 @compiled
@@ -359,10 +366,8 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
         2 steps become too short.
     """
     there = np.empty_like(state[0]), np.empty_like(state[1]), np.empty_like(state[2]), np.empty_like(state[3])
-    away, changes, spans, own = np.empty(3), np.empty(1), np.empty(1), np.zeros((1, STEP_NUMBERS))
+    room, away, sums, target, held = _room(state), np.empty(3), np.empty(STEP_NUMBERS), np.zeros(4), 0
     little, scale, viscous = limits[0], limits[1], law[1] > 0.0
-    # where the force of a step is given by its mean, and where by its end: of the whole and of both halves
-    places = np.array([0.5, 0.25, 0.75] if viscous else [1.0, 0.5, 1.0])
     for n in range(times.size):
         start, duration, done = forces[n], times[n], 0.0
         rise, work, lost = forces[n + 1] - start, 0.0, 0.0
@@ -373,35 +378,39 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
             if duration - done - dt < 1e-9 * duration:
                 dt = duration - done
             last = dt == duration - done
-            _put(state, motion, there, away)
-            whole, moved, worked, wasted, error, halves = 0.0, 0.0, 0.0, 0.0, 0.0, False
-            for stage in range(3):
-                span = dt if stage == 0 else 0.5 * dt
-                guess = course[0] * dt if stage == 0 else 0.5 * whole if stage == 1 else whole - moved
-                share = 1.0 if sudden else (done + places[stage] * dt) / duration
-                change = _towards(law, springs, there, away, start + rise * share, span, guess, scale)
-                if np.isnan(change):
-                    return n, 1
-                if stage == 0:
-                    whole = change
-                    if not sudden:
-                        error = np.inf if viscous else _curved(law, whole, dt, course[0])
-                    halves = error > SURELY_LITTLE * little
-                    if halves:
-                        continue
-                changes[0], spans[0] = change, span
-                advance_springs(law, springs, there, away, changes, spans, own)
-                moved, worked, wasted = moved + change, worked + own[0, 2], wasted + own[0, 9]
-                if not halves:
-                    break
-            if halves:
+            # with a dashpot alongside, whose forces jump with the rate, the mean force of a step is meant
+            target[1], target[2] = (0.0, 1.0 / dt) if viscous else (1.0, 0.0)
+            target[0] = start + rise * (1.0 if sudden else (done + (0.5 if viscous else 1.0) * dt) / duration)
+            grown = _grown(law, state, dt, room)
+            whole, _ = _find(law, springs, state, motion, target, dt, course[0] * dt, scale, grown, room)
+            if np.isnan(whole):
+                return n, 1
+            error = 0.0 if sudden else np.inf if viscous else _curved(law, whole, dt, course[0])
+            if error <= SURELY_LITTLE * little:
+                held = _go(law, springs, state, motion, whole, dt, grown, room, sums)
+                moved, worked, wasted = whole, sums[2], sums[9]
+            else:
+                _put(state, motion, there, away)
+                moved, worked, wasted, half = 0.0, 0.0, 0.0, 0.5 * dt
+                for stage in range(2):
+                    target[2] = 1.0 / half if viscous else 0.0
+                    place = 0.25 + 0.5 * stage if viscous else 0.5 + 0.5 * stage
+                    target[0] = start + rise * (done + place * dt) / duration
+                    guess = 0.5 * whole if stage == 0 else whole - moved
+                    grown = _grown(law, there, half, room)
+                    change, _ = _find(law, springs, there, away, target, half, guess, scale, grown, room)
+                    if np.isnan(change):
+                        return n, 1
+                    touching = _go(law, springs, there, away, change, half, grown, room, sums)
+                    moved, worked, wasted = moved + change, worked + sums[2], wasted + sums[9]
                 error = abs(moved - whole)
                 if error > little:
                     if dt < SHORTEST_STEP * duration:
                         return n, 2
                     pace = dt * max(0.2, 0.9 * (little / error) ** (1.0 / 3.0))
                     continue
-            _put(there, away, state, motion)
+                _put(there, away, state, motion)
+                held = touching
             work, lost = work + worked, lost + wasted
             if sudden:
                 sudden = False
@@ -412,6 +421,10 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
             pace = max(pace, grow) if last else grow  # a step that the end has cut short says little of the next
         if duration > 0.0:
             course[1] = pace
-        numbers[n, 0], numbers[n, 1], numbers[n, 2] = motion[0], own[0, 6], work
-        numbers[n, 3], numbers[n, 4], numbers[n, 5] = own[0, 5], lost, own[0, 8]
+        numbers[n, 0], numbers[n, 1], numbers[n, 2] = motion[0], _radius(law, springs, state, motion, held), work
+        numbers[n, 3], numbers[n, 4], numbers[n, 5] = (
+            _energy(law, springs, state),
+            lost,
+            1.0 if held > state[3][0] else 0.0,
+        )
     return times.size, 0
