@@ -53,8 +53,9 @@ def thrown(kind, mu, velocity, lateral, **more):
 
 
 @pytest.mark.parametrize("mu", [0.05, 0.3, math.inf])
-def test_below_yield_an_oblique_blow_is_that_of_elastic_bodies(mu, error=3e-3):
+def test_below_yield_an_oblique_blow_is_that_of_elastic_bodies(mu):
     """`Impact` follows the springs without steps; the angles go from sticking to sliding (Maw, Barber and Fawcett)."""
+    error = 3e-3
     for lateral in (0.002, 0.01, -0.03, 0.1):
         elastic, here = (thrown(kind, mu, 0.02, lateral) for kind in (wk.Impact, PlasticImpact))
         assert here.sliding_velocity == pytest.approx(elastic.sliding_velocity[-1], abs=error * abs(lateral))
