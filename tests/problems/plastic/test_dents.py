@@ -153,7 +153,7 @@ def test_far_beyond_yield_the_strength_is_a_power_of_the_rebound():
 
 @pytest.mark.parametrize(("of_velocity", "of_restitution", "count"), [(2e-3, 0.01, 60), (0.0, 0.01, 60)])
 def test_errors_of_blows_are_those_of_many_measurements(of_velocity, of_restitution, count):
-    """Intervals of 95 % hold no fewer than an honest one of 92 % does once in a thousand tests, and not all too wide."""
+    """Intervals of 95 % hold no fewer than one of 92 % does once in a thousand tests, and are not far too wide."""
     velocity = np.geomspace(0.03, 3.0, 6)
     true = wk.PlasticImpact(ball(STEEL), 4.1e-3, velocity).solve().restitution
     random = np.random.default_rng(11)

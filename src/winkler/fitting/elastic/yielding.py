@@ -15,7 +15,7 @@ import numpy as np
 from winkler.fitting.elastic.contact import DirectionRun
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
-from winkler.problems.plastic.first_loading import FirstLoading, LoadingTable, first_loading
+from winkler.problems.plastic.first_loading import FirstLoading, LoadingTable
 from winkler.problems.plastic.indentation import PlasticIndentation, refuse_other_shapes
 from winkler.problems.plastic.release import Release
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
@@ -156,7 +156,7 @@ class _Loaded:
         return found
 
     def _below(self, depth: Array) -> Array:
-        """Return them before the curve begins: elastic, or, of a sharp tip that yields at once, a power of the depth."""
+        """Return them below the curve: elastic, or, of a sharp tip that yields at once, powers of the depth."""
         bed = self.curve.bed
         if self.curve.onset > 0.0 or self.force is None:
             depth, radius = at_depth(bed, depth)

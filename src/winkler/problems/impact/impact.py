@@ -31,21 +31,17 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.impact.moments import joined_stages, ring_states, states_along
 from winkler.problems.impact.motion import ImpactProblem
 from winkler.problems.impact.states import ImpactHistory, ImpactStage, ImpactState
-from winkler.problems.impact.validity import Moments, gravity_note, slip_notes
+from winkler.problems.impact.validity import Moments, gravity_note, refuse_unlikely_spin, slip_notes
 from winkler.problems.normal.force_curve import deepest, normal_curve
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, slid_depth
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.values.checks.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
-from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
 __all__ = ["Impact", "ImpactSolution"]
-
-LARGEST_FRICTION = 1e5
-"""More friction than this differs from no slip by rounding alone."""
 
 
 @value
@@ -122,26 +118,7 @@ class Impact:
     needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
-        if LARGEST_FRICTION < self.law.coefficient < math.inf:
-            raise InvalidInput(
-                f"Impact: with a friction coefficient of {self.law.coefficient:g} hardly a spring slides, and rounding "
-                f"hides which; give at most {LARGEST_FRICTION:g}, or Coulomb(math.inf) if nothing slides."
-            )
-        if self.lever == 0.0 and (self.angular_velocity != 0.0 or self.inertia < math.inf):
-            given = (
-                f"an angular velocity of {self.angular_velocity:g} rad/s"
-                if self.angular_velocity != 0.0
-                else f"an inertia of {self.inertia:g} kg m^2"
-            )
-            raise InvalidInput(
-                f"Impact: with {given} the lever is {self.lever:g} m; "
-                "it must be positive: give the distance from the centre of mass to the surface, the radius of a ball."
-            )
-        if self.lever > 0.0 and self.inertia == math.inf and self.angular_velocity == 0.0:
-            raise InvalidInput(
-                f"Impact: a lever of {self.lever:g} m acts only on a body that turns; give its inertia, of a ball "
-                f"2/5 m R^2, here {0.4 * self.mass * self.lever**2:.3g} kg m^2, or leave the lever out."
-            )
+        refuse_unlikely_spin("Impact", self.law, self.mass, self.angular_velocity, self.inertia, self.lever)
 
     @property
     def sliding_velocity(self) -> float:
@@ -282,7 +259,7 @@ class ImpactSolution(ImpactHistory[Array]):
         mechanical = self.kinetic_energy + self.energy + self.stored_energy
         balance = energy_note(np.full(mechanical.size, mechanical[0]), mechanical, self.dissipation)
         pressed = indentation_notes(bed, depth, radius, rubbing)
-        if not slides and isinstance(bed, Foundation) and isinstance(bed.medium, HalfSpace):
+        if isinstance(bed, Foundation) and isinstance(bed.medium, HalfSpace):
             pressed = tuple(_beyond_yield(note) for note in pressed)
         notes = [*pressed, balance, wave_note(share), gravity_note(force)]
         if slides:
@@ -291,7 +268,7 @@ class ImpactSolution(ImpactHistory[Array]):
 
 
 def _beyond_yield(note: Note) -> Note:
-    """Return a note on yield with the problem that follows a straight impact beyond it; others as they are."""
+    """Return a note on yield with the problem that follows an impact beyond it; others as they are."""
     if note.assumption is not Assumption.ELASTIC or note.standing is not Standing.OUTSIDE:
         return note
     return dataclasses.replace(note, statement=f"{note.statement} PlasticImpact goes on where a body yields.")

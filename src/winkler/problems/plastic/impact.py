@@ -1,4 +1,4 @@
-r"""A body that strikes metal, straight: how it bounces, and which dent it leaves.
+r"""A body that strikes metal: how it bounces, and which dent it leaves.
 
 The contact force is that of slow motion, so that energy decides: the body is stopped at the depth at which the curve
 of first loading has taken its energy, and leaves with what the dent gives back,
@@ -10,7 +10,8 @@ Both are sums along known curves, and so is the time,
 .. math:: T = \int_0^{d_{max}}\frac{\mathrm dd}{\sqrt{2(W(d_{max})-W(d))/m}}
               + \int_{d_0}^{d_{max}}\frac{\mathrm dd}{\sqrt{2(U(d_{max})-U(d))/m}} .
 
-Nothing is marched: e is one up to the velocity at which a body begins to yield.
+Nothing is marched: e is one up to the velocity at which a body begins to yield.  Only the motion along the surface is
+(`winkler.problems.plastic.rubbed`).
 """
 
 from __future__ import annotations
@@ -24,12 +25,15 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
+from winkler.laws.friction import Coulomb
 from winkler.numerics.equations.roots import invert
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, PerLoad, Q, like, shaped
+from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.validity import gravity_note
+from winkler.problems.impact.validity import gravity_note, refuse_unlikely_spin
 from winkler.problems.normal.force_curve import rough_depth
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.one_load import single
@@ -44,7 +48,16 @@ from winkler.problems.plastic.first_loading import (
 )
 from winkler.problems.plastic.indentation import law_notes, refuse_other_shapes
 from winkler.problems.plastic.release import Release
-from winkler.values.checks.number_checks import POSITIVE_QUANTITY, PositiveNotTiny
+from winkler.problems.plastic.rubbed import NormalMotion, Sheared, sheared
+from winkler.problems.ring_slip.sliding_springs import sliding_springs
+from winkler.values.checks.number_checks import (
+    FINITE_QUANTITY,
+    POSITIVE_QUANTITY,
+    Finite,
+    NonNegative,
+    PositiveNotTiny,
+    PositiveOrInfinite,
+)
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
@@ -55,12 +68,21 @@ TIME_NODES = 24
 """Nodes of the sums over time between two places where the curve bends."""
 AT_ONCE = 2000
 """Velocities that are computed together, each at the square of these nodes."""
+OBLIQUE_STEPS, OBLIQUE_AT_ONCE = 300, 100
+"""Steps of the approach, and as many of the rebound; blows that are marched together."""
+SHEAR_LEFT_OUT = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "Shear leaves yielding alone: the normal motion is that of a straight impact. Under friction metals yield at a "
+    "lower pressure, which is left out. Tractions are taken along the motion, and spin about the normal is left out.",
+    "C.-Y. Wu, C. Thornton, L.-Y. Li, Proc. R. Soc. Lond. A 465 (2009) 937-960, doi:10.1098/rspa.2008.0221",
+)
 TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008"
 
 
 @value
 class PlasticImpact(PerLoad[Q]):
-    """A body of revolution strikes another one, straight and without friction, of which at least one yields.
+    """A body of revolution strikes another one, straight or obliquely, of which at least one yields.
 
     Parameters
     ----------
@@ -72,15 +94,24 @@ class PlasticImpact(PerLoad[Q]):
         m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
     velocity : float or ndarray
         v [m/s] of approach at first touch, positive; the results have its shape.
+    law : Coulomb, optional
+        Coulomb(coefficient); without friction unless given.
+    lateral_velocity : float or ndarray, optional
+        v_x [m/s] of the centre of mass along the surface at first touch: one for all, or of the shape of the velocity.
+    angular_velocity, inertia, lever : float, optional
+        As of `Impact`: omega [rad/s] at first touch, I [kg m^2], and the distance from the centre of mass to the
+        surface [m].
 
     Raises
     ------
     InvalidInput
-        If a number is of the wrong sign or kind, or for a bed as in `PlasticIndentation`.
+        If a number is of the wrong sign or kind, for a bed as in `PlasticIndentation`, for friction and spin as in
+        `Impact`, or if there are as many lateral velocities as neither one nor velocities.
 
     References
     ----------
     K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 11.5, doi:10.1017/CBO9781139171731;
+    N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5;
     D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008
 
     Examples
@@ -104,13 +135,36 @@ class PlasticImpact(PerLoad[Q]):
     bed: Bed
     mass: PositiveNotTiny
     velocity: Annotated[Q, POSITIVE_QUANTITY]
+    law: Coulomb = Coulomb(0.0)
+    lateral_velocity: Annotated[Q, FINITE_QUANTITY] = 0.0  # type: ignore[assignment]
+    angular_velocity: Finite = 0.0
+    inertia: PositiveOrInfinite = math.inf
+    lever: NonNegative = 0.0
 
     needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015", "tabor_1948")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
-        refuse_unknown("PlasticImpact", self.bed, layers=True)
+        owner = type(self).__name__
+        refuse_unknown(owner, self.bed, layers=True)
+        refuse_unlikely_spin(owner, self.law, self.mass, self.angular_velocity, self.inertia, self.lever)
+        if np.shape(self.lateral_velocity) not in ((), np.shape(self.velocity)):
+            raise InvalidInput(
+                f"{owner}: the lateral velocities have the shape {np.shape(self.lateral_velocity)}, the velocities "
+                f"{np.shape(self.velocity)}; give one for all, or one for each."
+            )
+
+    @property
+    def sliding_velocity(self) -> Q:
+        """Of the touching points along the surface at first touch, v_x - lever omega [m/s]."""
+        sliding = np.asarray(self.lateral_velocity) - self.lever * self.angular_velocity
+        return shaped(np.broadcast_to(sliding, np.shape(self.velocity)).copy())
+
+    @property
+    def mobility(self) -> float:
+        """What a shear impulse changes the velocity of the touching points by, 1/m + lever^2 / I [1/kg]."""
+        return 1.0 / self.mass + self.lever**2 / self.inertia
 
     @property
     def _loading(self) -> FirstLoading:
@@ -141,8 +195,27 @@ class PlasticImpact(PerLoad[Q]):
         parts = [_struck(curve, energy[start : start + AT_ONCE]) for start in range(0, energy.size, AT_ONCE)]
         columns = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
         columns["duration"] *= math.sqrt(0.5 * self.mass)
-        every = {name: like(column[place], self.velocity) for name, column in columns.items()}
-        return PlasticImpactSolution(self, self.velocity, **every)
+        sliding = np.ravel(np.asarray(self.sliding_velocity))
+        every = {name: column[place] for name, column in columns.items()}
+        every["sliding_velocity"] = self._after(given, sliding, every["largest_radius"])
+        return PlasticImpactSolution(
+            self, self.velocity, **{name: like(column, self.velocity) for name, column in every.items()}
+        )
+
+    def _after(self, velocity: Array, sliding: Array, radius: Array) -> Array:
+        """Return the velocities of the touching points after the impact [m/s]."""
+        if self.law.coefficient == 0.0 or not np.any(sliding):
+            return sliding
+        curve, widest = self._loading, float(np.max(radius))
+        ratio, _ = sliding_springs(type(self).__name__, curve.bed, self.law.coefficient, widest)
+        law = Sheared(ratio, self.law.coefficient, self.mobility)
+        after = np.empty_like(sliding)
+        order = np.argsort(velocity)
+        for start in range(0, order.size, OBLIQUE_AT_ONCE):
+            here = order[start : start + OBLIQUE_AT_ONCE]
+            blow = _Blows(curve, 0.5 * self.mass * velocity[here] ** 2)
+            after[here] = sheared(curve, blow.states, blow.motion(self.mass), law, sliding[here])
+        return after
 
 
 @value
@@ -165,9 +238,13 @@ class PlasticImpactSolution(PerLoad[Q]):
         What the bodies give back, and what they do not [J]; a part of the latter stays in them as residual stress.
     duration : float or ndarray
         How long the bodies touch [s].
+    sliding_velocity : float or ndarray
+        w [m/s] of the touching points along the surface after the impact.
     """
 
     __words__ = words(
+        friction_loss=("W_f", "J", "energy that friction has taken"),
+        impulse_ratio=("f", "", "impulse along the surface over the normal one"),
         energy=("U", "J", "energy that the bodies give back"),
         largest_radius=("a_m", "m", "contact radius at the moment of rest, that of the dent"),
         dented=("", None, "bed on which the contact is elastic after the impact"),
@@ -183,6 +260,7 @@ class PlasticImpactSolution(PerLoad[Q]):
     energy: Q
     dissipation: Q
     duration: Q
+    sliding_velocity: Q
 
     per_load: ClassVar[str] = "restitution"
 
@@ -190,6 +268,33 @@ class PlasticImpactSolution(PerLoad[Q]):
     def yield_velocity(self) -> float:
         """As of the problem [m/s]."""
         return self.problem.yield_velocity
+
+    @property
+    def _impulse(self) -> Array:
+        """What the shear force has transferred [N s]."""
+        return np.asarray(self.problem.sliding_velocity - self.sliding_velocity) / self.problem.mobility
+
+    @property
+    def lateral_velocity(self) -> Q:
+        """v_x [m/s] of the centre of mass after the impact."""
+        return shaped(np.asarray(self.problem.lateral_velocity) - self._impulse / self.problem.mass)
+
+    @property
+    def angular_velocity(self) -> Q:
+        """omega [rad/s] after the impact."""
+        return shaped(self.problem.angular_velocity + self.problem.lever / self.problem.inertia * self._impulse)
+
+    @property
+    def impulse_ratio(self) -> Q:
+        """Impulse along the surface over the normal one [-]: the coefficient of friction where everything slides."""
+        normal = self.problem.mass * np.asarray(self.velocity) * (1.0 + np.asarray(self.restitution))
+        return shaped(self._impulse / normal)
+
+    @property
+    def friction_loss(self) -> Q:
+        """What friction has taken, beside `dissipation` [J]."""
+        before, after = np.asarray(self.problem.sliding_velocity), np.asarray(self.sliding_velocity)
+        return shaped(0.5 * (before**2 - after**2) / self.problem.mobility)
 
     @property
     def mean_pressure(self) -> Q:
@@ -226,8 +331,9 @@ class PlasticImpactSolution(PerLoad[Q]):
             raise InvalidInput(
                 f"solution.at: there is no velocity {index!r} in a solution of shape {np.shape(self.velocity)}."
             ) from None
-        one = PlasticImpact(self.problem.bed, self.problem.mass, numbers["velocity"])
-        return PlasticImpactSolution(one, **numbers)
+        lateral = np.broadcast_to(np.asarray(self.problem.lateral_velocity), np.shape(self.velocity))[index]
+        one = dataclasses.replace(self.problem, velocity=numbers["velocity"], lateral_velocity=float(lateral))
+        return PlasticImpactSolution(one, **numbers)  # type: ignore[arg-type]
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -241,6 +347,9 @@ class PlasticImpactSolution(PerLoad[Q]):
         if widest > curve.onset:
             rate = float(np.max(0.2 * bed.slope(radius) / np.ravel(self.duration)))
             notes.append(_rate_note(rate))
+        if problem.law.coefficient > 0.0 and np.any(np.asarray(problem.sliding_velocity)):
+            sticking = sticking_note(bed.medium, problem.law.coefficient)
+            notes += [SHEAR_LEFT_OUT, sticking, *direction_notes(bed)]
         return tuple(notes)
 
 
@@ -381,12 +490,45 @@ class _Blows:
             total += (2.0 * greatest[:, None] * s * rise / np.sqrt(left) * (end - start)) @ weights
         return total
 
+    def motion(self, mass: float) -> NormalMotion:
+        """Return the normal motion of bodies of a mass [kg] in steps, even in the root of what is left to rest."""
+        greatest, states, curve = self.states.radius, self.states, self.curve
+        share = np.linspace(1.0, 0.0, OBLIQUE_STEPS + 1)
+        ends = [self._at(greatest * (1.0 - s * s)) for s in share[1:]]
+        s = 0.5 * (share[:-1] + share[1:])[:, None]
+        work, rise = (part.reshape(s.size, -1) for part in self._work((greatest * (1.0 - s * s)).ravel()))
+        left = np.maximum(self.energy - work, np.finfo(float).tiny)
+        into = 2.0 * greatest * s * rise / (np.sqrt(2.0 * left / mass) * OBLIQUE_STEPS)
+        if self.table is not None and curve.onset == 0.0:  # nothing slows a sharp tip before the curve begins
+            into[greatest * (1.0 - s * s) < self.first] = 0.0
+        kept = np.where(greatest > curve.onset, np.minimum(curve.stored(states), self.energy), self.energy)
+        depth = states.recovery * (1.0 - s[::-1] ** 2)
+        stored = self._stored(depth)
+        out = 2.0 * states.recovery * s[::-1] / (np.sqrt(2.0 * (kept - stored) / mass) * OBLIQUE_STEPS)
+        return NormalMotion(np.concatenate([into, out]), ends, states.recovery * (1.0 - share[::-1][1:, None] ** 2))
+
+    def _at(self, radius: Array) -> GreatestLoad:
+        """Return the states of first loading at a radius of each body; none before the curve of a sharp tip begins."""
+        elastic, bed = radius <= self.first, self.curve.bed
+        depth = np.where(elastic & (self.curve.onset > 0.0), bed.gap(radius), 0.0)
+        state = GreatestLoad(radius, depth, depth, depth.copy(), np.ones_like(depth))
+        if self.table is not None and not elastic.all():
+            found = self.table.at(radius[~elastic])
+            for whole, part in zip(state, found, strict=True):
+                whole[~elastic] = part
+        return state
+
     def rebound(self, kept: Array) -> Array:
         """Return the sums of dd / sqrt(U(d_max) - U(d)) from rest on [m / J^(1/2)], with the energies kept [J]."""
         nodes, weights = gauss_legendre(TIME_NODES)
+        stored = self._stored(np.outer(1.0 - nodes * nodes, self.states.recovery)).T
+        return np.asarray(2.0 * self.states.recovery * ((nodes / np.sqrt(kept[:, None] - stored)) @ weights))
+
+    def _stored(self, depths: Array) -> Array:
+        """Return the elastic energies [J] at depths from where each of n dents would just touch `(m, n)` [m]."""
         states, curve = self.states, self.curve
-        index = np.broadcast_to(np.arange(kept.size)[:, None], (kept.size, nodes.size)).ravel()
-        depth = np.outer(states.recovery, 1.0 - nodes * nodes).ravel()
+        index = np.broadcast_to(np.arange(depths.shape[1]), depths.shape).ravel()
+        depth = depths.ravel()
         radius, stored = np.zeros_like(depth), np.zeros_like(depth)
         dented = (states.radius > curve.onset)[index]
         if dented.any():
@@ -396,8 +538,7 @@ class _Blows:
         if not dented.all():
             radius[~dented] = at_depth(curve.bed, depth[~dented])[1]
             stored[~dented] = stored_energy(curve.bed, depth[~dented], radius[~dented])
-        left = (kept[index] - stored).reshape(-1, nodes.size)
-        return np.asarray(2.0 * states.recovery * ((nodes / np.sqrt(left)) @ weights))
+        return stored.reshape(depths.shape)
 
 
 WIDER = 1.01

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -96,9 +96,9 @@ class Restitution(PerLoad[Q]):
 class StrengthFromDent:
     r"""Which strength has a metal in which known loads have left dents, or from which bodies rebound?
 
-    The strength is sought with which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution.  Of
-    one load it is exact; of several it is that of least squares, each load weighed by its error.  Errors are carried on
-    to first order, of one dent of the radius r
+    The strength is sought with which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution.
+    Of one load it is exact; of several it is that of least squares, each load weighed by its error.  Errors are carried
+    on to first order, of one dent of the radius r
 
     .. math:: u^2(\ln Y) = \left(\frac{\partial\ln Y}{\partial\ln F}\frac{u(F)}{F}\right)^2
               + \left(\frac{\partial\ln Y}{\partial\ln r}\frac{u(r)}{r}\right)^2 .
@@ -276,11 +276,11 @@ class StrengthFromDent:
             raise OutsideValidity(
                 f"StrengthFromDent: a first body with a strength of a fiftieth of its Young's modulus, {high:.4g} Pa, "
                 + (
-                    f"rebounds with {least:.6g} already; a restitution of {shown} tells no strength: give faster blows, "
-                    "or check mass, moduli and units."
+                    f"rebounds with {least:.6g} already; a restitution of {shown} tells no strength: give faster "
+                    "blows, or check mass, moduli and units."
                     if rebounds
-                    else f"has a dent or a contact of {least:.6g} m already under this load; a {what} of {shown} tells no "
-                    "strength: give a greater dent, a lesser load, or check moduli and units."
+                    else f"has a dent or a contact of {least:.6g} m already under this load; a {what} of {shown} tells "
+                    "no strength: give a greater dent, a lesser load, or check moduli and units."
                 )
             )
         low = high
@@ -359,8 +359,9 @@ class StrengthFromDent:
         law = abs(float(np.sum(weights * of_law)) / information)
         most = int(np.argmax(loads))
         residual = depth[most] - first_loading(self._bed(strength)).at(radius[[most]]).recovery[0]
+        misfit = scatter if any(self._errors) else 0.0
         return StrengthFromDentSolution(
-            self, strength, strength * measured, strength * law, of_load, of_dent, scatter if any(self._errors) else 0.0,
+            self, strength, strength * measured, strength * law, of_load, of_dent, misfit,
             float(force[most] / (np.pi * radius[most] ** 2)), float(radius[most]), float(residual), float(depth[most]),
             float(force[most]),
         )  # fmt: skip
