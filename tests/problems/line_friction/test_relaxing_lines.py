@@ -8,7 +8,7 @@ import pytest
 import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.materials.layered import Layer
-from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.line_friction.path import LinePath
@@ -23,7 +23,7 @@ def sheared(solid, path, profile=None, **more):
     return wk.LineTangential(bed, Coulomb(MU), path, **more).solve()
 
 
-@pytest.mark.parametrize(("tau", "young"), [(1e7, 0.75), pytest.param(1e-3, 0.15, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("tau", "young"), [(1e7, 0.75), pytest.param(1e-5, 0.15, marks=pytest.mark.slow)])
 def test_fast_and_slow_it_is_elastic(tau, young):
     time = np.linspace(0.0, 4.0, 17)
     force = LOAD * (1.0 + 0.5 * np.sin(np.pi * time / 4.0)) * np.minimum(time, 1.0)
@@ -38,17 +38,17 @@ def test_fast_and_slow_it_is_elastic(tau, young):
 
 def test_a_shear_force_that_grows_is_cattaneos_however_the_bodies_creep():
     """What sticks moves as one at all times, as the elastic tractions of each moment do: q needs not know of time."""
-    time = np.array([0.0, 0.1, 0.3, 1.0])
-    path = LinePath(LOAD, 0.6 * MU * LOAD * np.array([0.0, 0.5, 0.8, 1.0]), time=time)
-    punch = sheared(STANDARD, path, wk.RoundedPunch(flat_radius=0.02, curvature_radius=1e9))
-    state = punch.states[-1]
-    x = np.linspace(-0.9, 0.9, 19) * state.half_width
-    elastic = wk.LineFoundation(
-        wk.RoundedPunch(flat_radius=0.02, curvature_radius=1e9), wk.HalfSpace(wk.Elastic(0.75, 0.5))
-    )
-    true = wk.LineTangential(elastic, Coulomb(MU), LinePath(LOAD, path.along)).solve()
-    assert state.traction(x) == pytest.approx(true.states[-1].traction(x), rel=0.02)
-    assert punch.stick_half_width[-1] == pytest.approx(true.stick_half_width[-1], rel=5e-3)
+    time, part = np.array([0.0, 60.0, 60.1, 60.3, 61.0]), np.array([0.0, 0.0, 0.3, 0.5, 0.6])
+    ours = sheared(STANDARD, LinePath(LOAD, part * MU * LOAD, time=time))
+    a = np.sqrt(4.0 * LOAD / (np.pi * 0.2))
+    assert ours.half_width[1:] == pytest.approx(a, rel=1e-5)
+    for state, share in zip(ours.states[2:], part[2:], strict=True):
+        c = a * np.sqrt(1.0 - share)
+        assert state.stick_half_width == pytest.approx(c, rel=2e-3)
+        x = np.linspace(-0.95, 0.95, 39) * a
+        inner = np.sqrt(np.maximum(1.0 - (x / c) ** 2, 0.0)) * c / a
+        expected = MU * 2.0 * LOAD / (np.pi * a) * (np.sqrt(1.0 - (x / a) ** 2) - inner)
+        assert state.traction(x) == pytest.approx(expected, abs=0.02 * MU * 2.0 * LOAD / (np.pi * a))
 
 
 def own_march(half_width, load, moments, shears, creep, count):
@@ -58,11 +58,9 @@ def own_march(half_width, load, moments, shears, creep, count):
     far = x[:, None] - edges
     antiderivative = far * np.log(np.abs(far) / half_width) - far
     kernel = -2.0 / np.pi * (antiderivative[:, :-1] - antiderivative[:, 1:])
-    area = x * np.sqrt(half_width**2 - x**2) + half_width**2 * np.arcsin(x / half_width)
     edge_area = edges * np.sqrt(np.maximum(half_width**2 - edges**2, 0.0)) + half_width**2 * np.arcsin(
         edges / half_width
     )
-    del area
     bound = MU * load / (0.5 * np.pi * half_width**2) * 0.5 * np.diff(edge_area) / h
     tractions, slips = [np.zeros(count)], [np.zeros(count)]
     lost, sides = 0.0, np.zeros(count)
@@ -107,7 +105,7 @@ def own_march(half_width, load, moments, shears, creep, count):
 @pytest.mark.slow
 def test_even_elements_and_hereditary_sums_agree():
     """A cylinder that has crept to its end is pushed to and fro, as fast as it relaxes."""
-    per, period = 48, 1.0
+    per, period = 32, 1.0
     late = np.arange(2 * per + 1) / per * period
     shears = 0.7 * MU * LOAD * np.sin(2.0 * np.pi * late / period)
     time = np.append(0.0, 60.0 + late)
@@ -141,21 +139,21 @@ def test_stuck_strips_lose_nothing_to_friction():
 @pytest.mark.slow
 def test_layers_that_relax_alike_have_their_elastic_limit_and_feel_their_base():
     layers = wk.CoatedHalfSpace([Layer(wk.Elastic(1.0, 0.3), 0.01)], on=wk.Elastic(10.0, 0.3))
-    shear = 0.6 * MU * LOAD * np.array([0.0, 1.0, -1.0, 1.0])
+    shear = 0.6 * MU * LOAD * np.array([0.0, 1.0, -1.0])
     elastic = wk.LineTangential(
         wk.LayeredLineFoundation(wk.Paraboloid(1.0), layers), Coulomb(MU), LinePath(LOAD, shear)
     )
     true = elastic.solve()
     relaxing = RelaxingInProportion(layers, StandardSolid(0.05, 0.2, 1e7), shear=0.25)
     bed = wk.LayeredLineFoundation(wk.Paraboloid(1.0), relaxing)
-    ours = wk.LineTangential(bed, Coulomb(MU), LinePath(LOAD, shear, time=np.arange(4.0))).solve()
+    ours = wk.LineTangential(bed, Coulomb(MU), LinePath(LOAD, shear, time=np.arange(3.0))).solve()
     assert ours.half_width == pytest.approx(true.half_width, rel=1e-4)
     assert ours.dissipation_per_length == pytest.approx(
         true.dissipation_per_length, abs=5e-3 * true.dissipation_per_length[-1]
     )
     base = wk.LineFoundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(10.0, 0.3)))
     alone = wk.LineTangential(base, Coulomb(MU), LinePath(LOAD, shear)).solve()
-    assert ours.loss_per_cycle_per_length > 1.5 * alone.loss_per_cycle_per_length
+    assert ours.dissipation_per_length[-1] > 1.5 * alone.dissipation_per_length[-1]
 
 
 def test_what_is_not_followed_is_refused():
@@ -175,6 +173,3 @@ def test_what_is_not_followed_is_refused():
     assert next(steps).shear_force_per_length == 1e-6
     with pytest.raises(OutsideValidity, match="index 2"):
         next(steps)
-    stubborn = wk.LineFoundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(0.25, 0.05)))
-    with pytest.raises(OutsideValidity, match="give the step some time"):
-        wk.LineTangential(stubborn, Coulomb(MU), LinePath([0.0, LOAD], 0.0, time=[0.0, 0.0])).solve()

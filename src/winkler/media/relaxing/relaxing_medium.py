@@ -84,7 +84,8 @@ class RelaxingMedium(Protocol):
         """Return the error of a call that requests a single value."""
         return OutsideValidity(
             f"{type(self).__name__}: its stiffness changes in time, so no single value exists; use "
-            "ViscoelasticIndentation(bed, path), on lines LineViscoelasticIndentation(bed, path), or an elastic medium."
+            "ViscoelasticIndentation(bed, path), with friction Tangential or Torsion, whose path has cycles, on lines "
+            "LineViscoelasticIndentation(bed, path) or LineTangential, or an elastic medium."
         )
 
     def elastic_parts(self, displacement: Displacement) -> tuple[Displacement, ...]:

@@ -167,7 +167,6 @@ def body_sheet(item: BodyFields) -> Sheet:
     return Sheet((body_stress_panel(item).plus(title="stress below the surface"),), width=5.4, height=3.2)
 
 
-@without_extent(TorsionSolution)
 def torsion_sheet(item: TorsionSolution) -> Sheet:
     """Return the loop, torque and energies along a path of twists, and the traction at its last contact."""
     touching = np.flatnonzero(item.radius > 0.0)

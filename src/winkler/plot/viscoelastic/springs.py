@@ -11,11 +11,11 @@ from winkler.plot.normal.springs import DrawnSprings, SpringFrame, row_panel, sp
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis
 from winkler.plot.series import places, series
 from winkler.problems.viscoelastic.states import ViscoelasticState
-from winkler.problems.viscoelastic.tangential import DraggedState
+from winkler.problems.viscoelastic.tangential import DraggedCells
 
 __all__ = ["pressure_panel", "recovering_panel", "width_of"]
 
-RecoveringState = ViscoelasticState | DraggedState
+RecoveringState = ViscoelasticState | DraggedCells
 
 RADII_DRAWN = 1.35
 """Extent of a picture relative to the deformed region."""
@@ -36,7 +36,7 @@ def recovering_panel(state: RecoveringState, bed: Bed | None = None, frame: Spri
 
     Parameters
     ----------
-    state : ViscoelasticState or DraggedState
+    state : ViscoelasticState, DraggedState or DraggedTwist
     bed : Bed, optional
         Its plane profile is drawn over the springs.
     frame : Frame, optional

@@ -12,6 +12,7 @@ from winkler.plot import style
 from winkler.plot.decades import Quantity, decades_around, decades_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import (
+    BOUNDS,
     bounds,
     energies_panel,
     lines_panel,
@@ -19,15 +20,17 @@ from winkler.plot.friction.curves import (
     mirrored_bounds,
     stick_band,
 )
-from winkler.plot.friction.sheets import tangential_sheet
+from winkler.plot.friction.sheets import tangential_sheet, torsion_sheet
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
 from winkler.plot.series import common_scale, headline, series, series_of, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius
 from winkler.plot.viscoelastic.springs import recovering_panel, width_of
 from winkler.problems.friction.tangential import TangentialSolution
+from winkler.problems.friction.torsion import TorsionSolution
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import DraggedState
+from winkler.problems.viscoelastic.torsion import DraggedTwist
 
 __all__ = ["adhesion_sheet", "dragged_sheet", "dragged_state_sheet", "sliding_sheet"]
 
@@ -37,47 +40,56 @@ FACTOR_AROUND = 300.0
 
 
 @without_extent(TangentialSolution)
-def dragged_sheet(item: TangentialSolution) -> Sheet:
+@without_extent(TorsionSolution)
+def dragged_sheet(item: TangentialSolution | TorsionSolution) -> Sheet:
     """Return the loop, forces and energies along a path; of bodies that relax springs and loads of a late contact."""
     bearing = np.flatnonzero(item.force >= LEAST_FORCE_SHARE * np.max(item.force))
     state, time = item.states[int(bearing[-1]) if bearing.size else 0], series_of(item, "time")
-    if not isinstance(state, DraggedState):
-        return tangential_sheet(item)
+    twisted = isinstance(item, TorsionSolution)
+    if not isinstance(state, DraggedState | DraggedTwist):
+        return torsion_sheet(item) if isinstance(item, TorsionSolution) else tangential_sheet(item)
     assert isinstance(item.problem.law, Coulomb)
     mu = item.problem.law.coefficient
-    lines = [(series_of(item, "shear_force"), "$F_x$")]
-    lines += bounds("shear_force", mu * item.force) if math.isfinite(mu) else []
+    motion, load, symbol = ("angle", "torque", "$M_z$") if twisted else ("shift", "shear_force", "$F_x$")
+    limit = item.torque_limit if isinstance(item, TorsionSolution) else mu * item.force
+    lines = [(series_of(item, load), symbol)]
+    lines += bounds(load, limit, *([BOUNDS[1]] if twisted else [])) if math.isfinite(mu) else []
     names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
     radii = [(series_of(item, "radius"), "contact"), (series_of(item, "stick_radius"), "stick")]
+    force = load.replace("_", " ")
     panels = (
-        loop_panel(series_of(item, "shift"), series_of(item, "shear_force")),
-        lines_panel(time, lines, "shear force"),
+        loop_panel(series_of(item, motion), series_of(item, load)),
+        lines_panel(time, lines, force),
         energies_panel(item, names, height_factor=1.35),
         lines_panel(time, radii, "radius", low=0.0),
         recovering_panel(state, item.problem.bed),
         _loads_panel(state, mu),
     )
     when = f" at {with_unit(state.time, 's', 3)}"
-    titles = ("shear force over shift", "shear force", "energy", "contact", f"springs{when}", f"their loads{when}")
+    titles = (f"{force} over {motion}", force, "energy", "contact", f"springs{when}", f"their loads{when}")
     return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
 @without_extent(DraggedState)
-def dragged_state_sheet(item: DraggedState) -> Sheet:
+@without_extent(DraggedTwist)
+def dragged_state_sheet(item: DraggedState | DraggedTwist) -> Sheet:
     """Return the springs at one time, and their loads in both directions."""
-    title = headline(item, "force", "shear_force", "depth", "shift")
+    words = ("torque", "depth", "angle") if isinstance(item, DraggedTwist) else ("shear_force", "depth", "shift")
     panels = titled((recovering_panel(item), _loads_panel(item, math.inf)), "springs", "their loads")
-    return Sheet(panels, height=3.3, title=title)
+    return Sheet(panels, height=3.3, title=headline(item, "force", *words))
 
 
-def _loads_panel(state: DraggedState, coefficient: float) -> Panel:
-    """Return the load of the springs along the surface, and the bound of friction."""
+def _loads_panel(state: DraggedState | DraggedTwist, coefficient: float) -> Panel:
+    """Return the load of the springs along the surface, and the bound of friction; of a twist the load alone."""
     if state.radius == 0.0:
         return NO_CONTACT.plus(bare=True)
     along = series("x", state.position)
-    bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
+    known, twisted = math.isfinite(coefficient), isinstance(state, DraggedTwist)
+    bound = coefficient * state.line_load if known and not twisted else np.zeros(state.line_load.shape)
     of, limit = (series("shear_load", loads) for loads in (state.shear_load, bound))
     x, y = style.mirrored(along.content, of.content)
+    if twisted:  # to one side of the axis forwards, to the other back
+        y = np.where(x < 0.0, -y, y)
     marks = (
         *stick_band(state.stick_radius),
         *mirrored_bounds(along.content, bound, r"$\pm\mu q_z$"),

@@ -7,8 +7,8 @@ The surfaces of half-planes, and of layers that relax alike, move along each oth
 in the place of the traction q over E*, with the creep C of the normal contact.  Over a step q is taken as straight, so
 that c at its end is a part that has crept already and an effective compliance times q: what sticks and what slips is
 found as on elastic bodies.  The pressures are those of `winkler.problems.line_viscoelastic.indentation`.  Steps begin
-short after each point of the path, where rates have changed, and grow fourfold until they are as long as those of elastic
-elements; none is halved.
+short after each point of the path, where rates have changed, and grow fourfold until they are as long as those of
+elastic elements; none is halved.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ __all__ = ["RelaxingElementRow", "refuse_timeless"]
 
 FIRST_SPAN, LEAST_STEPS = 0.1, 8
 """The first step after a point of the path, over the shortest time of the creep; and steps between two points."""
-SPRINGS = 400
+SPRINGS = 250
 """Flat strips the pressures are made of."""
-GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(4)
+GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(2)
 
 
 class CreptTraction(NamedTuple):
@@ -151,10 +151,11 @@ class RelaxingElementRow(ElementRow):
                 found.append(row)
                 continue
             crossed = [
-                np.interp(edges[(edges > min(pair)) & (edges < max(pair))], *zip(*sorted(zip(pair, span, strict=True)), strict=True))
-                for pair, span in zip(pairwise(widths.tolist()), pairwise(times.tolist()), strict=True)
-                if pair[0] != pair[1]
-            ]  # fmt: skip
+                np.interp(edges[(edges > one) & (edges < two)], (one, two), span)
+                for (one, span_one), (two, span_two) in map(sorted, pairwise(zip(widths, times, strict=True)))
+                if one != two
+                for span in ((span_one, span_two),)
+            ]
             inner = np.union1d(row, np.concatenate(crossed)) if crossed else row
             apart = np.append(np.diff(inner) > ROUNDING * (times[-1] - times[0]), True)
             found.append(np.append(inner[apart][inner[apart] < row[-1]], row[-1]))

@@ -29,6 +29,17 @@ LOSSES = Equation(
     "What was spent is stored, lost in the bodies, or lost to friction",
     r"\int F_N\,\mathrm{d}d + \int F_x\,\mathrm{d}u_x = U + W_b + W_f",
 )
+AROUND = Equation(
+    "Around the axis too, of the angle; it slides where that reaches what the pressure of all rings farther out lets it "
+    "bear",
+    r"q_\theta(x,t) = x\int_0^t 8\,G_t(t-t')\,\frac{\mathrm{d}\varphi}{\mathrm{d}t'}\,\mathrm{d}t', \quad "
+    r"|q_\theta| \le 4\mu\,x\int_x^a \frac{p(r,t)\,\mathrm{d}r}{\sqrt{r^2-x^2}}",
+)
+TURNED = Equation("The moment of all is the torque", r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x")
+TWIST_LOSSES = Equation(
+    "What was spent is stored, lost in the bodies, or lost to friction",
+    r"\int F_N\,\mathrm{d}d + \int M_z\,\mathrm{d}\varphi = U + W_b + W_f",
+)
 PASSING_SPRINGS = Equation(
     "In the frame of the body, every spring is compressed from the leading edge on, and relaxes below it",
     r"q(x) = \int_x^a E^*\left(\frac{x'-x}{v}\right)\,g'(x')\,\mathrm{d}x'",
@@ -147,6 +158,19 @@ VISCOELASTIC_SURFACES = Chapter(
             curves=(("shift", "shear_force"), ("time", "shear_force"), ("time", "dissipation")),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, LOSSES),
+        ),
+        "torsion": answer(
+            "winkler.problems.friction.torsion:Torsion",
+            headline=("dissipation", "torque", "angle", "stick_radius", "loss_per_cycle"),
+            picture=Caption(
+                "dragged",
+                "The contact along its path",
+                "The loop of the torque, forces, energies and the contact over time; springs and their loads of a late "
+                "contact.",
+            ),
+            curves=(("angle", "torque"), ("time", "torque"), ("time", "dissipation")),
+            pictured=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, AROUND, TURNED, TWIST_LOSSES),
         ),
     },
 )

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import MODULUS
+from winkler.study.chapters.viscoelastic import pair_formulas
 
 __all__ = ["LINE_FRICTION"]
 
@@ -34,6 +35,13 @@ MARCHED = Equation(
 LOST = Equation(
     "Friction loses per length", r"W_d = \frac{2}{\pi E^*}\int\!\!\int t\,\mathrm{d}(Q-t)\,\mathrm{d}\ln a(\gamma)"
 )
+
+CREPT_ALONG = Equation(
+    "The surfaces move along each other as the tractions have crept",
+    r"s(x,t) = \delta(t) + \frac{2}{\pi}\int\ln|x-\xi|\int_0^t C(t-t')\,\frac{\partial q(\xi,t')}{\partial t'}\,"
+    r"\mathrm{d}t'\,\mathrm{d}\xi",
+)
+SLIPS_ALONG = Equation("what sticks keeps s, what slips bears", r"|q(x,t)| = \mu\,p(x,t)")
 
 LINE_FRICTION = Chapter(
     "line contact",
@@ -81,6 +89,26 @@ LINE_FRICTION = Chapter(
             ),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, SLIPPING, HISTORY, AHEAD, SHIFTED, MARCHED, LOST),
+        ),
+    },
+    relaxing={
+        "line_tangential": answer(
+            "winkler.problems.line_friction.tangential:LineTangential",
+            headline=(
+                "dissipation_per_length",
+                "stick_half_width",
+                "shear_force_per_length",
+                "slip_shift",
+                "loss_per_cycle_per_length",
+            ),
+            picture=Caption(
+                "line_tangential",
+                "The contact along its path",
+                "The loop of the shear force, and how the last contact sticks and slips.",
+            ),
+            curves=(("slip_shift", "shear_force_per_length"), ("shear_force_per_length", "dissipation_per_length")),
+            pictured=PicturedContact.NONE,
+            formulas=followed_by(pair_formulas, LOAD_PROFILE, CREPT_ALONG, SLIPS_ALONG),
         ),
     },
 )
