@@ -130,7 +130,7 @@ def test_many_targets_have_the_roots_of_few(name):
 
 
 def test_a_smooth_function_is_read_little_more_than_once_for_each_of_many_targets():
-    """Over four decades of the targets; one alone takes some six readings."""
+    """Over four decades of the targets; one alone takes four to six readings."""
     read = []
 
     def function(x):
