@@ -18,8 +18,6 @@ from __future__ import annotations
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"  # neither wheel gains from a second thread; must be set before they are imported
-if hasattr(os, "sched_setaffinity"):
-    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})  # winkler would take all cores for a height map
 
 import importlib.util
 import math

@@ -92,6 +92,55 @@ def test_one_answer_does_not_depend_on_the_others():
     np.testing.assert_allclose(together, alone, rtol=4e-16)
 
 
+MANY = {
+    "a bend": (lambda x: (x**2 + x**200.0, 2.0 * x + 200.0 * x**199.0), 0.0, 30.0, np.geomspace(1e-8, 1.5, 5000)),
+    "a pole": (
+        lambda x: (x * np.arctanh(x), np.arctanh(x) + x / ((1.0 - x) * (1.0 + x))),
+        0.0,
+        1.0,
+        1.0 - np.geomspace(1e-12, 0.999, 5000),
+    ),
+    "a flat": (
+        lambda x: ((x - 1.0) ** 1.5, 1.5 * np.sqrt(x - 1.0)),
+        1.0,
+        math.inf,
+        1.0 + np.geomspace(1e-9, 1e6, 5000),
+    ),
+    "a kink": (
+        lambda x: (np.where(x < 2.0, x, 10.0 * x - 18.0), np.where(x < 2.0, 1.0, 10.0)),
+        0.0,
+        9.0,
+        np.linspace(1e-3, 8.9, 5000),
+    ),
+    "a useless slope": (lambda x: (x**3, np.full_like(x, np.nan)), 0.0, 9.0, np.geomspace(1e-3, 8.0, 5000)),
+    "a root at the end": (lambda x: (x**2, 2.0 * x), 0.0, math.nextafter(3.0, 4.0), np.linspace(1e-3, 3.0, 5000)),
+}
+
+
+@pytest.mark.parametrize("name", MANY)
+def test_many_targets_have_the_roots_of_few(name):
+    """Unsorted, so that none of the roots may be taken for that of a neighbour."""
+    function, lower, upper, expected = MANY[name]
+    expected = np.random.default_rng(3).permutation(expected)
+    target = function(expected)[0]
+    together = invert(function, target, lower=lower, upper=upper, guess=1.5 if lower else 0.3)
+    few = [invert(function, own, lower=lower, upper=upper, guess=1.5 if lower else 0.3) for own in np.split(target, 25)]
+    np.testing.assert_allclose(together, np.concatenate(few), rtol=1e-14)
+    np.testing.assert_allclose(function(together)[0], target, rtol=1e-10)
+
+
+def test_a_smooth_function_is_read_little_more_than_once_for_each_of_many_targets():
+    """Over four decades of the targets; one alone takes four to six readings."""
+    read = []
+
+    def function(x):
+        read.append(x.size)
+        return x * np.sinh(x), np.sinh(x) + x * np.cosh(x)
+
+    invert(function, np.geomspace(1e-2, 1e2, 20_000), lower=0.0, upper=math.inf, guess=1.0)
+    assert sum(read) < 1.5 * 20_000
+
+
 def test_a_target_that_is_never_met():
     with pytest.raises(NotConverged, match="No contact radius bears the load"):
         invert(

@@ -106,11 +106,16 @@ def _between_samples(
     function: Callable[[Array], tuple[Array, Array]], target: Array, lower: float, upper: float, guess: float | Array
 ) -> Callable[[Array], Array]:
     """Return what says where to begin: on cubics between the roots of some targets, in logarithms of both."""
-    first, last = np.log([float(target.min()), float(target.max())]).tolist()
+    least, most = float(target.min()), float(target.max())
+    first, last = np.log([least, most]).tolist()
     if not last > first:
         return lambda own: np.full(own.shape, guess)
     samples, width = np.linspace(first, last, SAMPLES), (last - first) / (SAMPLES - 1)
-    roots = invert(function, np.exp(samples), lower=lower, upper=upper, guess=guess)
+    try:
+        # rounding must not ask for more than is met
+        roots = invert(function, np.clip(np.exp(samples), least, most), lower=lower, upper=upper, guess=guess)
+    except NotConverged:  # each target is searched for by itself, as a few are
+        return lambda own: np.full(own.shape, guess)
     value, slope = function(roots)
     distance = roots - lower
     if not np.all((slope > 0.0) & np.isfinite(slope) & (distance > 0.0)):

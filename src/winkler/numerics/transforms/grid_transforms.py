@@ -50,7 +50,7 @@ class Cuts:
     @property
     def wide(self) -> Array:
         """How wide the positive part of each cell is, in y [m^2]."""
-        return np.where(self.falls, self.place - self.start, self.stop - self.place)
+        return np.asarray(np.where(self.falls, self.place - self.start, self.stop - self.place))
 
     def positive(self, at_nodes: Array, at_place: Array) -> tuple[Array, Array]:
         """Return by how much something grows over the positive part of each cell, and over the whole cell.

@@ -126,4 +126,4 @@ class RingTransforms(GridTransforms):
 
     def springs_within(self, squares: Array) -> Array:
         """Return the integral of x^k from 0 to places in y: what springs displaced by one metre bear there."""
-        return self.moments(squares)[0]
+        return np.asarray(self.moments(squares)[0])
