@@ -95,14 +95,12 @@ def _resistance_panel(curve: Steady, item: Steady) -> Panel:
     if touching.sum() <= POINTS:
         marks.append(points(force[touching], requested[touching], name="requested"))
     low = (0.3 if len(parts) > 1 else 0.7) * float(np.min(whole.content))
-    is_sparse = bool(np.ptp(np.log10(whole.content)) > 0.8)
     upright = PanelAxis.of(
         whole,
         middle_scale(whole.word.unit, whole.content),
         low=low,
         high=1.6 * float(np.max(whole.content)),
         log=True,
-        sparse=is_sparse,
     )
     across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
     return Panel(tuple(marks), across, upright, legend="upper right", title="resistance over force")
