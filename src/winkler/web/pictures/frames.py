@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.rough.film import film_sheet, has_film
 from winkler.plot.series import name_in_words, series
 from winkler.plot.wear.wear import moment_panels
-from winkler.problems.answer import is_recovering, is_worn
+from winkler.problems.answer import is_dragged, is_recovering, is_worn
 from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.contents import answer_of
 from winkler.values.errors import InvalidInput
@@ -28,6 +28,8 @@ __all__ = ["frames_of"]
 
 MOST_FRAMES = 24
 """Of more moments so many are shown, at equal distances."""
+SPRINGS = "springs"
+"""Title of their panel, which keeps its frame by itself."""
 BEYOND = 0.05
 """Part of an axis that is left free beyond the curve with the moving point."""
 
@@ -54,7 +56,7 @@ def frames_of(point: SolvedPoint) -> Iterator[Sheet]:
     if moments.states and is_worn(moments.states[0]):
         for moment in chosen:
             panels = titled(moment_panels(moments.states, moment), "worn profile", "worn depth", "pressure")
-            yield Sheet(_in_one_frame(panels, panels), width=3.8, title=_title(point, moments, moment))
+            yield Sheet(panels, width=3.8, title=_title(point, moments, moment))
         return
     contacts = [contact_at(point, moments, moment)[0] for moment in chosen]
     if any(contact is None for contact in contacts):
@@ -63,7 +65,7 @@ def frames_of(point: SolvedPoint) -> Iterator[Sheet]:
     rows = [_panels(contact, bed, view) for contact in contacts]
     for moment, row in zip(chosen, rows, strict=True):
         shown = tuple(
-            _in_one_frame((panel,), [each[place] for each in rows])[0] if panel.title != "springs" else panel
+            panel if panel.title.startswith(SPRINGS) else _in_one_frame(panel, [each[place] for each in rows])
             for place, panel in enumerate(row)
         )
         panels = (*shown, *_course(point, moment))
@@ -83,22 +85,21 @@ def _view(contacts: list[Any]) -> View:
 
 
 def _panels(contact: Any, bed: Any, view: View) -> tuple[Panel, ...]:
-    springs = moment_springs(contact, bed, view).plus(title="springs")
+    told = "; pressed red, recovering green" if is_recovering(contact) else ""
+    told = "; sticking green, sliding red" if is_dragged(contact) else told
+    springs = moment_springs(contact, bed, view).plus(title=f"{SPRINGS}{told}", legend="")
     if is_recovering(contact):
         return (springs,)
     body = contact_panel(contact, view.extent).plus(title="pressure below the body")
     return body, springs, pressure(contact, view.extent).plus(title="pressure")
 
 
-def _in_one_frame(panels: Any, every: Any) -> tuple[Panel, ...]:
-    """Return panels with an upright axis that holds those of all moments."""
-    lows = [low for panel in every if (low := _end(panel, np.min, panel.upright.low)) is not None]
-    highs = [high for panel in every if (high := _end(panel, np.max, panel.upright.high)) is not None]
-    greatest = max(every, key=lambda panel: panel.upright.scale.factor).upright.scale
-    return tuple(
-        panel.plus(upright=dataclasses.replace(panel.upright, low=min(lows), high=max(highs), scale=greatest))
-        for panel in panels
-    )
+def _in_one_frame(panel: Panel, every: Sequence[Panel]) -> Panel:
+    """Return a panel with an upright axis that holds those of all moments."""
+    lows = [low for one in every if (low := _end(one, np.min, one.upright.low)) is not None]
+    highs = [high for one in every if (high := _end(one, np.max, one.upright.high)) is not None]
+    greatest = max(every, key=lambda one: one.upright.scale.factor).upright.scale
+    return panel.plus(upright=dataclasses.replace(panel.upright, low=min(lows), high=max(highs), scale=greatest))
 
 
 def _end(panel: Panel, of: Any, given: float | None) -> float | None:
