@@ -25,6 +25,7 @@ from sphinx_gallery.scrapers import figure_rst
 
 import winkler
 from winkler.calculators.single_page import calculator_page
+from winkler.cli import main as winkler_command
 from winkler.study.finding.finding import known, neighbours, words
 from winkler.study.ledger.ledger import case_files, ledger, remarks
 from winkler.study.ledger.ledger_page import markdown
@@ -249,6 +250,27 @@ def displayed_formula(writer: Any, node: Any) -> None:
     raise nodes.SkipNode
 
 
+FILMS = {
+    "pressed": ("normal/formula.toml", "problem.load.radius={from='0.02 mm',to='0.3 mm',count=24}"),
+    "pushed": ("friction/fretting_loop.toml", ""),
+    "sticky": ("adhesion/sticky_ball.toml", ""),
+    "relaxing": ("viscoelastic/cell_indentation.toml", ""),
+    "worn": ("wear/fretting_wear.toml", ""),
+}
+"""The films of the page on the method -> the study that moves there, and what is set in it."""
+
+
+def _films(app: Any) -> None:
+    """Draw the films of the page on the method; delete the folder to have them drawn anew."""
+    folder = Path(app.srcdir) / "films"
+    folder.mkdir(exist_ok=True)
+    for name, (study, setting) in FILMS.items():
+        path = folder / f"{name}.gif"
+        wanted = [str(Path(app.srcdir).parent / "examples" / "studies" / study), "--part", "film", "-o", str(path)]
+        if not path.exists() and winkler_command(["draw", *wanted, *(["--set", setting] if setting else [])]) != 0:
+            logging.getLogger(__name__).warning("the film %s is not drawn", path.name)
+
+
 def _calculators(app: Any, exception: Exception | None) -> None:
     """Put the page of calculators beside the pages of the manual."""
     if exception is None and app.builder.format == "html":
@@ -260,6 +282,7 @@ def setup(app: Any) -> None:
     warnings.filterwarnings("error", category=RuntimeWarning)
     warnings.filterwarnings("error", category=DeprecationWarning, module="winkler")
     app.add_html_math_renderer("mathml", (inline_formula, None), (displayed_formula, None))
+    app.connect("builder-inited", _films)
     app.connect("source-read", _fill)
     app.connect("build-finished", _calculators)
     app.connect("autodoc-process-docstring", _keep_sentences, priority=100)

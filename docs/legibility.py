@@ -89,7 +89,8 @@ def _unseen(axes: Any) -> list[Any]:
     found = []
     for axis in (axes.xaxis, axes.yaxis):
         low, high = sorted(axis.get_view_interval())
-        off = 1e-9 * (high - low)
+        low, high = (low * (1.0 - 1e-9), high * (1.0 + 1e-9)) if axis.get_scale() == "log" else (low, high)
+        off = 0.0 if axis.get_scale() == "log" else 1e-9 * (high - low)
         for tick in axis.get_major_ticks() + axis.get_minor_ticks():
             if not axes.axison or not low - off <= tick.get_loc() <= high + off:
                 found += [tick.label1, tick.label2]
@@ -155,8 +156,10 @@ def _shapes(axes: Any) -> Iterator[str]:
         if not joined or len(dots) < 3:
             continue
         inside = (dots >= box.min - 0.5).all(axis=1) & (dots <= box.max + 0.5).all(axis=1)
-        if len(dots) >= 8 and line.get_linestyle() == "-" and np.mean(inside) < CUT:
-            yield f"cut: {np.sum(~inside)} of {len(dots)} points of a curve {over}"
+        window = (dots[:, 0] >= box.x0 - 0.5) & (dots[:, 0] <= box.x1 + 0.5)
+        shown = inside[window] if window.any() else inside
+        if len(dots) >= 8 and line.get_linestyle() == "-" and np.mean(shown) < CUT:
+            yield f"cut: {np.sum(~shown)} of {len(shown)} points of a curve {over}"
         if len(dots) <= CORNERS and line.get_marker() in ("None", "", " ") and _turns(dots):
             yield f"polygon: a curve of {len(dots)} points {over}"
         if len(dots) >= 8:

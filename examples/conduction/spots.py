@@ -60,5 +60,7 @@ axes.loglog(
 axes.axhline(1e6 * one, color="0.6", linewidth=0.8)
 axes.set(xlabel="radius of the disc they lie in [mm]", ylabel="resistance [µΩ]", ylim=(8, 120))
 axes.set_title("dotted: each alone; solid grey: one spot of the same area", fontsize=9)
-axes.legend(frameon=False)
+axes.set_xticks([0.3, 0.5, 1.0, 2.0, 4.0], labels=["0.3", "0.5", "1", "2", "4"])
+axes.set_xticks([], minor=True)
+axes.legend(frameon=False, loc="lower left")
 plt.show()

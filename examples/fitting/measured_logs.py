@@ -27,9 +27,10 @@ for place in (0, 5, len(log.cycles) - 1):
     axes[0].plot(1e6 * log.displacement[low:end], log.force[low:end], ".", markersize=3, label=f"cycle {place + 1}")
 axes[0].plot(1e6 * loops.loop[0], loops.loop[1], "k", linewidth=1.0, label="fitted to the last")
 axes[0].set(xlabel="displacement [µm]", ylabel="friction force [N]")
-axes[0].legend(frameon=False)
+axes[0].margins(y=0.4)
+axes[0].legend(frameon=False, loc="upper left", ncols=2)
 axes[1].plot(np.arange(1, len(log.cycles) + 1), 1e6 * log.loss_per_cycle, ".")
-axes[1].set(xlabel="cycle", ylabel="loss per cycle [uJ]", ylim=(0, None))
+axes[1].set(xlabel="cycle", ylabel="loss per cycle [µJ]", ylim=(0, None))
 print(f"coefficient {loops.coefficient:.3f} ± {loops.coefficient_error:.1g}, made with 0.62")
 print(f"contact {loops.contact_stiffness / 1e6:.1f} MN/m, of the bed {loops.expected_stiffness / 1e6:.1f} MN/m")
 

@@ -41,7 +41,7 @@ x = np.linspace(0.0, 1.1 * limit.half_width, 800)
 left.plot(1e6 * x, 1e9 * limit.worn(x), "k:", label="the limit")
 left.set(xlabel="x [µm]", ylabel="worn depth [nm]", title="Worn off")
 right.set(xlabel="x [µm]", ylabel="pressure [GPa]", title="Pressure", ylim=(0.0, 1.6))
-left.legend(frameon=False)
+figure.legend(loc="outside lower center", ncols=7, frameon=False, fontsize=8.5)
 plt.show()
 
 # %%

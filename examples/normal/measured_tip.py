@@ -121,9 +121,9 @@ middle.set(xlabel="r [nm]", ylabel="pressure p [MPa]", xlim=(0, None), ylim=(0, 
 
 image = right.contourf(x * 1e9, z * 1e9, stress / 1e6, levels=12, cmap="viridis")
 right.plot([-contact.radius * 1e9, contact.radius * 1e9], [0, 0], "C3", linewidth=4, clip_on=False)
-right.set(xlabel="r [nm]", ylabel="z [nm]", aspect="equal", title="von Mises stress [MPa]; red: contact")
+right.set(xlabel="r [nm]", ylabel="z [nm]", aspect="equal", title="below the tip; red: contact")
 right.invert_yaxis()
-figure.colorbar(image, ax=right, location="bottom", shrink=0.9)
+figure.colorbar(image, ax=right, location="bottom", shrink=0.9, label="von Mises stress [MPa]")
 plt.show()
 
 print()

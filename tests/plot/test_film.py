@@ -12,14 +12,14 @@ from PIL import Image
 
 import winkler as wk
 from winkler.cli import main
-from winkler.plot import film
-from winkler.plot.panel import NO_CONTACT, Map
+from winkler.plot import film, style
+from winkler.plot.panel import NO_CONTACT, Map, Strokes
 from winkler.plot.rough.film import film_panels, film_sheet
 from winkler.problems.subsurface import traction_frames
 from winkler.study.batch.run import run
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.web.pictures import answer
+from winkler.web.pictures import answer, frames
 from winkler.web.pictures.moments import moments_of
 from winkler.web.pictures.view import NO_VIEW
 
@@ -115,3 +115,26 @@ def test_the_command_writes_a_film(tmp_path, capsys):
         assert picture.n_frames == 6
     assert main(["draw", str(study), "--part", "film", "--output", str(tmp_path / "rolls.png")]) == 2
     assert "does not end like a film; give .gif." in capsys.readouterr().err
+
+
+def example_frames(kind, monkeypatch):
+    """Return five frames of the example of a kind, and the solved point."""
+    monkeypatch.setattr(frames, "MOST_FRAMES", 5)
+    point = run(parse_study(tomli_w.dumps({"title": kind, **example_study(kind)}))).points[0]
+    return list(frames.frames_of(point)), point
+
+
+def test_a_pushed_body_moves_in_one_frame(monkeypatch):
+    sheets, point = example_frames("tangential", monkeypatch)
+    assert len(sheets) == 5
+    for panels in zip(*(sheet.panels for sheet in sheets), strict=True):
+        assert len({(panel.upright.low, panel.upright.high, panel.upright.scale) for panel in panels}) == 1
+    colours = [set(mark.colours) for sheet in sheets for mark in sheet.panels[1].marks if isinstance(mark, Strokes)]
+    assert style.GREEN in set().union(*colours)
+    last = [mark for mark in sheets[-1].panels[3].marks if mark.marker]
+    assert (float(last[0].x[0]), float(last[0].y[0])) == (point.solution.shift[-1], point.solution.shear_force[-1])
+
+
+def test_one_load_does_not_move(monkeypatch):
+    with pytest.raises(wk.InvalidInput, match="of one load does not move; give a path"):
+        example_frames("indentation", monkeypatch)

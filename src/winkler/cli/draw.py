@@ -25,7 +25,7 @@ PARTS = {
     "medium": "a coated or graded solid from its surface down, and the stiffness of its springs",
     "stress": "the stress below the surface; needs [fields] with r and z",
     "curve": "force, radius and stiffness over the depth, of a load that is a list",
-    "film": "stick, slip and traction of a sheared or rolling height map, state after state, as an animated .gif",
+    "film": "what moves, as an animated .gif: the body, its springs, what sticks or slides, the pressure",
 }
 
 
@@ -84,14 +84,15 @@ def draw(
 
 def _write_film(study: Path, settings: list[str] | None, point: int, path: Path, overwrite: bool) -> None:
     from winkler.io.whole_file import write_whole
-    from winkler.plot import film
+    from winkler.plot.animation import animated
     from winkler.study.language.reading import read_study
     from winkler.values.errors import InvalidInput
+    from winkler.web.pictures.frames import frames_of
 
     if path.suffix.lower() != ".gif":
         raise InvalidInput(f"draw: '{path}' does not end like a film; give .gif.")
     refuse_existing(path, overwrite, "draw: ")
-    write_whole({path: film(_solved(read_study(study, settings=settings or ()), point).solution)})
+    write_whole({path: animated(frames_of(_solved(read_study(study, settings=settings or ()), point)))})
     write_line(f"Written {path}")
 
 

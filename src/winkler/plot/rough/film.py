@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-import tempfile
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from winkler.numerics.types import Array
+from winkler.plot.animation import PER_SECOND, animated
 from winkler.plot.marks import Map
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, titled
 from winkler.plot.rough.shear import Zones, frame_of, traction_maps
@@ -18,10 +17,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.readable import scale_of
 
 __all__ = ["film", "film_panels", "film_sheet", "has_film"]
-
-PER_SECOND = 8
-"""States shown in a second."""
-DOTS_PER_INCH = 80
 
 
 def has_film(item: Any) -> bool:
@@ -54,23 +49,7 @@ def film(item: Any, *, per_second: float = PER_SECOND) -> bytes:
             f"film: {type(item).__name__} has no frames; give a solution of SurfaceTangential, SurfaceRolling or "
             "SurfaceRollingStart."
         )
-    if not per_second > 0.0:
-        raise InvalidInput(f"film: per_second is {per_second!r}; give a positive number.")
-    from matplotlib.animation import PillowWriter
-
-    from winkler.plot.render import render
-
-    writer = PillowWriter(fps=per_second)  # type: ignore[arg-type]
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "film.gif")
-        for place, frame in enumerate(item.frames):
-            figure = render(film_sheet(item, frame.index))
-            if place == 0:
-                writer.setup(figure, path, dpi=DOTS_PER_INCH)
-            writer.fig = figure
-            writer.grab_frame()
-        writer.finish()
-        return path.read_bytes()
+    return animated((film_sheet(item, frame.index) for frame in item.frames), per_second=per_second)
 
 
 def film_sheet(item: Any, index: int) -> Sheet:
