@@ -50,7 +50,6 @@ TO_MEND = {
     ("surface_conduction", "answer_surface"),
     ("surface_constriction", "answer_surface"),
     ("surface_friction_heating", "answer_surface_heating"),
-    ("surface_rolling", "answer_surface"),
     ("thermal_joint", "answer_surface"),
     ("true_area", "answer_surface"),
 }

@@ -113,6 +113,7 @@ def test_noise_of_the_position_is_no_unloading(compliance):
     assert np.max(np.abs(off - curve.force)[loading]) < 5.0 * 2e-8 * np.max(np.abs(slope[loading])) + 1e-4 * top
 
 
+@pytest.mark.slow
 def test_one_tip_that_is_similar_to_itself_tells_one_number():
     """Under a cone strength and exponent go together: one load of any depth is as good as all."""
     curve = measured(4, COPPER, profile=wk.Cone(1.2), count=200)

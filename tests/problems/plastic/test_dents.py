@@ -151,6 +151,7 @@ def test_far_beyond_yield_the_strength_is_a_power_of_the_rebound():
     assert found.of_load == pytest.approx(0.4, rel=0.05)
 
 
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(("of_velocity", "of_restitution", "count"), [(2e-3, 0.01, 60), (0.0, 0.01, 60)])
 def test_errors_of_blows_are_those_of_many_measurements(of_velocity, of_restitution, count):
     """Intervals of 95 % hold no fewer than one of 92 % does once in a thousand tests, and are not far too wide."""
