@@ -1,4 +1,4 @@
-"""Lines on thin and thick layers, soft and stiff to a factor of a million, incompressible: equations of another kind."""
+"""Lines on thin and thick layers, a million times softer or stiffer, incompressible: equations of another kind."""
 
 from __future__ import annotations
 
