@@ -30,6 +30,7 @@ DEPTHS = np.linspace(0.0, 1e-6, 201)[1:]
 """Up to a contact three times wider than the coating is thick."""
 SKIN = DepthGradedHalfSpace(ExponentialGrading(70e9, 210e9, depth_scale=3e-6, poisson=0.3))
 STEEP = DepthGradedHalfSpace(ExponentialGrading(2.1e9, 210e9, depth_scale=3e-6, poisson=0.3))
+STEEPEST = DepthGradedHalfSpace(ExponentialGrading(0.21e9, 210e9, depth_scale=3e-6, poisson=0.3))
 
 
 def bench_first_stiffness(benchmark, below):
@@ -63,11 +64,35 @@ def bench_first_stiffness_of_a_grading(benchmark, below):
     below(1.0, "graded in depth (E ratio 100, tolerance 1e-6), k of one radius, from nothing")
 
 
-@pytest.mark.parametrize(("medium", "ratio"), [(SKIN, 3), (STEEP, 100)], ids=["3", "100"])
-def bench_force_curve_on_a_grading(benchmark, below, medium, ratio):
+@pytest.mark.parametrize(
+    ("medium", "ratio", "target"), [(SKIN, 3, 2.0), (STEEP, 100, 2.0), (STEEPEST, 1000, 3.0)], ids=["3", "100", "1000"]
+)
+def bench_force_curve_on_a_grading(benchmark, below, medium, ratio, target):
     """200 depths on a body graded in depth."""
     _is_its_own_derivative(benchmark.pedantic(_curve, args=(medium,), setup=forget, rounds=3))
-    below(2.0, f"graded in depth (E ratio {ratio}, tolerance 1e-6), F at 200 depths, from nothing")
+    below(target, f"graded in depth (E ratio {ratio}, tolerance 1e-6), F at 200 depths, from nothing")
+
+
+def bench_force_curve_of_the_same_ratio(benchmark, below):
+    """200 depths on a body graded in depth that differs from one before by its moduli and its depth alone."""
+    _curve(SKIN)
+    numbers = iter(range(1, 100))
+
+    def alike():
+        by = 1.0 + 0.01 * next(numbers)
+        return _curve(DepthGradedHalfSpace(ExponentialGrading(70e9 * by, 210e9 * by, 3e-6 * by, poisson=0.3)))
+
+    _is_its_own_derivative(benchmark.pedantic(alike, rounds=5))
+    below(0.1, "graded in depth, F at 200 depths, another modulus and depth of the same ratio")
+
+
+@pytest.mark.parametrize("contrast", [1e6, 1e-6])
+def bench_wide_punches_on_a_million(benchmark, below, contrast):
+    """k a thousand times as wide as the layer is thick."""
+    medium = CoatedHalfSpace([Layer(wk.Elastic(210e9 * contrast, 0.3), 1e-6)], on=wk.Elastic(210e9, 0.3))
+    k = benchmark.pedantic(medium.punch_stiffness, args=(np.array(1e-3),), setup=forget, rounds=3)
+    assert (float(k) > 2.0 * 210e9 / 0.91 * 1e-3) == (contrast > 1.0)
+    below(1.0, f"coating of {contrast:g} times the modulus, k at a/h = 1000, from nothing")
 
 
 @pytest.mark.parametrize(("medium", "what"), [(STACK, "three-layer coating"), (SKIN, "graded in depth")])

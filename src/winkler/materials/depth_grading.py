@@ -156,9 +156,9 @@ class SigmoidalGrading(_SmoothGrading):
 
     def in_units(self, modulus: float, length: float) -> SigmoidalGrading:
         """Return the same grading in units of a modulus [Pa] and a length [m]."""
-        moduli = (rounded(young / modulus) for young in (self.surface_young, self.deep_young))
-        depths = (rounded(depth / length) for depth in (self.transition_depth, self.transition_width))
-        return SigmoidalGrading(*moduli, *depths, self.poisson)
+        surface, deep = rounded(self.surface_young / modulus), rounded(self.deep_young / modulus)
+        depth, width = rounded(self.transition_depth / length), rounded(self.transition_width / length)
+        return SigmoidalGrading(surface, deep, depth, width, self.poisson)
 
 
 @value
@@ -219,6 +219,6 @@ class TabulatedGrading:
 
     def in_units(self, modulus: float, length: float) -> TabulatedGrading:
         """Return the same grading in units of a modulus [Pa] and a length [m]."""
-        depths = [rounded(depth / length) for depth in self.depths.tolist()]
-        youngs = [rounded(young / modulus) for young in self.youngs.tolist()]
+        depths = np.array([rounded(depth / length) for depth in self.depths.tolist()])
+        youngs = np.array([rounded(young / modulus) for young in self.youngs.tolist()])
         return TabulatedGrading(depths, youngs, self.poissons)

@@ -1,4 +1,4 @@
-"""Lines on thin and thick layers, soft and stiff to a factor of a million, incompressible: equations of another kind."""
+"""Lines on thin and thick layers, a million times softer or stiffer, incompressible: equations of another kind."""
 
 from __future__ import annotations
 
@@ -61,3 +61,22 @@ def test_wide_lines_squeeze_a_film(poisson):
     assert abs(misfits[-1]) < 0.01
     assert misfits[0] / misfits[1] == pytest.approx(2.0, rel=0.02)
     assert misfits[1] / misfits[2] == pytest.approx(2.0, rel=0.01)
+
+
+def test_another_modulus_solves_no_equation(monkeypatch):
+    """Loads over E* under strips of one width are those of all layers of the same ratios; a new ratio is solved."""
+    from winkler.foundation import layered_line
+
+    def load(unit: float, base: float) -> float:
+        medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(unit, 0.3), 1.0)], on=wk.Elastic(base * unit, 0.2))
+        return float(wk.LayeredLineFoundation(wk.Paraboloid(2.0), medium).load_profile(np.array([0.7]))[0])
+
+    first = load(1.0, 3.0)
+
+    def refused(*given):
+        raise AssertionError("solved again")
+
+    monkeypatch.setattr(layered_line, "strip_responses", refused)
+    assert load(2.1e11, 3.0) == pytest.approx(first, rel=1e-12)
+    with pytest.raises(AssertionError, match="solved again"):
+        load(2.1e11, 3.5)

@@ -16,7 +16,7 @@ import functools
 
 import numpy as np
 
-from winkler.materials.elastic import RIGID, Elastic
+from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.media.layered.stack import Layered, StackBody
 from winkler.media.layered.wave_constants import Body, Wave, half_space_compliance
 from winkler.numerics.caching import rounded
@@ -74,7 +74,7 @@ class WavePair:
         return sum(abs(weight) * half_space_compliance(self.second, part) for part, weight in self._unit)
 
     @property
-    def _own_second(self) -> Body:
+    def _own_second(self) -> Solid:
         """The second body in the unit of the first; only its compliance matters: it is one without Poisson's ratio."""
         if not self.added:
             return RIGID
