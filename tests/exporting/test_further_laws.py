@@ -78,9 +78,9 @@ def test_a_dented_ball_is_that_of_its_problem(bodies, tolerance):
     np.testing.assert_allclose(
         found[:, 2] ** 2, true.radius**2, rtol=0.0, atol=10.0 * tolerance * np.max(true.radius) ** 2
     )
-    # the problem sums its work to 1e-7 and better
+    # the problem sums its work by cubics, to 1e-7, and to 4e-7 where the law of metals that harden has a bend
     lost = np.max(true.dissipation)
-    np.testing.assert_allclose(found[:, 5], true.dissipation, rtol=0.0, atol=(3.0 * tolerance + 3e-7) * lost)
+    np.testing.assert_allclose(found[:, 5], true.dissipation, rtol=0.0, atol=(3.0 * tolerance + 1e-6) * lost)
     # the stiffness is the slope of the force while it is let go
     near = steps.trace(np.array([[2e-5], [1.5e-5], [1.5e-5 + 1e-10]]))
     assert (near[2, 0] - near[1, 0]) / 1e-10 == pytest.approx(near[1, 1], rel=1e-3)

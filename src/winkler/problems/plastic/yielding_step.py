@@ -79,9 +79,9 @@ def step_yielding(
     memory[0] = max(memory[0], d)
     greatest = memory[0]
     if greatest <= law[2]:
-        f, k, e = follow_table(depth, force, stiffness, energy, d)
+        f, slope, e = follow_table(depth, force, stiffness, energy, d)
         answer[0] = f
-        answer[1] = k
+        answer[1] = slope
         answer[2] = math.sqrt(law[0] * max(d, 0.0))
         answer[3] = 0.0
         answer[4] = e
