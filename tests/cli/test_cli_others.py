@@ -326,7 +326,7 @@ def test_new_does_not_replace_a_file_without_consent(here, capsys):
         ),
         (
             ["--load", "forces"],
-            "load: 'forces' is not known (did you mean 'force'?); there are force, depth, radius, line_force",
+            "load: 'forces' is not known (did you mean 'force'?); there are force, depth, radius, blow",
         ),
         (
             ["--output", "no/where.toml"],

@@ -24,6 +24,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contact_law import ContactLaw
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.conical import Cone
 from winkler.profiles.ellipse import CurvedBodies
@@ -36,6 +37,7 @@ GEL = Foundation(Paraboloid(1e-2), ViscoelasticHalfSpace(Maxwell(shear=1e6, rela
 DAMPED = Foundation(Paraboloid(1e-2), ViscoelasticHalfSpace(KelvinVoigt(shear=1e6, viscosity=2e5)))
 RUBBER = Foundation(Paraboloid(1e-3), HalfSpace.between(Elastic(1e6, 0.5)))
 THERE_AND_BACK = Path([0.0, 1.0, 2.0], Depth([0.0, 1e-6, 0.5e-6]), Shift([0.0, 2e-7, -2e-7]))
+METAL = Elastic(young=210e9, poisson=0.3, strength=1e9)
 POWDER = Elastic(young=1e9, poisson=0.3, strength=20e6)
 
 PROBLEMS = {
@@ -48,6 +50,7 @@ PROBLEMS = {
     "sticky": AdhesiveCycle(RUBBER, ShortRange(work_closing=0.02, work_opening=0.05), Depth([10e-6, -1e-5])),
     "pulled": AdhesiveCycle(BALL, DerjaguinMullerToporov(0.05), Depth([3e-8, 0.0])),
     "damped": ViscoelasticIndentation(DAMPED, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
+    "dented": PlasticIndentation(Foundation(Paraboloid(5e-3), HalfSpace(METAL)), Depth([2e-5, 0.0])),
     "ellipse": EllipticIndentation(CurvedBodies(20e-3, 10e-3), STEEL, Force(100.0)),
     "gel": ViscoelasticIndentation(GEL, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
 }

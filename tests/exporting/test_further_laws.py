@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from exported_laws import DAMPED, GEL, GLASS, POWDER, PROBLEMS, RUBBER, STEEL, random_motions
+from exported_laws import DAMPED, GEL, GLASS, METAL, POWDER, PROBLEMS, RUBBER, STEEL, random_motions
 
 from winkler.cli import main
 from winkler.exporting.choose import law_of
@@ -15,6 +15,9 @@ from winkler.laws.adhesion import ShortRange
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
+from winkler.materials.elastic import Elastic
+from winkler.materials.hardening import PowerHardening
+from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -23,8 +26,11 @@ from winkler.problems.impact.impact import Impact
 from winkler.problems.normal.elliptic import EllipticIndentation
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
+from winkler.problems.plastic.impact import PlasticImpact
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.profiles.conical import Cone
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 from winkler.values.errors import InvalidInput
@@ -54,7 +60,44 @@ def test_a_damped_ball_is_that_of_springs_that_let_go():
     assert np.min(law(PROBLEMS["damped"]).trace(random_motions(law(PROBLEMS["damped"]), 1, 500)[0])[:, 0]) >= 0.0
 
 
-@pytest.mark.parametrize("name", ["beads", "sheared", "powder", "sticky", "pulled", "gel"])
+@pytest.mark.parametrize(
+    "bodies", [(METAL,), (METAL, Elastic(70e9, 0.33, 0.3e9)), (PowerHardening(120e9, 0.34, 0.1e9, exponent=0.3),)]
+)
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
+def test_a_dented_ball_is_that_of_its_problem(bodies, tolerance):
+    """Loaded, let go and loaded again at random: the kernel against the problem, to the error of the table."""
+    bed = Foundation(Paraboloid(5e-3), HalfSpace(*bodies))
+    steps = law_of(PlasticIndentation(bed, Depth([2e-5, 0.0])), tolerance=tolerance, count=6)
+    random = np.random.default_rng(5)
+    depth = np.append(2e-5 * random.uniform(-0.2, 1.0, 300) * np.linspace(0.01, 1.0, 300), [2e-5, 1e-12, 2e-5])
+    found, true = steps.trace(depth[:, np.newaxis]), PlasticIndentation(bed, Depth(depth)).solve()
+    for column, name in ((0, "force"), (3, "residual_depth"), (4, "energy")):
+        expected = getattr(true, name)
+        np.testing.assert_allclose(found[:, column], expected, rtol=0.0, atol=3.0 * tolerance * np.max(expected))
+    # the edge is a root of the depth: where the bodies are about to part it errs by the root of the error
+    np.testing.assert_allclose(
+        found[:, 2] ** 2, true.radius**2, rtol=0.0, atol=10.0 * tolerance * np.max(true.radius) ** 2
+    )
+    # the problem sums its work by cubics, to 1e-7, and to 4e-7 where the law of metals that harden has a bend
+    lost = np.max(true.dissipation)
+    np.testing.assert_allclose(found[:, 5], true.dissipation, rtol=0.0, atol=(3.0 * tolerance + 1e-6) * lost)
+    # the stiffness is the slope of the force while it is let go
+    near = steps.trace(np.array([[2e-5], [1.5e-5], [1.5e-5 + 1e-10]]))
+    assert (near[2, 0] - near[1, 0]) / 1e-10 == pytest.approx(near[1, 1], rel=1e-3)
+    assert np.all(np.isnan(steps.trace(np.array([[2.1e-5]]))))
+
+
+def test_a_blow_on_metal_is_the_law_up_to_its_deepest_point():
+    struck = PlasticImpact(Foundation(Paraboloid(5e-3), HalfSpace(METAL)), 4.1e-3, np.array([0.1, 1.0]))
+    steps = law(struck)
+    assert steps.tables[0].numbers[-1] == pytest.approx(struck.solve().greatest_depth[1], rel=1e-12)
+    with pytest.raises(InvalidInput, match="give a Paraboloid on a HalfSpace"):
+        law(PlasticIndentation(Foundation(Cone(1.2), HalfSpace(METAL)), Depth([1e-6])))
+    with pytest.raises(InvalidInput, match="PlasticImpact is no contact law"):
+        law(PlasticImpact(struck.bed, 4.1e-3, 1.0, Coulomb(0.2), 1.0))
+
+
+@pytest.mark.parametrize("name", ["beads", "sheared", "powder", "sticky", "pulled", "gel", "dented"])
 def test_a_law_of_every_radius_is_the_law_of_that_radius(name):
     """Written for R, and given three times as much: what the law says that was written for the greater balls."""
     greater = {
@@ -69,6 +112,7 @@ def test_a_law_of_every_radius_is_the_law_of_that_radius(name):
             Foundation(Paraboloid(3e-3), RUBBER.medium),
             ShortRange(work_closing=0.02, work_opening=0.05), Depth([30e-6, -1e-5]),
         ),
+        "dented": PlasticIndentation(Foundation(Paraboloid(15e-3), HalfSpace(METAL)), Depth([6e-5, 0.0])),
         "pulled": AdhesiveCycle(Foundation(Paraboloid(3e-3), STEEL), PROBLEMS["pulled"].law, Depth([9e-8, 0.0])),
         "gel": ViscoelasticIndentation(
             Foundation(Paraboloid(3e-2), ViscoelasticHalfSpace(GEL.medium.first)),

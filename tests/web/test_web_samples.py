@@ -12,7 +12,7 @@ from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study
 from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form
-from winkler.web.form.sample_curve import RELAXING_SAMPLE, SAMPLE, SAMPLES
+from winkler.web.form.sample_curve import METAL_SAMPLE, RELAXING_SAMPLE, SAMPLE, SAMPLES
 from winkler.web.form.study_form import StudyForm
 from winkler.web.page.serve import WithoutCancelled
 
@@ -28,12 +28,19 @@ def entered(tmp_path):
 
 
 def test_each_model_begins_with_a_sample_of_its_own(entered):
-    for kind, curve in zip(FITTED, (SAMPLE, SAMPLE, RELAXING_SAMPLE), strict=True):
+    for kind, curve in zip(FITTED, (SAMPLE, SAMPLE, METAL_SAMPLE, RELAXING_SAMPLE), strict=True):
         entered.choose("problem", kind)
         assert entered.content("fit.curve") == curve
     form.put(entered.table, "fit.curve", "mine.csv")
     entered.choose("problem", FITTED[0])
     assert entered.content("fit.curve") == "mine.csv"
+
+
+def test_the_metal_sample_is_fitted_without_a_mistake(entered):
+    entered.choose("problem", "plastic_indentation")
+    study = parse_fit_study(tomli_w.dumps(entered.table), file="study.toml", folder=entered.folder)
+    fit = fit_study(study).fitted[0].fit
+    assert fit.value(study.free[0].path) == pytest.approx(400e6, rel=5e-3)
 
 
 @pytest.mark.slow

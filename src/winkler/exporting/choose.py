@@ -13,9 +13,11 @@ from winkler.exporting.laws.normal import normal_law
 from winkler.exporting.laws.particle import adhesive_law, particle_law
 from winkler.exporting.laws.relaxing import relaxing_law
 from winkler.exporting.laws.sheared import sheared_law
+from winkler.exporting.laws.yielding import yielding_law
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import inputs_of
 from winkler.laws.adhesion import DerjaguinMullerToporov
+from winkler.laws.friction import Coulomb
 from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
 from winkler.problems.adhesion.cycle import AdhesiveCycle
@@ -28,6 +30,8 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contact_law import ContactLaw, ContactLawSolution
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
+from winkler.problems.plastic.impact import PlasticImpact
+from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.power import Paraboloid
@@ -40,6 +44,8 @@ LAWS = {
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
     "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
+    "PlasticIndentation": "a ball on metal that yields, pressed, let go and pressed again, up to the deepest point",
+    "PlasticImpact": "the same, up to the deepest point of the fastest impact",
     "EllipticIndentation": "two bodies of unlike curvatures, up to the deepest load",
     "Impact": "a body of revolution that strikes; with friction if it moves along the surface",
     "AdhesiveCycle": "a ball with adhesion (JKR with hysteresis, or DMT), up to the deepest point of the path",
@@ -85,6 +91,8 @@ def law_of(problem: Any, *, tolerance: float, count: int) -> StepLaw:
             law = sheared_law(problem, tolerance, count, inputs)
         case ElasticPlasticParticle():
             law, radius = particle_law(problem, inputs), problem.curvature_radius
+        case PlasticIndentation():
+            law = yielding_law(problem, _deepest(problem), tolerance, inputs)
         case AdhesiveCycle(law=DerjaguinMullerToporov(work=work)):
             law = attracted_law(problem, work, tolerance, inputs)
         case AdhesiveCycle():
@@ -107,6 +115,9 @@ def _with_path(problem: Any) -> Any:
         case AdhesiveIndentation() | AdhesiveImpact():
             path = Depth(np.array([_deepest(problem), 0.0]))
             return AdhesiveCycle(problem.bed, problem.law, path)
+        case PlasticImpact(law=Coulomb(coefficient=0.0)):
+            deepest = float(np.max(problem.solve().greatest_depth))
+            return PlasticIndentation(problem.bed, Depth(np.array([deepest])))
         case Impact(lateral_velocity=0.0, angular_velocity=0.0):
             return Indentation(problem.bed, Depth(_deepest(problem)))
         case Impact():

@@ -16,11 +16,12 @@ from winkler.problems.particles.damped_step import step_damped
 from winkler.problems.particles.particle_step import step_particle
 from winkler.problems.particles.sheared_step import step_sheared
 from winkler.problems.particles.table_step import step_attracted, step_table
+from winkler.problems.plastic.yielding_step import step_yielding
 from winkler.problems.viscoelastic.relaxing_step import step_relaxing
 
 __all__ = [
     "first_beyond", "loop_attracted", "loop_balls", "loop_damped", "loop_particles", "loop_relaxing", "loop_sheared",
-    "loop_table",
+    "loop_table", "loop_yielding",
 ]  # fmt: skip
 
 Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
@@ -116,6 +117,24 @@ def loop_particles(
         k = kind[i] if kind.size > 1 else kind[0]
         motion[0] = pressed[i] if pressed.size > 1 else pressed[0]
         step_particle(law[k], memory[i], motion, answer)
+        for j in range(kept.size):
+            out[i, j] = answer[kept[j]]
+
+
+@compiled
+def loop_yielding(
+    first: int, last: int, kind: Whole, depth: Array, force: Array, stiffness: Array, energy: Array, square: Array,
+    square_slope: Array, share: Array, share_slope: Array, law: Array, memory: Array, pressed: Array, motion: Array,
+    answer: Array, kept: Whole, out: Array,
+) -> None:  # fmt: skip
+    """Let balls on metals that yield do a step."""
+    for i in range(first, last):
+        k = kind[i] if kind.size > 1 else kind[0]
+        motion[0] = pressed[i] if pressed.size > 1 else pressed[0]
+        step_yielding(
+            depth[k], force[k], stiffness[k], energy[k], square[k], square_slope[k], share[k], share_slope[k], law[k],
+            memory[i], motion, answer,
+        )  # fmt: skip
         for j in range(kept.size):
             out[i, j] = answer[kept[j]]
 

@@ -18,6 +18,7 @@ from winkler.exporting.many.loops import (
     loop_relaxing,
     loop_sheared,
     loop_table,
+    loop_yielding,
 )
 from winkler.exporting.step_law import StepLaw
 from winkler.numerics.jit import Kernel
@@ -61,6 +62,7 @@ LOOPS: dict[str, ContactLoop] = {
     "step_sheared": ContactLoop(loop_sheared, True, ("depth", "motion"), ("displaced",), ("depth", -1)),
     "step_ball": ContactLoop(loop_balls, False, ("depth", "motion", "twist", "roll"), ("displaced",), ("law", 5)),
     "step_particle": ContactLoop(loop_particles, False, ("depth",), (), ("law", 10)),
+    "step_yielding": ContactLoop(loop_yielding, False, ("depth",), (), ("depth", -1)),
     "step_damped": ContactLoop(loop_damped, True, ("depth", "duration"), (), ("depth", -1)),
     "step_relaxing": ContactLoop(loop_relaxing, True, ("depth", "duration"), ("place", "memory"), ("solid", 2)),
 }

@@ -347,9 +347,10 @@ class PlasticImpactSolution(PerLoad[Q]):
         if widest > curve.onset:
             rate = float(np.max(0.2 * bed.slope(radius) / np.ravel(self.duration)))
             notes.append(_rate_note(rate))
-        if problem.law.coefficient > 0.0 and np.any(np.asarray(problem.sliding_velocity)):
-            sticking = sticking_note(bed.medium, problem.law.coefficient)
-            notes += [SHEAR_LEFT_OUT, sticking, *direction_notes(bed)]
+        if (coefficient := problem.law.coefficient) > 0.0:
+            notes += [sticking_note(bed.medium, coefficient), *direction_notes(bed)]
+            if np.any(np.asarray(problem.sliding_velocity)):
+                notes.append(SHEAR_LEFT_OUT)
         return tuple(notes)
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import functools
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 __all__ = ["Kind", "Words", "is_a", "kind", "path_of"]
@@ -45,6 +46,8 @@ class Kind(NamedTuple):
     """Value of an example study that contains the kind, where the kind alone would have no solution."""
     problem: str = ""
     """Problem of an example study, where the first one that has a place for the kind would refuse it."""
+    beside: Mapping[str, Any] = MappingProxyType({})
+    """Other keys of what holds it in an example study, where it would be refused beside those of its example."""
     words: Words = Words()
     """What people call it; a kind without words is found by its name alone."""
 
@@ -83,6 +86,7 @@ def kind(
     reader: str = "",
     within: dict[str, Any] | list[dict[str, Any]] | None = None,
     problem: str = "",
+    beside: Mapping[str, Any] = MappingProxyType({}),
     en: str = "",
     de: str = "",
     fr: str = "",
@@ -90,4 +94,4 @@ def kind(
     **example: Any,
 ) -> Kind:
     """Return a line: the path of a class, its papers, what people call it (see `Words`), and an example."""
-    return Kind(path, example, cites, reader, within, problem, Words(en, de, fr, key))
+    return Kind(path, example, cites, reader, within, problem, beside, Words(en, de, fr, key))

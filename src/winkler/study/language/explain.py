@@ -260,5 +260,6 @@ def _placed(table: dict[str, Any], kind: str) -> bool:
         if kind not in there:
             example = _completed(kinds()[kind].within or {"kind": kind})
             table[places[0]] = [example] if listed and not isinstance(example, list) else example
+            table.update({key: _completed(content) for key, content in kinds()[kind].beside.items()})
         return True
     return any(_placed(inside, kind) for inside in table.values() if isinstance(inside, dict) and "kind" in inside)

@@ -11,6 +11,8 @@ from winkler.study.language.fit_study import FITTED, OF_A_CURVE, OF_A_TIMED_CURV
 from winkler.values.vocabulary import Word
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
+from winkler.web.form.sample_curve import METAL_SAMPLE as METAL_SAMPLE_CURVE
+from winkler.web.form.sample_curve import RELAXING_SAMPLE
 from winkler.web.form.typed import field_text
 
 __all__ = [
@@ -59,6 +61,8 @@ VISCOELASTIC_SAMPLE = {
 }
 SAMPLES = {RELAXES: VISCOELASTIC_SAMPLE, YIELDS: METAL_SAMPLE}
 """What kinds of models are pressed into, unless it is elastic."""
+OWN_SAMPLES = {RELAXES: RELAXING_SAMPLE, YIELDS: METAL_SAMPLE_CURVE}
+"""The made curves to which these can be fitted."""
 NUMERIC = ("quantity", "number", "list of quantity", "list of number")
 
 

@@ -1,4 +1,4 @@
-"""The curves with which the form of a fit begins: made ones, a ball on a gel and on a body that relaxes."""
+"""The curves with which the form of a fit begins: made ones, a ball on a gel, a body that relaxes, and a metal."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["RELAXING_SAMPLE", "SAMPLE", "SAMPLES", "SAMPLE_REMARKS", "sample_curve", "sample_of"]
+__all__ = ["METAL_SAMPLE", "RELAXING_SAMPLE", "SAMPLE", "SAMPLES", "SAMPLE_REMARKS", "sample_curve", "sample_of"]
 
-SAMPLE, RELAXING_SAMPLE = "sample_curve.csv", "sample_relaxing_curve.csv"
+SAMPLE, RELAXING_SAMPLE, METAL_SAMPLE = "sample_curve.csv", "sample_relaxing_curve.csv", "sample_metal_curve.csv"
 RADIUS, YOUNG, POISSON, NOISE = 5e-6, 4e3, 0.5, 2e-11
 """Of the tip [m], E [Pa] and Poisson's ratio of the gel, and the standard deviation of the force [N]."""
 SHEAR, EXPONENT, SPEED, DEEPEST, HOLD = 1.5e3, 0.15, 1e-6, 8e-7, 3.0
@@ -20,13 +20,17 @@ SAMPLE_REMARKS = {
         "A made curve, not a measurement: a ball of 5 um on a body of G = 1.5 kPa (t / 1 s)^-0.15, approach and hold, "
         "with noise. Upload your own."
     ),
+    METAL_SAMPLE: (
+        "A made curve, not a measurement: a ball of 5 um on a metal of 210 GPa that yields at 400 MPa, pressed and "
+        "let go, with noise. Upload your own."
+    ),
 }
 """File -> what it is."""
 
 
-def sample_of(curve: Any, *, relaxes: bool) -> Any:
-    """Return the sample that a model can be fitted to, in place of another sample; other curves stay."""
-    return (RELAXING_SAMPLE if relaxes else SAMPLE) if curve in SAMPLE_REMARKS else curve
+def sample_of(curve: Any, own: str) -> Any:
+    """Return the sample of a model in place of another sample; other curves stay."""
+    return own if curve in SAMPLE_REMARKS else curve
 
 
 def sample_curve() -> bytes:
@@ -61,5 +65,23 @@ def relaxing_sample_curve() -> bytes:
     return ("\n".join((head, "time [s], depth [nm], force [nN]", *rows)) + "\n").encode()
 
 
-SAMPLES = {SAMPLE: sample_curve, RELAXING_SAMPLE: relaxing_sample_curve}
+def metal_sample_curve() -> bytes:
+    """Return the text of the curve of a metal: the forces of `PlasticIndentation` over the depth, with white noise."""
+    from winkler.foundation.foundation import Foundation
+    from winkler.loading.loads import Depth
+    from winkler.materials.elastic import Elastic
+    from winkler.media.halfspace import HalfSpace
+    from winkler.problems.plastic.indentation import PlasticIndentation
+    from winkler.profiles.power import Paraboloid
+
+    depth = np.concatenate([np.linspace(-8e-9, 2e-8, 180), np.linspace(2e-8, -2e-9, 120)])
+    bed = Foundation(Paraboloid(RADIUS), HalfSpace(Elastic(210e9, 0.3, strength=400e6)))
+    force = PlasticIndentation(bed, Depth(depth)).solve().force
+    force = force + 1e-3 * force.max() * np.random.default_rng(3).standard_normal(depth.size)
+    rows = (f"{1e9 * d:.4f}, {1e6 * f:.4f}" for d, f in zip(depth, force, strict=True))
+    head = "# NOT a measurement: a ball of 5 um on a metal of 210 GPa that yields at 400 MPa, with noise"
+    return ("\n".join((head, "depth [nm], force [uN]", *rows)) + "\n").encode()
+
+
+SAMPLES = {SAMPLE: sample_curve, RELAXING_SAMPLE: relaxing_sample_curve, METAL_SAMPLE: metal_sample_curve}
 """File -> what makes it."""

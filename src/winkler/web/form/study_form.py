@@ -15,7 +15,7 @@ from winkler.web.form.carry import carried, is_sound, leaves, named_numbers
 from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
 from winkler.web.form.ranges import range_content
-from winkler.web.form.sample_curve import sample_of
+from winkler.web.form.sample_curve import SAMPLE, sample_of
 from winkler.web.form.typed import typed
 
 __all__ = ["TASKS", "StudyForm"]
@@ -104,7 +104,7 @@ class StudyForm:
             return form.initial_table(kind)
         table = fit_form.initial_table(kind)
         table["fit"] |= measurement_form.kept(self.table)
-        table["fit"]["curve"] = sample_of(table["fit"]["curve"], relaxes=kind == fit_form.RELAXES)
+        table["fit"]["curve"] = sample_of(table["fit"]["curve"], fit_form.OWN_SAMPLES.get(kind, SAMPLE))
         return table
 
     def _ask(self, kind: str) -> None:
