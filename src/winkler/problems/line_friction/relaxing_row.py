@@ -260,7 +260,8 @@ class RelaxingElementRow(ElementRow):
         edges = elements.scale * elements.edges[elements.x.size // 2 :]
         half = 0.5 * np.diff(np.minimum(edges, state.half_width))
         places = edges[:-1, None] + half[:, None] * (1.0 + GAUSS)
-        sums = half * (np.where(half[:, None] > 0.0, state.pressure(places), 0.0) @ WEIGHTS)
+        found = state.pressure(places)  # infinite at the very edge, beside a rim or a dashpot
+        sums = half * (np.where((half[:, None] > 0.0) & np.isfinite(found), found, 0.0) @ WEIGHTS)
         mean = sums / np.diff(edges) / self.modulus
         if not np.any(mean > 0.0):  # narrower than the first of the strips that make up the pressure
             mean[0] = 1.0

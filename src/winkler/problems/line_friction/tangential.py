@@ -95,7 +95,10 @@ class LineTangential:
     0.632455532034
     """
 
-    __words__ = words(bed=("", None, "profile and bodies of the line contact"))
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        relaxes=("", None, "whether the bodies relax"),
+    )
 
     bed: LineFoundation | LayeredLineFoundation
     law: Sliding

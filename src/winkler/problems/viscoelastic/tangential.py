@@ -85,10 +85,7 @@ class DraggedCells:
         Which springs stick.
     """
 
-    __words__ = words(
-        stored_energy=("U", "J", "energy stored in all springs, both directions"),
-        displacement=("u_t", "m", "displacement of every spring along the surface"),
-    )
+    __words__ = words(displacement=("u_t", "m", "displacement of every spring along the surface"))
 
     stick_radius: float
     friction_loss: float
@@ -104,6 +101,8 @@ class DraggedCells:
 @value
 class DraggedState(DraggedCells, RoundSlip[float]):
     """A dragged viscoelastic contact at one moment; its numbers are those of `RoundSlip` and `DraggedCells`."""
+
+    __words__ = words(stored_energy=("U", "J", "energy stored in all springs, both directions"))
 
 
 class Relaxed:
