@@ -143,8 +143,7 @@ class LineTangential:
         """
         bed, mu = self.bed, self.law.coefficient
         if self.relaxes:
-            row = RelaxingElementRow(bed, mu, self.path)
-            yield from row.states(self.law)
+            yield from RelaxingElementRow(bed, mu, self.path).states(self.law)
             return
         modulus = bed.medium.modulus
         forces = self.path.across
