@@ -201,7 +201,7 @@ QUICK_CELLS = [
     ("torsion", "coated_half_space", "exact"),
     ("elliptic_indentation", "coated_half_space", "exact"),
     ("roller_contact", "coated_half_space", "exact"),
-    ("tangential", "relaxing_in_proportion", "refused"),
+    ("tangential", "viscoelastic_coated_half_space", "refused"),
 ]
 
 

@@ -8,7 +8,7 @@ import pytest
 import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.materials.layered import Layer
-from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.line_friction.path import LinePath
@@ -173,3 +173,11 @@ def test_what_is_not_followed_is_refused():
     assert next(steps).shear_force_per_length == 1e-6
     with pytest.raises(OutsideValidity, match="index 2"):
         next(steps)
+
+
+def test_a_dashpot_alongside_needs_time():
+    shear = 0.3 * MU * LOAD * np.array([0.0, 0.0, 1.0, 1.0])
+    ours = sheared(KelvinVoigt(0.25, 0.05), LinePath(LOAD * np.array([0.0, 1.0, 1.0, 1.0]), shear, time=[0, 1, 2, 2]))
+    assert ours.stick_half_width[-1] == ours.stick_half_width[-2] < ours.half_width[-1]
+    with pytest.raises(OutsideValidity, match="index 2 .* give the step some time"):
+        sheared(KelvinVoigt(0.25, 0.05), LinePath(LOAD * np.array([0.0, 1.0, 1.0]), shear[:3], time=[0, 1, 1]))

@@ -11,11 +11,12 @@ from winkler.plot.normal.springs import DrawnSprings, SpringFrame, row_panel, sp
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis
 from winkler.plot.series import places, series
 from winkler.problems.viscoelastic.states import ViscoelasticState
-from winkler.problems.viscoelastic.tangential import DraggedCells
+from winkler.problems.viscoelastic.tangential import DraggedState
+from winkler.problems.viscoelastic.torsion import DraggedTwist
 
 __all__ = ["pressure_panel", "recovering_panel", "width_of"]
 
-RecoveringState = ViscoelasticState | DraggedCells
+RecoveringState = ViscoelasticState | DraggedState | DraggedTwist
 
 RADII_DRAWN = 1.35
 """Extent of a picture relative to the deformed region."""

@@ -98,6 +98,11 @@ class Torsion:
     0.938664
     """
 
+    __words__ = words(
+        relaxes=("", None, "whether the bodies relax"),
+        count=("n", "", "how many springs"),
+    )
+
     bed: Bed
     law: Coulomb
     path: Path

@@ -104,6 +104,9 @@ class LineCells(NamedTuple):
         How far they came ahead in the last step, and the half-width over A at its beginning.
     half_width, shift
         Over A.
+    number, crept
+        Of bodies that relax the step that they have reached, and what of the tractions has flowed ``(n,)`` and is
+        delayed ``(k, n)``.
     """
 
     goal: LineGoal
@@ -116,6 +119,8 @@ class LineCells(NamedTuple):
     half_width_before: float
     half_width: float
     shift: float
+    number: int = -1
+    crept: tuple[Array, Array] = (np.zeros(0), np.zeros((0, 0)))
 
 
 class ElementRow(Row[LineGoal, LineCells]):

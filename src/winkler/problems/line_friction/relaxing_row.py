@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -57,13 +57,6 @@ FIRST_SPAN, LEAST_STEPS = 0.1, 8
 SPRINGS = 250
 """Flat strips the pressures are made of."""
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(2)
-
-
-class CreptTraction(NamedTuple):
-    """Tractions that have crept: what flowed, and what is delayed term by term, ``(n,)`` and ``(k, n)``."""
-
-    flowed: Array
-    delayed: Array
 
 
 class RelaxingElementRow(ElementRow):
@@ -107,11 +100,6 @@ class RelaxingElementRow(ElementRow):
         self.strains = strains * self._crept(strain, self.bulk)
         self.shears = self._crept(self.creep, self.along)
         self.goals = [LineGoal(*row) for row in zip(path.across / self.unit, *np.zeros((3, ends.size)), strict=True)]
-        self.number, self.crept = -1, CreptTraction(*self._none(medium.creep.times.size))
-
-    def _none(self, terms: int) -> tuple[Array, Array]:
-        count = self.elements.x.size
-        return np.zeros(count), np.zeros((terms, count))
 
     @staticmethod
     def _pressed(
@@ -184,33 +172,34 @@ class RelaxingElementRow(ElementRow):
     def begin(self, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements at the first point, which comes suddenly, the normal force first."""
         none = np.zeros(self.elements.x.size)
-        cells = LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), none, none, none, none, none, none, 0.0, 0.0, 0.0)
-        return self.step(cells, goal)
+        crept = none, np.zeros((self.creep.times.size, none.size))
+        rest = LineGoal(0.0, 0.0, 0.0, 0.0)
+        return self.step(LineCells(rest, none, none, none, none, none, none, 0.0, 0.0, 0.0, crept=crept), goal)
 
     def step(self, state: LineCells, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements after forces and strain have changed in proportion."""
-        point = 0 if self.number < 0 else int(np.searchsorted(self.ends, self.number)) + 1
+        point = 0 if state.number < 0 else int(np.searchsorted(self.ends, state.number)) + 1
         refuse_sliding(self.friction, goal.force, float(self.path.along[point]) / self.unit, self.unit)
         reached = Reached(state._replace(last=np.zeros(self.elements.x.size)), 0.0, 0.0)
-        for number in range(self.number + 1, int(self.ends[point]) + 1):
+        for number in range(state.number + 1, int(self.ends[point]) + 1):
             reached = reached.then(self._onto(reached.state, number))
-        self.number = int(self.ends[point])
         return reached
 
     def _onto(self, cells: LineCells, number: int) -> Reached[LineCells]:
         """Return the elements at the end of one step."""
         elements, state = self.elements, self.pressed[number]
         dt = float(self.times[number] - self.times[number - 1]) if number else 0.0
-        compliance, carried = self._carried(cells.traction, dt)
+        compliance, carried = self._carried(cells, dt)
         force, shear, strain = self.across[number], self.along[number] / self.unit, float(self.strains[number])
         goal = LineGoal(force / self.unit, float(self.shears[number]) / self.unit, strain, 0.0)
         if state.half_width == 0.0:
+            if shear != 0.0:
+                raise self._sudden(number)
             none = np.zeros(elements.x.size)
-            self._keep(cells.traction, none, dt)
             ahead = -strain * elements.x - elements.compliance @ carried
             parted = cells._replace(
                 goal=goal, traction=none, bound=none, slips=none, ahead=ahead, last=ahead - cells.ahead,
-                half_width=0.0, half_width_before=0.0, shift=0.0,
+                half_width=0.0, half_width_before=0.0, shift=0.0, number=number, crept=self._kept(cells, none, dt),
             )  # fmt: skip
             return Reached(parted, math.nan, 0.0)
         a = state.half_width / elements.scale
@@ -218,12 +207,10 @@ class RelaxingElementRow(ElementRow):
         met = self._met(cells, (bound > 0.0) & (cells.bound == 0.0))
         touches = bound > 0.0
         before = -met - strain * elements.x - elements.compliance @ carried
-        if compliance == 0.0 and np.any(bound != cells.bound):
-            raise OutsideValidity(
-                f"the forces change suddenly at {self.times[number]:.6g} s, which a dashpot alongside responds to with "
-                "an infinite traction; give the step some time."
-            )
-        compliance = compliance or 1.0
+        if compliance == 0.0:
+            if goal.force == cells.goal.force and self.along[number] == self.along[number - 1]:
+                return Reached(cells._replace(number=number), math.nan, 0.0)
+            raise self._sudden(number)
         if abs(shear) >= self.friction * goal.force * (1.0 - ROUNDING):
             side = math.copysign(1.0, shear)
             traction, slips = side * bound, side * touches
@@ -239,28 +226,33 @@ class RelaxingElementRow(ElementRow):
         slipped = np.where(touches, np.maximum(slips * gone, 0.0), np.abs(gone))  # what parts slips before
         rubbed = 0.5 * (cells.bound + bound) * slipped
         ahead = np.where(touches & (slips == 0.0), met, ahead)
-        self._keep(cells.traction, traction, dt)
         new = LineCells(
-            goal, traction, bound, ahead, slips, cells.rubbed + rubbed, ahead - cells.ahead, cells.half_width, a, shift
-        )
+            goal, traction, bound, ahead, slips, cells.rubbed + rubbed, ahead - cells.ahead, cells.half_width, a, shift,
+            number, self._kept(cells, traction, dt),
+        )  # fmt: skip
         return Reached(new, math.nan, float(rubbed @ elements.widths))
 
-    def _carried(self, before: Array, dt: float) -> tuple[float, Array]:
+    def _sudden(self, number: int) -> OutsideValidity:
+        """Return the refusal of a step that takes no time."""
+        return OutsideValidity(
+            f"the forces change suddenly at {self.times[number]:.6g} s, which a dashpot alongside responds to with an "
+            "infinite traction; give the step some time."
+        )
+
+    def _carried(self, cells: LineCells, dt: float) -> tuple[float, Array]:
         """Return the effective compliance of a step, and what has crept already at its end ``(n,)``."""
-        creep, (flowed, delayed) = self.creep, self.crept
+        creep, (flowed, delayed) = self.creep, cells.crept
         gone, share = _faded(creep, dt)
         compliance = creep.glassy + 0.5 * creep.fluidity * dt + float(creep.compliances @ share)
         begun = 0.5 * creep.fluidity * dt + float(creep.compliances @ (gone - share))
-        return compliance, flowed + (1.0 - gone) @ delayed + begun * before
+        return compliance, flowed + (1.0 - gone) @ delayed + begun * cells.traction
 
-    def _keep(self, before: Array, after: Array, dt: float) -> None:
-        """Remember the tractions of a step."""
-        creep, (flowed, delayed) = self.creep, self.crept
+    def _kept(self, cells: LineCells, after: Array, dt: float) -> tuple[Array, Array]:
+        """Return what of the tractions has flowed and is delayed after a step that ends with those."""
+        creep, (flowed, delayed), before = self.creep, cells.crept, cells.traction
         gone, share = (row[:, None] for row in _faded(creep, dt))
         rising = creep.compliances[:, None] * ((gone - share) * before + share * after)
-        self.crept = CreptTraction(
-            flowed + 0.5 * creep.fluidity * dt * (before + after), (1.0 - gone) * delayed + rising
-        )
+        return flowed + 0.5 * creep.fluidity * dt * (before + after), (1.0 - gone) * delayed + rising
 
     def _pressures(self, state: LineViscoelasticState, a: float) -> Array:
         """Return the mean pressures on all elements over E*."""
@@ -268,8 +260,11 @@ class RelaxingElementRow(ElementRow):
         edges = elements.scale * elements.edges[elements.x.size // 2 :]
         half = 0.5 * np.diff(np.minimum(edges, state.half_width))
         places = edges[:-1, None] + half[:, None] * (1.0 + GAUSS)
-        sums = half * (np.where(half[:, None] > 0.0, state.pressure(places), 0.0) @ WEIGHTS)
+        found = state.pressure(places)  # infinite at the very edge, beside a rim or a dashpot
+        sums = half * (np.where((half[:, None] > 0.0) & np.isfinite(found), found, 0.0) @ WEIGHTS)
         mean = sums / np.diff(edges) / self.modulus
+        if not np.any(mean > 0.0):  # narrower than the first of the strips that make up the pressure
+            mean[0] = 1.0
         return pressures_of(elements, mean, state.force_per_length / self.unit, a)
 
 

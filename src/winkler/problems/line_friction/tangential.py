@@ -96,7 +96,10 @@ class LineTangential:
     0.632455532034
     """
 
-    __words__ = words(bed=("", None, "profile and bodies of the line contact"))
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        relaxes=("", None, "whether the bodies relax"),
+    )
 
     bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
     law: Sliding
@@ -141,8 +144,7 @@ class LineTangential:
         """
         bed, mu = self.bed, self.law.coefficient
         if self.relaxes:
-            row = RelaxingElementRow(bed, mu, self.path)
-            yield from row.states(self.law)
+            yield from RelaxingElementRow(bed, mu, self.path).states(self.law)
             return
         modulus = bed.medium.modulus
         forces = self.path.across

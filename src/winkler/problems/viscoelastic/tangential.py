@@ -85,10 +85,7 @@ class DraggedCells:
         Which springs stick.
     """
 
-    __words__ = words(
-        stored_energy=("U", "J", "energy stored in all springs, both directions"),
-        displacement=("u_t", "m", "displacement of every spring along the surface"),
-    )
+    __words__ = words(displacement=("u_t", "m", "displacement of every spring along the surface"))
 
     stick_radius: float
     friction_loss: float
@@ -104,6 +101,8 @@ class DraggedCells:
 @value
 class DraggedState(DraggedCells, RoundSlip[float]):
     """A dragged viscoelastic contact at one moment; its numbers are those of `RoundSlip` and `DraggedCells`."""
+
+    __words__ = words(stored_energy=("U", "J", "energy stored in all springs, both directions"))
 
 
 class Relaxed:
@@ -260,12 +259,14 @@ def _row(owner: str, bed: Bed, law: Coulomb, path: Path, count: int, tolerance: 
 def _cells(owner: str, bed: Bed, springs: Springs, count: int) -> tuple[DragCells, RelaxationSeries]:
     """Return what is dragged, and by which function it relaxes."""
     elastic, medium, reach = elastic_like(bed), bed.medium, float(springs.position[-1])
-    alone = isinstance(medium, ViscoelasticHalfSpace)
     if owner == "Torsion":
         body = twisted_medium(elastic.medium)
-        series = twist_relaxation(medium) if alone else relaxation_of(owner, bed).scaled(8.0 * body.torsional_modulus)
+        if isinstance(medium, ViscoelasticHalfSpace):
+            series = twist_relaxation(medium)
+        else:
+            series = relaxation_of(owner, bed).scaled(8.0 * body.torsional_modulus)
         return ring_cells(twist_bound(elastic, 1.0, reach, False), springs, count), series
-    if alone:
+    if isinstance(medium, ViscoelasticHalfSpace):
         return spring_cells(elastic, springs), shear_relaxation(medium, bed.footprint.shear_share)
     layers, series = layers_of_rings(elastic), relaxation_of(owner, bed)
     if layers is not None:

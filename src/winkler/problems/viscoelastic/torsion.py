@@ -24,7 +24,7 @@ from winkler.problems.viscoelastic.march import elastic_like
 from winkler.problems.viscoelastic.tangential import DraggedCells, columns, dragged
 from winkler.problems.viscoelastic.tangential_march import DraggedSprings
 from winkler.values.validity import Assumption, Note, Standing
-from winkler.values.value import value
+from winkler.values.value import value, words
 
 __all__ = ["DraggedTwist", "dragged_twist_notes", "dragged_twists"]
 
@@ -38,6 +38,8 @@ class DraggedTwist(DraggedCells, RoundTwist[float]):
     nested : bool
         Whether all that slides at this moment is one outer ring, and slides to one side.
     """
+
+    __words__ = words(stored_energy=("U", "J", "energy stored in all springs, across and around"))
 
     nested: bool
 
