@@ -98,7 +98,7 @@ class RoundGrid(WornGrid):
 
     def lift(self, worn: Array) -> Array:
         """As `WornGrid.lift`."""
-        return inner_product(self.rings.gap, worn) + worn[0]
+        return np.asarray(inner_product(self.rings.gap, worn) + worn[0])
 
     def height(self, x: Array) -> Array:
         """Height of the profile before wear [m]."""
