@@ -30,7 +30,7 @@ from winkler.study.finding.finding import known, neighbours, words
 from winkler.study.ledger.ledger import case_files, ledger, remarks
 from winkler.study.ledger.ledger_page import markdown
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).parent / "figures"))
 from legibility import faults
 
 pyplot.switch_backend("Agg")
