@@ -30,7 +30,7 @@ from winkler.study.finding.finding import known, neighbours, words
 from winkler.study.ledger.ledger import case_files, ledger, remarks
 from winkler.study.ledger.ledger_page import markdown
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).parent / "figures"))
 from legibility import faults
 
 pyplot.switch_backend("Agg")
@@ -79,7 +79,6 @@ def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
     One that a later block goes on with is saved once more, so that the page shows it as it is in the end. A figure that
     cannot be read is a warning, which stops the build.
     """
-    by_pyplot = [pyplot.figure(number) for number in pyplot.get_fignums()]
     script = Path(block_vars["src_file"]).name
     paths = []
     for item in list(block_vars["example_globals"].values()):
@@ -95,8 +94,8 @@ def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
         report(script, item)
         _shown[item] = path, [str(artist) for artist in item.findobj()]
         pyplot.close(item)
-    for item in by_pyplot:
-        report(script, item)
+    for number in pyplot.get_fignums():  # those without a name
+        report(script, pyplot.figure(number))
     return str(figure_rst(paths, gallery_conf["src_dir"]))
 
 

@@ -58,7 +58,9 @@ for w, colour in ((0.1, "C0"), (0.2, "C1"), (0.4, "C2")):
     right.semilogy(shares, 1e9 * np.array(steps), color=colour, marker=".", label=f"{w:g}")
     right.axvline(limit, color=colour, linewidth=0.8, linestyle=":")
     assert np.all(np.diff(steps) > 0.0)
-right.set(xlabel="force over sliding force", ylabel="shift per cycle [nm]", title="above the limit (dotted)", ylim=(None, 3e4))
+right.set(
+    xlabel="force over sliding force", ylabel="shift per cycle [nm]", title="above the limit (dotted)", ylim=(None, 3e4)
+)
 right.legend(frameon=False, loc="upper left", ncols=3, title="amplitude over radius")
 plt.show()
 

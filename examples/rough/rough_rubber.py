@@ -19,7 +19,7 @@ figure, axes = plt.subplots(figsize=(6.0, 4.0), layout="constrained")
 for name, time in (("cold", 1e-2), ("room", 1e-4), ("warm", 1e-6)):
     rubber = wk.StandardSolid(relaxed_shear=1e6, shear=1e7, relaxation_time=time)
     found = wk.ElastomerFriction(road, rubber, speeds).solve()
-    axes.semilogx(speeds, found.coefficient, label=f"{name}: relaxes in {time:g} s")
+    axes.semilogx(speeds, found.coefficient, label=f"{name}: relaxes in {1e3 * time:g} ms")
     peak = int(np.argmax(found.coefficient))
     print(f"{name}: at most {found.coefficient[peak]:.2f}, at {speeds[peak]:.1e} m/s")
 axes.set(xlabel="velocity [m/s]", ylabel="coefficient of friction [-]", title="a rough road on three rubbers")

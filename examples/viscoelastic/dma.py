@@ -57,7 +57,8 @@ master.loglog(every, rubber.storage(every) / 1e6, color="k", linewidth=0.8, zord
 master.loglog(every, rubber.loss(every) / 1e6, color="k", linewidth=0.8, zorder=3, linestyle="--", label="loss")
 measured.set(xlabel="angular frequency [rad/s]", ylabel="shear modulus [MPa]", title="measured")
 master.set(xlabel="angular frequency at 25 °C [rad/s]", title="master curve")
-measured.legend(frameon=False)
+measured.set_ylim(bottom=2e-3)
+measured.legend(frameon=False, loc="lower center", ncols=3)
 master.legend(frameon=False)
 plt.show()
 

@@ -249,7 +249,7 @@ WRITING = {
     "io/software.py": "a digest of the sources, which is made again where it cannot be read",
     "io/whole_file.py": "the one writer",
     "numerics/cache_folders.py": "a private folder",
-    "plot/rough/film.py": "frames of a film, in a temporary folder",
+    "plot/animation.py": "frames of a film, in a temporary folder",
     "study/batch/journal.py": "lines that are only appended, with a checksum each",
     "web/session/upload_folder.py": "uploads, in a private folder",
     "web/session/uploads.py": "that folder",

@@ -44,7 +44,10 @@ def test_a_legend_covers_no_curve(wanted):
         (lambda axes: axes.text(1.5, 0.5, "far away"), "outside: 'far away'"),
         (lambda axes: axes.set_ylabel("force [uN]"), "letters: 'force [uN]'"),
         (lambda axes: axes.set_ylim(0.0, 100.0), "flat: "),
-        (lambda axes: (axes.set_yscale("log"), axes.set_ylim(0.2, 9.0)), "one number: "),
+        (
+            lambda axes: (axes.set_yscale("log"), axes.set_ylim(0.2, 9.0), axes.yaxis.set_minor_formatter("")),
+            "one number: ",
+        ),
         (lambda axes: (axes.set_yscale("log"), axes.set_ylim(1e-19, 1.0)), "decades: "),
         (lambda axes: axes.set_ylim(1.0 - 1e-9, 1.0), "offset: "),
         (lambda axes: axes.plot([0.0, 0.4, 0.7, 1.0], [0.0, 0.1, 0.4, 0.9]), "polygon: a curve of 4 points"),

@@ -1,7 +1,7 @@
 """What a reader would find wrong in a figure: empty panels, axes without a name, cut curves, texts that meet.
 
 The manual's build looks at each figure of the gallery, tests at those of reports. To look at more:
-``python docs/legibility.py examples/studies/*/*.toml examples/*/*.py`` prints a line for each fault.
+``python docs/figures/legibility.py examples/studies/*/*.toml examples/*/*.py`` prints a line for each fault.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ HIDDEN = 0.03
 FLAT = 0.1
 """Least part of a panel's height that its curves take."""
 DECADES = 13.0
-"""Most of them on an axis whose curves are to be read."""
+"""Most of them on an upright axis whose curves are to be read; master curves go over more of time."""
 DOTS = 2.5
 """Least height and width of an area that has a name or a colour of its own."""
 CORNERS = 5
@@ -130,7 +130,7 @@ def _labels(axes: Any) -> Iterator[str]:
         if "+" in axis.get_offset_text().get_text():
             yield f"offset: {axis.get_offset_text().get_text()} on the {axis.axis_name} axis of {_name(axes)}"
         low, high = sorted(axis.get_view_interval())
-        if axis.get_scale() == "log" and np.log10(high / low) > DECADES:
+        if axis.axis_name == "y" and axis.get_scale() == "log" and np.log10(high / low) > DECADES:
             yield f"decades: {np.log10(high / low):.0f} on the {axis.axis_name} axis of {_name(axes)}"
 
 
