@@ -214,7 +214,7 @@ def test_some_cells_are_what_their_problems_answer(media, cells, kind, medium, w
 
 def test_a_cell_that_answers_otherwise_is_found(media, cells):
     found = media.answer("indentation", "half_space")
-    refused = cells.cells["line_adhesion", "graded_half_space"]
+    refused = cells.cells["periodic_indentation", "graded_half_space"]
     for written in (cells.cells["indentation", "graded_half_space"], refused):
         assert not cells.agrees(written, found)
     assert not cells.agrees(refused, media.Cell(media.TAKEN)), "it was opened"

@@ -150,7 +150,8 @@ class PowerLawLineFoundation(LineBed):
     def edge_share(self, half_width: Array) -> Array:
         r"""Return by how much less tension at the edges of a flat punch releases an energy than on half-planes [-].
 
-        A load P of the edges releases :math:`P^2\,(-\mathrm d K^{-1}/\mathrm da)/4` per area, K the stiffness of the punch.
+        A load P of the edges releases :math:`-\tfrac14P^2\,\mathrm dK^{-1}/\mathrm da` per area, K the stiffness of the
+        punch.
         """
         return np.sqrt(0.5 * math.pi * self.punch_softening(half_width))
 

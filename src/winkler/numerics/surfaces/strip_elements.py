@@ -4,7 +4,8 @@ An even traction q on an element from l to r moves the surfaces along each other
 
 .. math:: u(x) = -\frac{2q}{\pi E^*}\,[\,(x-l)\ln|x-l| - (x-r)\ln|x-r| - (r-l)\,] ,
 
-(on bodies graded by a power k with :math:`(1-|x|^{-k})/k` in place of the logarithm), and a traction whose slope jumps by :math:`\kappa_j` at :math:`s_j` has the potential of `winkler.problems.line.stress`
+(on bodies graded by a power k with :math:`(1-|x|^{-k})/k` in place of the logarithm), and a traction whose slope jumps
+by :math:`\kappa_j` at :math:`s_j` has the potential of `winkler.problems.line.stress`
 
 .. math:: F(\zeta) = \frac1\pi\int\frac{q(s)}{\zeta-s}\,\mathrm ds
           = \frac1\pi\sum_j\kappa_j\,(\zeta-s_j)\,[\,\ln(\zeta-s_j)-1\,] .

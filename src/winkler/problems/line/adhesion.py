@@ -20,8 +20,8 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.foundation.line_bed import LineBed
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.adhesion import Dugdale
 from winkler.loading.loads import HalfWidth, LineForce
 from winkler.numerics.types import Array, PerLoad, Q, shaped

@@ -8,7 +8,8 @@ it with the creepage xi.  They stick from the leading edge a back to a - 2 c and
 
 the second root within the zone of stick only.  Behind it the slip is :math:`(\mu/R)\sqrt{(x-a+c)^2-c^2}` of the speed.
 On bodies graded by a power k of the depth the pressures are those of this medium, and
-:math:`Q/\mu P = 1-(c/a)^{2+k}`.  Bodies that are elastically dissimilar creep even without a force, and layers answer the traction in another manner
+:math:`Q/\mu P = 1-(c/a)^{2+k}`.
+Bodies that are elastically dissimilar creep even without a force, and layers answer the traction in another manner
 than the pressure: then the strip is divided into elements (`winkler.problems.line_rolling.rolled_strip`).
 
 References

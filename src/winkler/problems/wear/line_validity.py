@@ -9,8 +9,8 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.foundation.line_bed import LineBed
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.loading.loads import LineForce
 from winkler.media.medium import Medium
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
