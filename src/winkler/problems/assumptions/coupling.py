@@ -15,10 +15,9 @@ import numpy as np
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
-from winkler.media.offers import LayerStack, PlaneMedium, offers
+from winkler.media.offers import LayerStack, PlaneMedium, PowerOfDepth, offers
 from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.values.validity import Assumption, Note, Standing, standing_of
@@ -60,8 +59,10 @@ def mismatch(medium: Medium) -> float:
     """
     if isinstance(medium, RelaxingInProportion):
         medium = medium.medium
-    if isinstance(medium, HalfSpace | GradedHalfSpace):
+    if isinstance(medium, HalfSpace):
         return medium.mismatch
+    if offers(medium, PowerOfDepth):
+        return float(getattr(medium, "mismatch", math.nan))
     if offers(medium, PlaneMedium):
         surfaces = medium.response.first.top, medium.second
         return dundurs(*surfaces) if all(isinstance(body, Solid) for body in surfaces) else math.nan  # type: ignore[arg-type]
