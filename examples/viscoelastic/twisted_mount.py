@@ -30,8 +30,8 @@ def twisted(frequency, amplitude=0.02):
 # The loss of a cycle
 # -------------------
 #
-# ``loss_per_cycle`` and ``secant_stiffness`` belong to the last cycle of the path. Slowly and fast, the rubber is
-# elastic, and friction alone dissipates energy.
+# ``loss_per_cycle`` and ``secant_stiffness`` belong to the last cycle of the path. At low and at high frequency the
+# rubber is nearly elastic, and friction dissipates most of the energy.
 
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13.0, 4.0), layout="constrained")
 for frequency, colour in ((0.5, "C0"), (8.0, "C1"), (200.0, "C2")):
