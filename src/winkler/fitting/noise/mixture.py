@@ -79,9 +79,7 @@ class Mixture(_MixtureFields):
             low, high = np.where(missing > 0.0, width, low), np.where(missing > 0.0, high, width)
             # the logarithm of what lies beyond is nearly straight far out, and curved a little near the middle
             beyond = (missing + outside) * np.log(np.maximum((missing + outside) / outside, LEAST_BEYOND))
-            step = np.divide(
-                beyond * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0
-            )
+            step = np.divide(beyond * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0)
             inside = (width + step >= low) & (width + step <= high)
             step = np.where(inside, step, 0.5 * (low + high) - width)
             width = width + step
