@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib import pyplot
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -270,6 +271,7 @@ def main() -> int:
             for fault in faults(figure):
                 count += 1
                 sys.stdout.write(f"{path.stem} {place}: {fault}\n")
+        pyplot.close("all")
     return int(count > 0)
 
 
