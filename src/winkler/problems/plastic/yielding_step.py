@@ -30,7 +30,7 @@ def cubic_between(depth: Array, rows: Array, slopes: Array, d: float) -> float:
     mean = (rows[j + 1] - rows[j]) / width
     second = 3.0 * mean - 2.0 * slopes[j] - slopes[j + 1]
     third = slopes[j] + slopes[j + 1] - 2.0 * mean
-    return rows[j] + width * t * (slopes[j] + t * (second + third * t))
+    return rows[j] + width * t * (slopes[j] + t * (second + third * t))  # type: ignore[no-any-return]
 
 
 @compiled
