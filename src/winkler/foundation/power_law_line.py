@@ -85,7 +85,7 @@ class PowerLawLineFoundation(LineBed):
     """
 
     profile: Profile
-    medium: Annotated[  # type: ignore[assignment]  # a push along it is refused
+    medium: Annotated[
         GradedHalfSpace, Advice("homogeneous bodies go into a LineFoundation, layers into a LayeredLineFoundation")
     ]
 
@@ -113,7 +113,7 @@ class PowerLawLineFoundation(LineBed):
     def _stiffer(self, unit: float) -> float:
         """Return how far a line load moves the surface, with lengths over a unit [m], over half-planes [-]."""
         k = self.exponent
-        return math.sqrt(math.pi) * _cosine(k) * _gammas(k) * float(self.medium.depth_scale / unit) ** k
+        return math.sqrt(math.pi) * _cosine(k) * _gammas(k) * math.exp(k * math.log(self.medium.depth_scale / unit))
 
     def shear_compliance(self, edges: Array) -> Array:
         """As `LineBed.shear_compliance`."""

@@ -498,7 +498,7 @@ def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
         return np.array([curves.at(one)[2] if a > 0.0 else 0.0 for one, a in zip(depth, radius, strict=True)])
     wall = bed.reach if isinstance(bed.profile, Dent) else math.inf
     squares = integral_of_square(lambda x, _: bed.gap(x), bed, np.full(radius.shape, wall), radius)
-    modulus = bed.medium.modulus  # type: ignore[attr-defined]
+    modulus = bed.medium.modulus
     return np.asarray(modulus * (depth * depth * radius + squares) - depth * bed.gap_load(radius))
 
 
