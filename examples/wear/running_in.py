@@ -30,7 +30,7 @@ left.set(xlabel="distance [m]", ylabel="contact radius [µm]", title="The contac
 left.legend()
 for state in worn.states[::6]:
     inside = state.radii < 1.3 * state.radius
-    right.plot(1e6 * state.radii[inside], 1e-9 * state.pressure[inside], label=f"{1e3 * state.elapsed:.3g} mm")
+    right.plot(1e6 * state.radii[inside], 1e-9 * state.pressure[inside], label=f"{1e3 * state.elapsed:.0f} mm")
 right.set(xlabel="r [µm]", ylabel="pressure [GPa]", title="The pressure evens out")
 right.legend()
 

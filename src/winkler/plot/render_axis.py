@@ -44,7 +44,8 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         digits = next((digits for most, digits in LEAST_LABELLED_SPANS if span < most), (1.0,))
         axis.set_major_locator(LogLocator(subs=digits, numticks=12))
         power_of_ten = LogFormatterSciNotation(labelOnlyBase=False, minor_thresholds=(np.inf, np.inf))
-        axis.set_major_formatter(StrMethodFormatter("{x:g}") if one.plain else power_of_ten)
+        short = one.plain and low >= 1e-4 and high < 1e6  # others are written with powers of ten
+        axis.set_major_formatter(StrMethodFormatter("{x:g}") if short else power_of_ten)
         axis.set_minor_formatter(NullFormatter())
     if one.parts:
         axis.set_major_locator(
