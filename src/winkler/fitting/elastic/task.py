@@ -34,7 +34,7 @@ from winkler.fitting.elastic.yielding import YieldingContact, turning_depths, yi
 from winkler.fitting.outcome import Fit
 from winkler.fitting.parameters import number_at
 from winkler.fitting.task import FitTask, Prediction, even_weights, moved
-from winkler.fitting.validity import Model
+from winkler.fitting.validity import Model, with_load
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.loading.loads import Depth
@@ -194,7 +194,7 @@ class ElasticTask(FitTask):
                 f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where the profile is not "
                 "defined; cut the curve off before, or give a profile that extends farther."
             )
-        return dataclasses.replace(model, load=Depth(depth))
+        return with_load(model, Depth(depth))
 
     def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> Fit:
         """Return the fit."""

@@ -106,7 +106,8 @@ def _memory(position: Array, runs: tuple[DirectionRun, ...]) -> tuple[Array, Arr
 
     A turn is the farthest position of what lies before it [m].
     """
-    after, tops = np.full(position.size, -1), []
+    after = np.full(position.size, -1)
+    tops: list[float] = []
     for run in runs:
         here = slice(run.start, run.stop)
         if run.inward and tops:
@@ -163,8 +164,8 @@ class _Loaded:
             stiffness = bed.stiffness(radius)
             return np.stack([stiffness * depth - bed.gap_load(radius), stiffness, radius])
         place = np.log(self.first)
-        power, force = float(self.force(place, 1)), float(np.exp(self.force(place)))
-        force = force * (depth / self.first) ** power
+        power = float(self.force(place, 1))
+        force = float(np.exp(self.force(place))) * (depth / self.first) ** power
         radius = np.exp(float(self.radius(place))) * (depth / self.first) ** float(self.radius(place, 1))
         return np.stack([force, power * force / depth, radius])
 

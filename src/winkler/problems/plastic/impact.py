@@ -19,7 +19,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -272,7 +272,7 @@ class PlasticImpactSolution(PerLoad[Q]):
     @property
     def _impulse(self) -> Array:
         """What the shear force has transferred [N s]."""
-        return np.asarray(self.problem.sliding_velocity - self.sliding_velocity) / self.problem.mobility
+        return (np.asarray(self.problem.sliding_velocity) - np.asarray(self.sliding_velocity)) / self.problem.mobility
 
     @property
     def lateral_velocity(self) -> Q:
@@ -332,8 +332,9 @@ class PlasticImpactSolution(PerLoad[Q]):
                 f"solution.at: there is no velocity {index!r} in a solution of shape {np.shape(self.velocity)}."
             ) from None
         lateral = np.broadcast_to(np.asarray(self.problem.lateral_velocity), np.shape(self.velocity))[index]
-        one = dataclasses.replace(self.problem, velocity=numbers["velocity"], lateral_velocity=float(lateral))
-        return PlasticImpactSolution(one, **numbers)  # type: ignore[arg-type]
+        problem: Any = self.problem
+        one = dataclasses.replace(problem, velocity=numbers["velocity"], lateral_velocity=float(lateral))
+        return PlasticImpactSolution(one, **numbers)
 
     @property
     def validity(self) -> tuple[Note, ...]:

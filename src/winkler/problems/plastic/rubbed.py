@@ -123,4 +123,4 @@ class _Pressed:
 
     def let_go(self, depth: Array) -> Array:
         """Return them on the dents at depths from where these would just touch [m]."""
-        return np.maximum(depth[:, None] - self.left, 0.0)
+        return np.asarray(np.maximum(depth[:, None] - self.left, 0.0))

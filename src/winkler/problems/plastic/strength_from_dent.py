@@ -313,7 +313,7 @@ class StrengthFromDent:
         of_load, of_dent = self._errors
         total = np.hypot(by_load * of_load / np.atleast_1d(self._loads), of_dent)
         if np.any(total > 0.0):  # a load that depends on nothing tells nothing
-            return np.maximum(total, LEAST_DEVIATION * np.max(total))
+            return np.asarray(np.maximum(total, LEAST_DEVIATION * np.max(total)))
         return np.ones_like(total) if isinstance(self.dent, Restitution) else np.atleast_1d(self._sizes)
 
     def _least_squares(self, place: float) -> float:
