@@ -38,12 +38,12 @@ def clear_of_curves(axes: Axes, legend: Legend, wanted: str) -> None:
     """Place a legend where it was wanted, or at the first place where it covers nothing, or above the curves."""
     drawn = np.concatenate([np.empty((0, 2)), *(_dots(one) for one in _panels_here(axes))])
     texts = [text.get_window_extent() for text in axes.texts if text.get_text()]
-    covered = {}
+    covered: dict[Any, int] = {}
     for place in dict.fromkeys((wanted, *PLACES)):
         if place == "best" and wanted != "best":
             continue
         box = _box(legend, place)
-        covered[place] = np.count_nonzero(_within(drawn, box)) + 1000 * sum(box.overlaps(text) for text in texts)
+        covered[place] = int(np.count_nonzero(_within(drawn, box))) + 1000 * sum(box.overlaps(text) for text in texts)
         if covered[place] == 0:
             return
     share = (legend.get_window_extent().height + 4.0 * FREE) / axes.bbox.height
@@ -54,7 +54,7 @@ def clear_of_curves(axes: Axes, legend: Legend, wanted: str) -> None:
     legend.set_loc(min(covered, key=lambda place: covered[place]))
 
 
-def _box(legend: Legend, place: str) -> Bbox:
+def _box(legend: Legend, place: Any) -> Bbox:
     """Return the frame of a legend [dots] with what is to stay free around it, after placing it."""
     legend.set_loc(place)
     return legend.get_window_extent().padded(FREE)

@@ -272,7 +272,8 @@ class PlasticImpactSolution(PerLoad[Q]):
     @property
     def _impulse(self) -> Array:
         """What the shear force has transferred [N s]."""
-        return (np.asarray(self.problem.sliding_velocity) - np.asarray(self.sliding_velocity)) / self.problem.mobility
+        change: Array = np.asarray(self.problem.sliding_velocity) - np.asarray(self.sliding_velocity)
+        return change / self.problem.mobility
 
     @property
     def lateral_velocity(self) -> Q:
