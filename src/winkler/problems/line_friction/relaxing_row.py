@@ -22,7 +22,6 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.materials.elastic import Rigid
 from winkler.media.relaxing.at_rate import half_space_creep
@@ -65,7 +64,7 @@ class RelaxingElementRow(ElementRow):
 
     Parameters
     ----------
-    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
+    bed : LineFoundation or LayeredLineFoundation
         On a medium that relaxes by one function of time.
     friction : float
         mu [-].
@@ -73,9 +72,7 @@ class RelaxingElementRow(ElementRow):
         With a time.
     """
 
-    def __init__(
-        self, bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation, friction: float, path: LinePath
-    ) -> None:
+    def __init__(self, bed: LineFoundation | LayeredLineFoundation, friction: float, path: LinePath) -> None:
         medium: Any = bed.medium
         self.own = bed
         self.bed, self.friction, self.creep = elastic_line(bed), friction, medium.creep
@@ -106,7 +103,7 @@ class RelaxingElementRow(ElementRow):
 
     @staticmethod
     def _pressed(
-        bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation, times: Array, forces: Array
+        bed: LineFoundation | LayeredLineFoundation, times: Array, forces: Array
     ) -> list[LineViscoelasticState]:
         """Return the contact without friction at all moments."""
         problem = LineViscoelasticIndentation(bed, LineForcePath(times, forces), SPRINGS)
@@ -271,9 +268,7 @@ class RelaxingElementRow(ElementRow):
         return pressures_of(elements, mean, state.force_per_length / self.unit, a)
 
 
-def refuse_timeless(
-    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation, path: LinePath, method: Method
-) -> None:
+def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath, method: Method) -> None:
     """Refuse a path without time, and what is not followed on bodies that relax.
 
     Raises

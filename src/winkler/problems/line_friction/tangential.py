@@ -16,7 +16,7 @@ manners, so that no sum holds.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import ClassVar, cast
 
 import numpy as np
 
@@ -118,7 +118,7 @@ class LineTangential:
     def __post_init__(self) -> None:
         refuse_method("LineTangential", self.method, METHODS)
         if self.relaxes:
-            refuse_timeless(self.bed, self.path, self.method)
+            refuse_timeless(self._relaxing_bed, self.path, self.method)
             return
         _ = self.bed.along_share
         refuse_bulk(self.bed, self.path)
@@ -127,6 +127,11 @@ class LineTangential:
     def relaxes(self) -> bool:
         """Whether the bodies relax, so that the elements remember their tractions over time."""
         return hasattr(self.bed.medium, "timeless")
+
+    @property
+    def _relaxing_bed(self) -> LineFoundation | LayeredLineFoundation:
+        """The bed of bodies that relax; that of a power law takes none."""
+        return cast(LineFoundation | LayeredLineFoundation, self.bed)
 
     @property
     def total(self) -> int:
@@ -144,7 +149,7 @@ class LineTangential:
         """
         bed, mu = self.bed, self.law.coefficient
         if self.relaxes:
-            yield from RelaxingElementRow(bed, mu, self.path).states(self.law)
+            yield from RelaxingElementRow(self._relaxing_bed, mu, self.path).states(self.law)
             return
         modulus = bed.medium.modulus
         forces = self.path.across
@@ -281,7 +286,10 @@ class LineTangentialSolution(LineSlip[Array], Cycled, OfPath["LineTangentialStat
         widest = self.states[int(np.argmax(self.half_width))]
         if isinstance(widest, LineDraggedState):
             moments = self.problem.path.moments[: len(self.states)]
-            return (*dragged_line_notes(self.problem.bed, self.problem.law, widest, moments), *self._cycle_notes)
+            return (
+                *dragged_line_notes(self.problem._relaxing_bed, self.problem.law, widest, moments),
+                *self._cycle_notes,
+            )
         widest = self.states[int(np.argmax(self.force_per_length))]
         greatest = float(np.max(np.abs(self.bulk_stress)))
         return (*sheared_line_notes(self.problem.bed, self.problem.law, widest, greatest), *self._cycle_notes)

@@ -56,10 +56,7 @@ DRAGGED = Note(
 
 
 def dragged_line_notes(
-    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation,
-    law: Coulomb,
-    widest: LineMarchedState,
-    moments: Array,
+    bed: LineFoundation | LayeredLineFoundation, law: Coulomb, widest: LineMarchedState, moments: Array
 ) -> tuple[Note, ...]:
     """Return how far a sheared line contact of bodies that relax can be trusted; its moments [s]."""
     pressed = relaxing_line_notes(bed, moments, widest.half_width)
