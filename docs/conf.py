@@ -71,13 +71,14 @@ napoleon_use_rtype = False
 
 _shown: weakref.WeakKeyDictionary[Figure, tuple[str, list[str]]] = weakref.WeakKeyDictionary()
 """Where a figure is saved, and what was in it then."""
+_faults: dict[str, tuple[str, list[str]]] = {}
+"""The script of each figure and what cannot be read in it, by where it was saved last."""
 
 
 def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
     """Give the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them.
 
-    One that a later block goes on with is saved once more, so that the page shows it as it is in the end. A figure that
-    cannot be read is a warning, which stops the build.
+    One that a later block goes on with is saved once more, so that the page shows it as it is in the end.
     """
     script = Path(block_vars["src_file"]).name
     paths = []
@@ -91,18 +92,19 @@ def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
             continue
         path = _shown[item][0] if item in _shown else paths[-1]
         item.savefig(path, dpi=110, bbox_inches="tight")
-        report(script, item)
+        _faults[path] = script, faults(item)
         _shown[item] = path, [str(artist) for artist in item.findobj()]
         pyplot.close(item)
     for number in pyplot.get_fignums():  # those without a name
-        report(script, pyplot.figure(number))
+        _faults[f"{script}, {block[2]}, {number}"] = script, faults(pyplot.figure(number))
     return str(figure_rst(paths, gallery_conf["src_dir"]))
 
 
-def report(script: str, figure: Figure) -> None:
-    """Warn of what a reader cannot read in a figure of a script."""
-    for fault in faults(figure):
-        logging.getLogger(__name__).warning("%s: a figure is to be mended, %s", script, fault)
+def _report(app: Any) -> None:
+    """Warn of what a reader cannot read in the figures of scripts, as they are in the end."""
+    for script, found in _faults.values():
+        for fault in found:
+            logging.getLogger(__name__).warning("%s: a figure is to be mended, %s", script, fault)
 
 
 sphinx_gallery_conf = {
@@ -282,6 +284,7 @@ def setup(app: Any) -> None:
     warnings.filterwarnings("error", category=DeprecationWarning, module="winkler")
     app.add_html_math_renderer("mathml", (inline_formula, None), (displayed_formula, None))
     app.connect("builder-inited", _films)
+    app.connect("builder-inited", _report, priority=900)  # after the gallery
     app.connect("source-read", _fill)
     app.connect("build-finished", _calculators)
     app.connect("autodoc-process-docstring", _keep_sentences, priority=100)

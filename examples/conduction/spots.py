@@ -62,5 +62,5 @@ axes.set(xlabel="radius of the disc they lie in [mm]", ylabel="resistance [µΩ]
 axes.set_title("dotted: each alone; solid grey: one spot of the same area", fontsize=9)
 axes.set_xticks([0.3, 0.5, 1.0, 2.0, 4.0], labels=["0.3", "0.5", "1", "2", "4"])
 axes.set_xticks([], minor=True)
-axes.legend(frameon=False, loc="lower left")
+axes.legend(frameon=False, loc="upper right", bbox_to_anchor=(1.0, 0.88))
 plt.show()

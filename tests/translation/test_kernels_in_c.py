@@ -21,7 +21,7 @@ REFUSED = {"rolled", "mapped", "passages", "spread_loads", "surface_points", "_l
            "_angle"}  # fmt: skip
 """Kernels of fields that leave the subset: they sort, or return arrays that they make."""
 UNUSED = {"panel_value", "line_load", "echoed_points", "_folded", "fill_columns", "march", "smallest_balls",
-          "advance_under_forces", "_towards", "_curved"}  # fmt: skip
+          "advance_under_forces", "_put", "_curved"}  # fmt: skip
 """Kernels of fields, of maps, of fits, of shakedown and of paths under forces that no law calls: not compared."""
 
 

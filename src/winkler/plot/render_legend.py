@@ -76,6 +76,7 @@ def _leave_room(axes: Any, share: float) -> None:
 def _dots(axes: Any) -> Array:
     """Return places [dots] that the curves and points of a panel cover, two dots from each other."""
     found = [np.empty((0, 2))]
+    axes.get_xlim(), axes.get_ylim()  # limits that follow the curves are found when they are asked for
     for line in axes.lines:
         if line.get_transform() == axes.transData and line.get_visible():
             found.append(_along(axes.transData.transform(line.get_xydata()), line))

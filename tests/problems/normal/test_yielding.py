@@ -183,7 +183,7 @@ def test_what_must_be_given():
     with pytest.raises(wk.InvalidInput, match=r"no body has a strength; give Elastic\(young, poisson, strength=...\)"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(wk.Elastic(E, 0.3))))
     transverse = wk.TransverselyIsotropicHalfSpace.between(wk.TransverselyIsotropic(10.0, 4.0, 3.5, 12.0, 3.0))
-    with pytest.raises(wk.InvalidInput, match="the medium is a TransverselyIsotropicHalfSpace; .* give a HalfSpace"):
+    with pytest.raises(wk.InvalidInput, match="the medium is a TransverselyIsotropicHalfSpace; .* Give a HalfSpace"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), transverse))
 
 

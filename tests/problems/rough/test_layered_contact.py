@@ -217,7 +217,7 @@ def test_what_is_not_known_in_layers_is_refused():
 
 def test_films_that_the_pixels_do_not_follow_are_refused():
     rough, _, _ = ball(24, "ball")
-    with pytest.raises(OutsideValidity, match="too coarse: under a wave of 16 of them"):
+    with pytest.raises(OutsideValidity, match="too coarse. Under a wave of 16 of them"):
         wk.SurfaceContact(rough, stacked([(1.0, 0.5, 1e-3)], None), wk.Depth(0.01)).solve()
     wide = stacked([(1.0, 0.49, 0.03)], None)
     assert any("nearly incompressible" in note.statement for note in

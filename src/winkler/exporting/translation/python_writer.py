@@ -16,9 +16,12 @@ def python_source(unit: TranslationUnit) -> str:
     """Return the functions of a unit; they need `math` and numpy as `np`."""
     names: dict[int, str] = {}
     kept: list[Routine] = []
+    variables = set[str]().union(*(_variables(source_of(routine.kernel).definition) for routine in unit.routines))
+    entries = {id(routine.kernel) for routine in unit.entries}
     for routine in unit.routines:
         if id(routine.kernel) not in names:  # one function does for all types
-            names[id(routine.kernel)] = routine.name
+            hidden = routine.name in variables and id(routine.kernel) not in entries
+            names[id(routine.kernel)] = f"{routine.name}_of" if hidden else routine.name
             kept.append(routine)
     constants = {constant.place: constant.name for constant in unit.constants}
     lines = []
@@ -49,14 +52,17 @@ class _Renamed(ast.NodeTransformer):
         return ast.arg(node.arg)
 
 
+def _variables(definition: ast.FunctionDef) -> set[str]:
+    """Return the names of arguments and variables, behind which a function of the same name could not be called."""
+    stored = (one for one in ast.walk(definition) if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store))
+    return {one.arg for one in ast.walk(definition) if isinstance(one, ast.arg)} | {one.id for one in stored}
+
+
 def _function(kernel: Any, names: dict[int, str], constants: dict[tuple[str, str], str]) -> str:
     source = source_of(kernel)
     definition = copy.deepcopy(source.definition)
     definition.decorator_list, definition.returns = [], None
-    local = {node.arg for node in ast.walk(definition) if isinstance(node, ast.arg)}
-    local |= {
-        node.id for node in ast.walk(definition) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-    }
+    local = _variables(definition)
     renamed: dict[str, str] = {}
     for node in ast.walk(definition):
         if not isinstance(node, ast.Name) or node.id in local:

@@ -231,14 +231,6 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
-def _room(state):  # type: ignore[no-untyped-def]
-    """Return arrays for what a step needs: its factors, spans, scratch and sums."""
-    modes, count = state[1].shape
-    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
-    return np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
-
-
-@compiled
 def _grown(law, state, dt, room):  # type: ignore[no-untyped-def]
     """Survey a step, unless it is sudden."""
     return _survey(law, state, dt, room[0], room[1], room[2][4]) if dt > 0.0 else (0.0, 0.0)
@@ -257,9 +249,12 @@ def _go(law, springs, state, motion, change, dt, grown, room, sums):  # type: ig
 @compiled
 def advance_springs(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
-    room = _room(state)
+    modes, count = state[1].shape
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    room = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
     for n in range(changes.size):
-        sums, grown = numbers[n], _grown(law, state, times[n], room)
+        sums = numbers[n]
+        grown = _grown(law, state, times[n], room)
         held = _go(law, springs, state, motion, changes[n], times[n], grown, room, sums)
         sums[5] = _energy(law, springs, state)
         sums[6] = _radius(law, springs, state, motion, held)
@@ -308,7 +303,9 @@ def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # 
     The sum is that of force at the end, impulse and change, times the last three of `target`; it never falls with the
     change.  `scale` is one that matters.
     """
-    room = _room(state)
+    modes, count = state[1].shape
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    room = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
     return _find(law, springs, state, motion, target, dt, guess, scale, _grown(law, state, dt, room), room)
 
 
@@ -366,7 +363,10 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
         2 steps become too short.
     """
     there = np.empty_like(state[0]), np.empty_like(state[1]), np.empty_like(state[2]), np.empty_like(state[3])
-    room, away, sums, target, held = _room(state), np.empty(3), np.empty(STEP_NUMBERS), np.zeros(4), 0
+    modes, count = state[1].shape
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    room = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
+    away, sums, target, held = np.empty(3), np.empty(STEP_NUMBERS), np.zeros(4), 0
     little, scale, viscous = limits[0], limits[1], law[1] > 0.0
     for n in range(times.size):
         start, duration, done = forces[n], times[n], 0.0
