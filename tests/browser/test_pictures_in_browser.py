@@ -149,3 +149,27 @@ def test_pictures_that_followed_a_slider_are_those_drawn_anew(fresh):
     for name, (count, other, off) in (looks | followed(app_page, ellipses)[1]).items():
         assert count > 5, name
         assert (other, off < 2.5) == (0, True), name
+
+
+def test_the_film_of_a_report_shows_one_moment_and_follows_the_slider(browser, tmp_path):
+    from winkler.cli import main
+
+    (tmp_path / "a.toml").write_text(whole_text("tangential"), encoding="utf-8")
+    assert main(["report", str(tmp_path / "a.toml"), "--film", "-o", str(tmp_path / "a.html")]) == 0
+    page = browser.new_page()
+    mistakes = []
+    page.on("pageerror", lambda error: mistakes.append(str(error)))
+    page.goto((tmp_path / "a.html").as_uri())
+    slider, shown = page.locator(".film input"), page.locator(".film img:visible")
+    assert slider.is_visible()
+    assert ": 1 of " in shown.get_attribute("alt")  # one alone, or this fails
+    slider.focus()
+    page.keyboard.press("ArrowRight")
+    second = shown.get_attribute("alt")
+    assert ": 1 of " not in second
+    assert slider.get_attribute("aria-valuetext") == second
+    page.keyboard.press("End")
+    number, total = second.split(": ")[1], shown.get_attribute("alt").split(": ")[1]
+    assert number != total
+    assert mistakes == []
+    page.close()

@@ -1,11 +1,14 @@
 """What is worth a curve: what varies by more than rounding, and than what a solver leaves of zero."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from winkler.study.batch.run import run
-from winkler.study.language.reading import parse_study
+from winkler.study.language.reading import parse_study, read_study
 from winkler.study.language.template import whole_text
+from winkler.study.report.figures import answers_over
 from winkler.study.report.variation import variation_shows
 from winkler.web.pictures.histories import curves_of
 
@@ -42,3 +45,21 @@ def test_a_push_along_x_has_no_curves_along_y():
     drawn = curves_of(outcome, outcome.solved[0])
     assert ("shift_x", "shear_force_x") in drawn
     assert not {name for pair in drawn for name in pair} & {"shift_y", "shear_force_y", "angle", "torque"}
+
+
+@pytest.mark.slow
+def test_patches_are_drawn_over_what_was_swept():
+    """Near the flange there are two patches; each has its curve, with its own force."""
+    study = read_study(Path(__file__).resolve().parents[3] / "examples" / "studies" / "rolling" / "wheel_rail.toml")
+    outcome = run(study)
+    figures = {one.name: one for one in answers_over(outcome, pictured=False)}
+    (axes,) = figures["answer_force"].picture.axes
+    first, second = (line.get_xydata() for line in axes.lines)
+    assert axes.get_xlabel().startswith("lateral")
+    np.testing.assert_allclose(first[:, 0], [-4.0, -2.0, 0.0, 2.0, 3.0])
+    forces = outcome.points[-1].answers["force"] / 1e3
+    assert forces.size == 2
+    np.testing.assert_allclose([first[-1, 1], second[-1, 1]], forces)
+    assert np.isnan(second[:-1, 1]).all()
+    (axes,) = figures["answer_depth"].picture.axes
+    assert len(axes.lines) == 1  # both patches share it

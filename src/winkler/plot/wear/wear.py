@@ -36,6 +36,8 @@ __all__ = [
 
 MOST_STATES = 6
 """Most states drawn together."""
+MOST_IN_COLUMN = 4
+"""Names in one column of a legend."""
 RADII_DRAWN = 1.35
 """Extent of the pictures in contact radii."""
 POINTS = 400
@@ -166,7 +168,7 @@ def state_panels(states: tuple[WornState, ...], names: list[str], what: str) -> 
             for state, inside, colour, index in zip(chosen_states, within, shades, chosen, strict=True)
         ]
         panels.append(rows_panel(name, lines, type(chosen_states[0]), most=most))
-    panels[0] = panels[0].plus(legend="best", legend_title=what)
+    panels[0] = panels[0].plus(legend="best", legend_title=what, columns=2 if len(chosen) > MOST_IN_COLUMN else 1)
     return titled(panels, "worn profiles", "worn depth", "pressure")
 
 

@@ -108,6 +108,9 @@ def answers_over(outcome: Outcome, *, pictured: bool = True) -> Iterator[ReportF
             yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _single(outcome)})
         return
     if len(next(iter(columns.values()))) > len(outcome.points):
+        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and len(outcome.study.sweep) == 1:
+            yield from _patches(outcome)
+            return
         over = next((name for name in ALONG if name in columns), "")
         yield from _over(outcome, over) if over else ()
         return
@@ -247,6 +250,22 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     for name in _answers_worth(outcome):
         if name != over and all(name in point.answers for point in points):
             yield _family(outcome, over, name, ordered=True, sentence="All loads of the problem.")
+
+
+def _patches(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield a figure for every answer over the varied key, one curve for each patch of contact."""
+    (axis,) = outcome.study.sweep
+    if not axis.numeric:
+        return
+    x = varied_series(outcome.study, axis)
+    single = _single(outcome)
+    for name in _answers_worth(outcome):
+        rows = outcome.answer(name).T[: 1 if name in single else None]
+        of = [Series(name, outcome.word(name), row) for row in rows]
+        labels = [f"patch {place + 1}" for place in range(len(of))]
+        title = capital(f"{name_in_words(name)} over {name_in_words(x.name)}")
+        sentence = "One curve for each patch of contact." if len(of) > 1 else "All other values are constant."
+        yield drawn(f"answer_{name}", title, sentence, family_sheet([x for _ in of], of, labels))
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:

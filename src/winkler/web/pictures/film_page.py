@@ -18,8 +18,9 @@ DOTS_PER_INCH, COLOURS = 72, 32
 BEFORE = "<h2>How far this can be trusted</h2>"
 """Heading of the section above which the film stands."""
 STYLE = """
-.film img { display: block; width: 100%; max-width: 60rem; height: auto; }
-.film input { width: 100%; max-width: 60rem; }
+.film img { display: block; width: 100%; max-width: 44rem; height: auto; }
+.film [hidden] { display: none; }
+.film input { width: 100%; max-width: 44rem; }
 @media print { .film input { display: none; } }
 """
 SCRIPT = """
