@@ -16,7 +16,7 @@ __all__ = ["bar_sheet", "family_sheet", "spans_decades"]
 
 MOST_COLOURS = len(style.CYCLE)
 """Greatest number of curves with distinct colours; more take the shades of a colour map."""
-LETTERS = 30
+LETTERS = 40
 """Of a line of the name of a bar; longer names have several lines."""
 LEAST_DECADES = 1.5
 """Values that span more decades than this are shown on a logarithmic axis."""

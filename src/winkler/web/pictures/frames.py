@@ -33,20 +33,21 @@ BEYOND = 0.05
 """Part of an axis that is left free beyond the curve with the moving point."""
 
 
-def frames_of(point: SolvedPoint, *, most: int = MOST_FRAMES) -> Iterator[Sheet]:
+def frames_of(point: SolvedPoint, *, most: int | None = None) -> Iterator[Sheet]:
     """Yield a sheet for each moment of an answer: a path, a time, cycles, or loads one after another.
 
     Parameters
     ----------
     point : SolvedPoint
     most : int, optional
-        Of more moments so many are shown, at equal distances.
+        Of more moments so many are shown, at equal distances; 24 if left out.
 
     Raises
     ------
     InvalidInput
         If the answer has one state alone, or no contact that could be drawn.
     """
+    most = MOST_FRAMES if most is None else most
     if has_film(point.solution):
         states = point.solution.frames
         yield from (film_sheet(point.solution, states[place].index) for place in _spread(len(states), most))
