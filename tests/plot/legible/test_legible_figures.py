@@ -67,5 +67,5 @@ def test_a_legend_is_no_wider_than_its_panel():
     figure, axes = plotted()
     for number in range(3):
         axes.plot([0.0, 1.0], [2.0, 2.0], label=f"a name of thirty letters, {number}")
-    axes.legend(loc="upper center", ncols=3, frameon=False)
+    axes.legend(loc="upper center", ncols=3, frameon=False).set_in_layout(False)
     assert "wider than its panel: the legend over 'depth [m]'" in faults(figure)
