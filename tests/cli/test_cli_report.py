@@ -58,6 +58,7 @@ def test_curves_that_are_read_off_are_those_of_the_contact(here, capsys):
     ("options", "sentence"),
     [
         (["-o", "ball.pdf"], "report: 'ball.pdf' does not end like a page; give .html."),
+        (["--page", "--film"], "report: --page is a sheet of paper, on which nothing moves; leave --film out."),
         (["-o", "old.html"], "report: 'old.html' exists; add --overwrite to replace it"),
     ],
 )
@@ -66,3 +67,25 @@ def test_what_is_refused(options, sentence, here, capsys):
     assert main(["report", "ball.toml", *options]) == 2
     assert sentence in capsys.readouterr().err
     assert (here / "old.html").read_text(encoding="utf-8") == "old"
+
+
+@pytest.mark.slow
+def test_a_film_is_in_the_page_with_a_slider_over_its_moments(here, capsys):
+    loads = ", ".join(f'"{10 * count} N"' for count in range(1, 31))
+    moving = STUDY.replace('force = "100 N"', f"force = [{loads}]")
+    (here / "moving.toml").write_text(moving, encoding="utf-8")
+    assert main(["report", "moving.toml", "-o", "still.html"]) == 0
+    assert main(["report", "moving.toml", "--film", "--interactive"]) == 0
+    page = (here / "moving.html").read_text(encoding="utf-8")
+    assert not re.search(r'<script[^>]* src=|<link[^>]* href="http', page)
+    frames = re.findall(r'<img src="data:image/png;base64,([^"]*)" alt="([^"]*)"( hidden)?>', page)
+    assert 2 < len(frames) <= 12
+    assert len({packed for packed, _, _ in frames}) == len(frames)  # each shows another moment
+    assert ": 1 of 30" in frames[0][1]
+    assert ": 30 of 30" in frames[-1][1]
+    assert [bool(hidden) for _, _, hidden in frames] == [False] + [True] * (len(frames) - 1)
+    assert f'type="range" min="0" max="{len(frames) - 1}"' in page
+    assert sum(len(packed) for packed, _, _ in frames) < 300e3
+    assert 'class="film"' not in (here / "still.html").read_text(encoding="utf-8")
+    assert main(["report", "ball.toml", "--film"]) == 2
+    assert "does not move; give a path, times, cycles or a list of loads" in capsys.readouterr().err

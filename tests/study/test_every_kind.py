@@ -38,24 +38,6 @@ GROUPS = {
 }
 
 
-TO_MEND = {
-    ("adhesive_indentation", "line_load"),
-    ("adhesive_shear", "answer_shear"),
-    ("adhesive_shear", "line_load"),
-    ("joule_heating", "answer_joule"),
-    ("line_fretting_wear", "answer_line_fretting"),
-    ("line_sliding_wear", "answer_line_sliding"),
-    ("master_curve", "answer_master_curve"),
-    ("seal", "answer_surface"),
-    ("surface_conduction", "answer_surface"),
-    ("surface_constriction", "answer_surface"),
-    ("surface_friction_heating", "answer_surface_heating"),
-    ("thermal_joint", "answer_surface"),
-    ("true_area", "answer_surface"),
-}
-"""Figures of kinds with known faults: thin areas, few points, many decades; one that is mended leaves the list."""
-
-
 @functools.cache
 def outcome_of(kind: str) -> Any:
     """Return what the study of a kind gives that a newcomer meets, once in each worker."""
@@ -85,11 +67,7 @@ def notes(kind: str) -> Iterator[str]:
 def legible(kind: str) -> Iterator[str]:
     """Nothing in a figure is empty, without a name, cut, too small or over something else."""
     for one in figures(kind):
-        found = [] if one.picture is None else faults(one.picture)
-        if (kind, one.name) not in TO_MEND:
-            yield from (f"{one.name}: {fault}" for fault in found)
-        elif not found:
-            yield f"{one.name} is mended: take it from TO_MEND"
+        yield from (f"{one.name}: {fault}" for fault in ([] if one.picture is None else faults(one.picture)))
 
 
 def charts(kind: str) -> Iterator[str]:

@@ -23,6 +23,9 @@ def report(
     interactive: Annotated[
         bool, typer.Option("--interactive", help="Let curves be read off, by mouse, finger or arrow keys.")
     ] = False,
+    film: Annotated[
+        bool, typer.Option("--film", help="Add a film of a path, a time, cycles or loads, with a slider.")
+    ] = False,
     one_sheet: Annotated[
         bool, typer.Option("--page", help="Write one page of A4 (PDF): question, picture, answers, validity, yield.")
     ] = False,
@@ -56,6 +59,8 @@ def report(
         raise InvalidInput(f"report: '{path}' does not end like a page; give {allowed[0]}.")
     if one_sheet and interactive:
         raise InvalidInput("report: --page is a sheet of paper, on which nothing is read off; leave --interactive out.")
+    if one_sheet and film:
+        raise InvalidInput("report: --page is a sheet of paper, on which nothing moves; leave --film out.")
     refuse_existing(path, overwrite, "report: ")
     content = read_study(study, settings=settings or ())
     solvers = Machine() if workers is None else workers
@@ -75,6 +80,11 @@ def report(
             from winkler.calculators.read_off import with_reading
 
             text = with_reading(text, shown)
+        if film:
+            from winkler.study.report.figures import shown_point
+            from winkler.web.pictures.film_page import with_film
+
+            text = with_film(text, shown_point(outcome))
         made = text.encode("utf-8")
     write_whole({path: made})
     write_line(f"Written {path}")

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.series import Scale, Series
 from winkler.values.value import value
 
-__all__ = ["PanelAxis", "plane"]
+__all__ = ["PanelAxis", "from_zero", "plane"]
+
+LEAST_FALL = 0.12
+"""Variation over the greatest number from which an axis begins at zero; of less nothing would be seen there."""
 
 
 @value
@@ -64,6 +69,12 @@ class PanelAxis:
     def title(self) -> str:
         """The label with its unit."""
         return f"{self.label} [{self.scale.unit}]" if self.scale.unit else self.label
+
+
+def from_zero(content: Array) -> float | None:
+    """Return zero as the lower end of an axis, or none if the numbers vary too little to be seen above it."""
+    varied = float(np.nanmax(content) - np.nanmin(content))
+    return 0.0 if varied == 0.0 or varied >= LEAST_FALL * float(np.nanmax(content)) else None
 
 
 def plane(scale: Scale, **more: Any) -> tuple[PanelAxis, PanelAxis]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,6 +16,8 @@ __all__ = ["bar_sheet", "family_sheet", "spans_decades"]
 
 MOST_COLOURS = len(style.CYCLE)
 """Greatest number of curves with distinct colours; more take the shades of a colour map."""
+LETTERS = 30
+"""Of a line of the name of a bar; longer names have several lines."""
 LEAST_DECADES = 1.5
 """Values that span more decades than this are shown on a logarithmic axis."""
 
@@ -78,6 +81,8 @@ def bar_sheet(names: Sequence[str], of: Series) -> Sheet:
         One number for each bar; none where it is NaN.
     """
     places = np.arange(float(len(names)))
-    upright = PanelAxis(ticks=places, names=tuple(names), falling=True)
+    texts = tuple("\n".join(textwrap.wrap(name, LETTERS)) for name in names)
+    upright = PanelAxis(ticks=places, names=texts, falling=True)
     panel = Panel((Bars(places, np.nan_to_num(of.content)),), PanelAxis.of(of), upright, grid="x")
-    return Sheet((panel,), width=4.6, height=max(1.6, 0.9 + 0.3 * len(names)))
+    most = max((text.count("\n") for text in texts), default=0)
+    return Sheet((panel,), width=4.6, height=max(1.6, 0.9 + (0.3 + 0.14 * most) * len(names)))

@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 from winkler.plot import style
-from winkler.plot.axis import PanelAxis, plane
+from winkler.plot.axis import PanelAxis, from_zero, plane
 from winkler.plot.marks import (
     Area,
     Arrow,
@@ -52,6 +52,7 @@ __all__ = [
     "Text",
     "Vectors",
     "among",
+    "from_zero",
     "note",
     "plane",
     "points",

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import LogFormatterSciNotation, LogLocator, MaxNLocator, NullFormatter, StrMethodFormatter
+from matplotlib.ticker import (
+    LogFormatterSciNotation,
+    LogLocator,
+    MaxNLocator,
+    NullFormatter,
+    ScalarFormatter,
+    StrMethodFormatter,
+)
 
 from winkler.plot.panel import PanelAxis
 
@@ -53,6 +60,8 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         )
     elif not upright and not one.log:
         axis.set_major_locator(MaxNLocator(nbins=MOST_TICKS_ACROSS, steps=[1, 2, 2.5, 5, 10]))
+    if isinstance(axis.get_major_formatter(), ScalarFormatter):
+        axis.get_major_formatter().set_useOffset(False)
     if one.ticks is not None:
         axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
     (axes.set_ylabel if upright else axes.set_xlabel)(_broken(one.title) if upright else one.title, color=one.colour)

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PatchCollection, PolyCollection
 from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.patches import Circle
+from matplotlib.ticker import ScalarFormatter
 
 from winkler.plot import marks, style
 from winkler.plot.axis import PanelAxis
@@ -225,6 +226,8 @@ def _colour_bar(axes: Axes, mark: marks.Map, drawn: Any) -> None:
     if mark.place == "inset" or mark.kind == "pixels":
         bar.outline.set_visible(False)
     bar.set_label(mark.bar.title)
+    if isinstance(bar.formatter, ScalarFormatter):
+        bar.formatter.set_useOffset(False)
     if mark.bar.plain:
         set_axis(bar.ax, "y", PanelAxis(mark.bar.label, mark.bar.scale, log=mark.bar.log, plain=mark.bar.log))
         bar.ax.minorticks_off()

@@ -12,7 +12,7 @@ import numpy as np
 from winkler.loading.loads import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, points, zero
+from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, from_zero, note, points, zero
 from winkler.plot.series import series, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import EdgeState
@@ -181,5 +181,7 @@ def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
             points(*requested, style.BLUE, name="requested", clipped=False),
             points(limit.shift, last, name="instability"),
         )
-        panels.append(Panel(marks, PanelAxis.of(shift, margin=MARGIN), PanelAxis.of(of, low=0.0)))
+        panels.append(
+            Panel(marks, PanelAxis.of(shift, margin=MARGIN), PanelAxis.of(of, low=from_zero(of.content), margin=MARGIN))
+        )
     return panels[0].plus(note("approximate", "upper left")), panels[1].plus(legend="lower left")

@@ -32,6 +32,8 @@ __all__ = [
 
 MOST_MARKED_POINTS = 40
 """Points of a path are marked individually up to this number."""
+LEAST_SHARE = 0.015
+"""Part of all energy below which one is too thin to be seen, and left out."""
 LOSS_TOLERANCE = 1e-12
 """Relative rounding error of a loss, in the greatest load times the greatest displacement."""
 MOST_CORNERS = 24
@@ -151,6 +153,7 @@ def energies_panel(solution: Any, names: dict[str, str], along: str = "time", he
         for low, high, colour, name in zip(
             rows, rows[1:], (style.RED, style.BLUE, style.GREEN, style.ORANGE), names.values(), strict=False
         )
+        if np.max(high - low) >= LEAST_SHARE * greatest
     ]
     upright = PanelAxis(
         "energy", scale, low=0.0, high=height_factor * (1.15 * greatest if greatest > 0.0 else scale.factor)

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Rule, Sheet, Strokes, points, titled
+from winkler.plot.panel import Arrow, Panel, PanelAxis, Rule, Sheet, Strokes, among, points, titled
 from winkler.plot.rough.roughness import framed, image_of, models_panel
 from winkler.plot.series import Series, common_scale, row_of, scale_of, series, with_unit
 from winkler.problems.surface_heating.rolling import SurfaceRollingHeatingSolution
@@ -159,8 +159,8 @@ def _along(
         for name, look in (("first", (style.RED, style.DASHES[0])), ("second", (style.BLUE, style.DASHES[1])))
     ]
     marks: list[Any] = [
-        Line(frame.x, of.content, colour, dash=dash, name=name)
-        for (of, (colour, dash)), name in zip(lines, ("first body", "second body"), strict=True)
+        among(place, frame.x, of.content, name, colour=colour, dash=dash)
+        for place, ((of, (colour, dash)), name) in enumerate(zip(lines, ("first body", "second body"), strict=True))
     ]
     touching = np.flatnonzero((state.pressure > 0.0)[frame.part[0], row])
     if touching.size:

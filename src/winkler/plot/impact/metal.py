@@ -10,7 +10,7 @@ import numpy as np
 from winkler.loading.loads import Depth
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of, without_extent
-from winkler.plot.panel import Panel, PanelAxis, Rule, Sheet, among, titled
+from winkler.plot.panel import Panel, PanelAxis, Rule, Sheet, among, from_zero, titled
 from winkler.plot.series import row_of, with_unit
 from winkler.problems.plastic.impact import PlasticImpactSolution
 from winkler.problems.plastic.indentation import PlasticIndentation
@@ -61,5 +61,7 @@ def _over(item: PlasticImpactSolution, order: Any, across: PanelAxis, *names: st
     scale = type(rows[0])(rows[0].name, rows[0].word, together[together > 0.0] if log else together).scale
     label = "dent" if len(names) > 1 else ""
     high = 1.05 * float(np.max(rows[0].content))
-    upright = PanelAxis(label, scale, log=log) if label else PanelAxis.of(rows[0], low=0.0, high=high)
+    low = from_zero(rows[0].content)
+    ends: dict[str, Any] = {"margin": 0.1} if low is None else {"low": low, "high": high}
+    upright = PanelAxis(label, scale, log=log) if label else PanelAxis.of(rows[0], **ends)
     return Panel(tuple(marks), across, upright, legend="lower right" if len(names) > 1 else "")

@@ -35,6 +35,8 @@ MOST_MARKED_POINTS = 40
 """Points of a curve are marked individually up to this number."""
 POINTS = 121
 """Points of F(d)."""
+LEAST_AREA = 0.02
+"""Part of the greatest line load above which an area is shaded."""
 PRESSURE_CEILING = 3.0
 """Greatest drawn pressure over its mean where it is infinite."""
 
@@ -149,6 +151,7 @@ def line_load_panel(solution: Restorable, extent: float, force: float | None = N
     marks: list[Any] = [
         Area(x, part, 0.0, colour, 0.16)
         for part, colour in ((np.maximum(q, 0.0), style.RED), (np.minimum(q, 0.0), style.BLUE))
+        if np.max(np.abs(part)) > LEAST_AREA * np.max(np.abs(q))
     ]
     marks.append(Line(x, q, style.RED))
     across = PanelAxis.of(curve.along, low=-float(np.max(x)), high=float(np.max(x)))

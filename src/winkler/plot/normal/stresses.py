@@ -184,6 +184,7 @@ def stress_map(along: Series, down: Series, stress: Series, label: str = "", fac
         parts.append(dataclasses.replace(drawn, x=part[0], y=part[1], z=part[2], place=place))
     scale, z = common_scale(along, down), down.content
     upright = PanelAxis.of(down, scale, low=max(float(np.max(z)), 0.0), high=min(float(np.min(z)), 0.0))
+    upright = dataclasses.replace(upright, label=upright.label.replace("depth below the surface", "depth"))
     across = PanelAxis(label, scale) if label else PanelAxis.of(along, scale)
     return Panel(tuple(parts), across, upright, equal=True, grid="")
 

@@ -116,10 +116,7 @@ def _film_panels(item: SealSolution, film: FilmPassage) -> tuple[Panel, Panel]:
     relief = relief.plus(*_arrows(film.flow.along, film.flow.across, rough.pixel))
     if film.way.gap > 0.0:
         x, y = ((np.array([place + 0.5])) * one for place, one in zip(film.way.place, rough.pixel, strict=True))
-        relief = relief.plus(
-            Line(x, y, style.RED, width=0.0, marker="o", size=9.0, hollow=True, name="narrowest place", order=9.0),
-            legend="upper right",
-        )
+        relief = relief.plus(Line(x, y, style.RED, width=0.0, marker="o", size=9.0, hollow=True, order=9.0))
     fluid = series("pressure", item.problem.pressure_drop * film.flow.pressure)
     return relief, map_panel(rough, fluid, style.SHADES, label="pressure of the fluid")
 
@@ -129,7 +126,7 @@ def seal_sheet(item: SealSolution) -> Sheet:
     """Return the gap with the flow, the fluid's pressure and the gaps of the last load; leak and factors of many."""
     film, state = item.last_passage(), item.contact.last
     panels = [*_film_panels(item, film), _gap_panel(state)]
-    names = ["gap and flow along $x$, white: contact", "pressure of the fluid", "gaps"]
+    names = ["gap and flow; white: contact, ring: narrowest", "pressure of the fluid", "gaps"]
     if np.size(item.force) >= FEWEST_LOADS:
         force = row_of(item, "force")
         columns = {

@@ -35,7 +35,7 @@ WAVE_NUMBERS_DRAWN = 300
 CLIPPED_SHARE = 0.002
 """Part of the pixels that may lie beyond the range of colours, as pits and spikes."""
 LEAST_DENSITY_SHARE = 1e-10
-"""Relative spectral density below which only leakage of the window is left."""
+"""Relative spectral density below which only leakage of the window is left, which is not drawn."""
 MOST_MARKED_POINTS = 40
 AXIS_FACTOR = 3.0
 """Range of logarithmic axes beyond that of the models, as a factor."""
@@ -126,12 +126,10 @@ def spectrum_panel(spectra: Sequence[tuple[Spectrum, str]]) -> Panel:
         if isinstance(spectrum, PowerSpectrum):
             q = spectrum.wave_numbers
         lines.append(among(place, q, spectrum.at(q), name, most=WAVE_NUMBERS_DRAWN if measured else 0, size=3.0))
-    contents = np.concatenate([line.y for line in lines])
-    positive, most = contents[contents > 0.0], float(np.max(contents))
-    has_window_floor = bool(np.min(positive) * (np.min(positive) / most) ** 0.08 < LEAST_DENSITY_SHARE * most)
+    floor = LEAST_DENSITY_SHARE * max(float(np.max(line.y)) for line in lines)
+    lines = [dataclasses.replace(line, y=np.where(line.y >= floor, line.y, np.nan)) for line in lines]
     across = PanelAxis("wave number $q$ [1/m]", margin=0.05, log=True)
-    low = LEAST_DENSITY_SHARE * most if has_window_floor else None
-    upright = PanelAxis("spectral density $C$ [m⁴]", margin=0.08, log=True, low=low)
+    upright = PanelAxis("spectral density $C$ [m⁴]", margin=0.08, log=True)
     return Panel(tuple(lines), across, upright, legend="lower left")
 
 

@@ -19,6 +19,8 @@ from winkler.values.vocabulary import Word
 __all__ = ["master_curve_sheet"]
 
 POINTS = 241
+ROOM = 4.0
+"""Upper end of the moduli over the greatest one: there stands the legend."""
 WIDEST = math.log(1e3)
 """Half-width of an interval, in logarithms, beyond which it is not drawn."""
 NAMES = {Response.STORAGE: "storage $G'$", Response.LOSS: "loss $G''$", Response.RELAXATION: "relaxation $G(t)$"}
@@ -57,11 +59,14 @@ def _curve(item: MasterCurveSolution) -> Panel:
         marks.append(points(x, y, style.CYCLE[place], size=2.5, name=NAMES[one.response]))
         marks.append(Line(at, model[one.response](at), style.INK, width=1.0, name="" if place else "fit"))
     modulus = Series("modulus", Word("G", "Pa", "modulus"), np.concatenate([y for _, y in rows]))
+    scale = middle_scale("Pa", modulus.content)
     return Panel(
         tuple(marks),
         PanelAxis.of(_along(item, at), log=True, plain=True, parts=5, margin=0.03),
-        PanelAxis.of(modulus, middle_scale("Pa", modulus.content), log=True, plain=True, margin=0.05),
-        legend="best",
+        PanelAxis.of(modulus, scale, log=True, plain=True, margin=0.05, high=ROOM * float(np.max(modulus.content))),
+        legend="upper center",
+        columns=3,
+        spaced=True,
     )
 
 

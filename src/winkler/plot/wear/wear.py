@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, titled
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, among, titled
 from winkler.plot.series import Series, series, series_of, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.grids import wear_grid
@@ -253,8 +253,8 @@ def over_elapsed(along: Series, rows: list[Series], label: str = "") -> Panel:
     scale = max((row.scale for row in rows), key=lambda one: one.factor)
     looks: tuple[dict[str, Any], ...] = ({"colour": style.BLUE}, {"colour": style.RED, "dash": style.DASHES[1]})
     lines = [
-        Line(along.content, row.content, name=row.name.replace("_", " "), **look)
-        for row, look in zip(rows, looks, strict=False)
+        among(place, along.content, row.content, row.name.replace("_", " "), **look)
+        for place, (row, look) in enumerate(zip(rows, looks, strict=False))
     ]
     high = 1.12 * max(float(np.max(row.content)) for row in rows) or scale.factor
     upright = PanelAxis(label, scale, low=0.0, high=high) if label else PanelAxis.of(rows[0], scale, low=0.0, high=high)

@@ -34,7 +34,7 @@ __all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
 MOST_BARS = 40
-LEAST_VARIATION = 1e-5
+LEAST_VARIATION = 5e-5
 """Variation of an answer that is worth a figure, over its greatest number."""
 
 
@@ -165,7 +165,8 @@ def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
         finite = np.isfinite(columns[name])
         content = columns[name][finite]
         same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
-        if not same and content.size and np.ptp(content) > LEAST_VARIATION * np.max(np.abs(content)):
+        varies = content.size > 0 and np.ptp(content) > LEAST_VARIATION * np.max(np.abs(content))
+        if varies and not same and (content.size < 2 or variation_shows(name, columns)):
             names.append(name)
     return names or list(outcome.answers)
 

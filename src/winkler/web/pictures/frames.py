@@ -27,15 +27,20 @@ from winkler.web.pictures.view import View, fitting
 __all__ = ["frames_of"]
 
 MOST_FRAMES = 24
-"""Of more moments so many are shown, at equal distances."""
 SPRINGS = "springs"
 """Title of their panel, which keeps its frame by itself."""
 BEYOND = 0.05
 """Part of an axis that is left free beyond the curve with the moving point."""
 
 
-def frames_of(point: SolvedPoint) -> Iterator[Sheet]:
+def frames_of(point: SolvedPoint, *, most: int = MOST_FRAMES) -> Iterator[Sheet]:
     """Yield a sheet for each moment of an answer: a path, a time, cycles, or loads one after another.
+
+    Parameters
+    ----------
+    point : SolvedPoint
+    most : int, optional
+        Of more moments so many are shown, at equal distances.
 
     Raises
     ------
@@ -43,7 +48,8 @@ def frames_of(point: SolvedPoint) -> Iterator[Sheet]:
         If the answer has one state alone, or no contact that could be drawn.
     """
     if has_film(point.solution):
-        yield from (film_sheet(point.solution, frame.index) for frame in point.solution.frames)
+        states = point.solution.frames
+        yield from (film_sheet(point.solution, states[place].index) for place in _spread(len(states), most))
         return
     moments = moments_of(point)
     if moments.total < 2:
@@ -51,8 +57,7 @@ def frames_of(point: SolvedPoint) -> Iterator[Sheet]:
             f"film: a {type(point.problem).__name__} of one load does not move; give a path, times, cycles or a list "
             "of loads."
         )
-    count = min(moments.total, MOST_FRAMES)
-    chosen = [int(one) for one in np.unique(np.linspace(0, moments.total - 1, count).round().astype(int))]
+    chosen = _spread(moments.total, most)
     if moments.states and is_worn(moments.states[0]):
         for moment in chosen:
             panels = titled(moment_panels(moments.states, moment), "worn profile", "worn depth", "pressure")
@@ -70,6 +75,11 @@ def frames_of(point: SolvedPoint) -> Iterator[Sheet]:
         )
         panels = (*shown, *_course(point, moment))
         yield Sheet(panels, min(len(panels), 2), width=4.2, title=_title(point, moments, moment))
+
+
+def _spread(total: int, most: int) -> list[int]:
+    """Return at most so many places of all, the first and the last ones among them."""
+    return [int(one) for one in np.unique(np.linspace(0, total - 1, min(total, most)).round().astype(int))]
 
 
 def _view(contacts: list[Any]) -> View:
