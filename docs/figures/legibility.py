@@ -196,6 +196,9 @@ def _hidden(axes: Any, renderer: Any) -> Iterator[str]:
     ]
     for legend in [axes.get_legend()] if axes.get_legend() else []:
         box = legend.get_window_extent(renderer).padded(-2.0)
+        inside = axes.bbox.x0 < 0.5 * (box.x0 + box.x1) < axes.bbox.x1
+        if inside and (box.x0 < axes.bbox.x0 or box.x1 > axes.bbox.x1):
+            yield f"wider than its panel: the legend over {axes.get_xlabel()!r}"
         for line, dots in curves:
             if line.get_linewidth() < 1.0 and line.get_marker() in ("None", "", " "):
                 continue

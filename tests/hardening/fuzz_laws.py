@@ -138,6 +138,10 @@ def _signs(content: Mapping[str, Any], problem: Any) -> bool:
 @law("time, distances, losses and wear never fall")
 def _rising(content: Mapping[str, Any], problem: Any) -> bool:
     rows = [(name, numbers(content.get(name))) for name in NEVER_FALLING]
+    velocity = numbers(getattr(problem, "velocity", None))
+    if velocity is not None and velocity.ndim == 1:  # blows of their own, in any order, not points of a path
+        order = np.argsort(velocity, kind="stable")
+        rows = [(name, row[order] if row is not None and row.shape == velocity.shape else row) for name, row in rows]
     energy = size(
         *(row for name in ("energy", "stored_energy", "work") if (row := numbers(content.get(name))) is not None)
     )

@@ -64,7 +64,10 @@ def test_what_is_cut_off_within_a_cell_is_cut_off_there():
     one, other = RingTransforms(coarse, 0.0), RingTransforms(fine, 0.0)
     first, second = Cuts(one.squares, values), Cuts(other.squares, more)
     assert one.integral(values, first) == pytest.approx(other.integral(more, second), rel=1e-13)
-    assert one.inside(first, 4.0) == pytest.approx(other.inside(second, 4.0), rel=1e-13)
+    # the same by numbers, and how much of the line is pressed: x^2 falls through zero at 1/3 and rises through it at 3
+    assert one.pressed(values) == pytest.approx(other.pressed(more), rel=1e-13)
+    assert one.pressed(values)[0] == pytest.approx(one.integral(values, first), rel=1e-13)
+    assert one.pressed(values)[1] == pytest.approx(2.0 + np.sqrt(1.0 / 3.0) - np.sqrt(3.0), rel=1e-13)
     pairs = (one, values, first), (other, more, second)
     whole = (np.sum(rings.borne(v, cut) * rings.areas) for rings, v, cut in pairs)
     # all of the load, and twice the integral along the line

@@ -61,3 +61,11 @@ def test_each_fault_is_found(spoil, fault):
     spoil(axes)
     figure.set_layout_engine("none") if fault.startswith("outside") else None
     assert any(found.startswith(fault) for found in faults(figure))
+
+
+def test_a_legend_is_no_wider_than_its_panel():
+    figure, axes = plotted()
+    for number in range(3):
+        axes.plot([0.0, 1.0], [2.0, 2.0], label=f"a name of thirty letters, {number}")
+    axes.legend(loc="upper center", ncols=3, frameon=False).set_in_layout(False)
+    assert "wider than its panel: the legend over 'depth [m]'" in faults(figure)
