@@ -60,8 +60,9 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         )
     elif not upright and not one.log:
         axis.set_major_locator(MaxNLocator(nbins=MOST_TICKS_ACROSS, steps=[1, 2, 2.5, 5, 10]))
-    if isinstance(axis.get_major_formatter(), ScalarFormatter):
-        axis.get_major_formatter().set_useOffset(False)
+    formatter = axis.get_major_formatter()
+    if isinstance(formatter, ScalarFormatter):
+        formatter.set_useOffset(False)
     if one.ticks is not None:
         axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
     (axes.set_ylabel if upright else axes.set_xlabel)(_broken(one.title) if upright else one.title, color=one.colour)
