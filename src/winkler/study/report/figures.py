@@ -108,7 +108,7 @@ def answers_over(outcome: Outcome, *, pictured: bool = True) -> Iterator[ReportF
             yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _single(outcome)})
         return
     if len(next(iter(columns.values()))) > len(outcome.points):
-        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and len(outcome.study.sweep) == 1:
+        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and len(outcome.study.axes) == 1:
             yield from _patches(outcome)
             return
         over = next((name for name in ALONG if name in columns), "")
@@ -254,7 +254,7 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
 
 def _patches(outcome: Outcome) -> Iterator[ReportFigure]:
     """Yield a figure for every answer over the varied key, one curve for each patch of contact."""
-    (axis,) = outcome.study.sweep
+    (axis,) = outcome.study.axes
     if not axis.numeric:
         return
     x = varied_series(outcome.study, axis)
