@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
@@ -38,7 +40,8 @@ class LineMarchedState(ShearedStrip):
     law : Coulomb
         Friction.
     stick_half_width, stick_middle : float
-        Half-width and middle of the widest strip that does not slip [m].
+        Half-width and middle of the widest strip that does not slip [m].  Where the traction stays within some 0.2 % of
+        what friction bears the strip may be wrong by a tenth of its width.
     places, used_friction, ahead, rubbed : ndarray, (elements,)
         Middles of the elements that touch [m]; traction over mu times the pressure [-]; how far the second body is
         ahead of the first there [m]; what friction has lost there since the beginning, per area [J/m^2].
@@ -202,9 +205,16 @@ def stuck_strip(row: TouchingElements, used: Array, half_width: float) -> tuple[
     """Return the middle and the half-width of the widest strip that sticks [m].
 
     Where it ends the traction departs from what friction bears by the square root of the distance: the square of what
-    is left to it is continued to zero over the two outermost elements, within the element beside them.
+    is left to it is continued to zero over the two outermost elements, within the element beside them.  What slips
+    between two strips that stick divides them only where it is wider than the wider element beside it: less than that
+    elements do not tell.
     """
-    stuck = np.flatnonzero(np.diff(np.concatenate([[0], row.slips == 0.0, [0]])))
+    sticks, edges = row.slips == 0.0, np.concatenate([[0.0], np.cumsum(row.widths)])
+    turns = np.flatnonzero(np.diff(sticks)) + 1
+    for start, end in pairwise(turns.tolist()):
+        if not sticks[start] and edges[end] - edges[start] < max(row.widths[start - 1], row.widths[end]):
+            sticks[start:end] = True
+    stuck = np.flatnonzero(np.diff(np.concatenate([[0], sticks, [0]])))
     if not stuck.size:
         return 0.0, 0.0
     runs = stuck.reshape(-1, 2)

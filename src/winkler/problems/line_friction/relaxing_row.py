@@ -78,20 +78,17 @@ class RelaxingElementRow(ElementRow):
         self.bed, self.friction, self.creep = elastic_line(bed), friction, medium.creep
         self.path, self.modulus = path, self.bed.medium.modulus
         self.most = friction * float(np.max(path.across))
-        pressed = self._pressed(bed, path.moments, path.across)
-        self.half_widths_at = np.array([state.half_width for state in pressed])
-        self.elements = elements_for(self.bed, self.half_widths_at)
+        rows = [self._times(n) for n in range(path.moments.size)]
+        ends, flat, across = self._laid(rows)
+        self.pressed = self._pressed(bed, flat, across)
+        half_widths = np.array([state.half_width for state in self.pressed])
+        self.elements = elements_for(self.bed, half_widths[ends])
         self.unit = self.modulus * self.elements.scale
         self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
-        rows = [self._times(n) for n in range(path.moments.size)]
-        for last in (False, True):  # once more, with steps that end where the edge of the contact is that of an element
-            flat = np.concatenate(rows)
-            across = np.interp(flat, path.moments, path.across)
-            ends = np.cumsum([row.size for row in rows]) - 1
-            across[ends], flat[ends] = path.across, path.moments
+        arriving = self._arriving(rows, half_widths)
+        if [row.size for row in arriving] != [row.size for row in rows]:  # the edge of the contact moves
+            ends, flat, across = self._laid(arriving)
             self.pressed = self._pressed(bed, flat, across)
-            if not last:
-                rows = self._arriving(rows, np.array([state.half_width for state in self.pressed]))
         self.ends, self.across, self.times = ends, across, flat
         self.along, self.bulk = (np.interp(flat, path.moments, row) for row in (path.along, path.bulk))
         self.along[ends], self.bulk[ends] = path.along, path.bulk
@@ -111,6 +108,14 @@ class RelaxingElementRow(ElementRow):
         for state in problem.steps():  # what comes suddenly is the later one
             found[state.time, state.force_per_length] = state
         return [found[pair] for pair in zip(times.tolist(), np.asarray(forces).tolist(), strict=True)]
+
+    def _laid(self, rows: list[Array]) -> tuple[Array, Array, Array]:
+        """Return which steps reach the points of the path, and times [s] and normal forces [N/m] of all steps."""
+        path, flat = self.path, np.concatenate(rows)
+        across = np.interp(flat, path.moments, path.across)
+        ends = np.cumsum([row.size for row in rows]) - 1
+        across[ends], flat[ends] = path.across, path.moments
+        return ends, flat, across
 
     def _times(self, n: int) -> Array:
         """Return when the steps to a point of the path end [s]."""

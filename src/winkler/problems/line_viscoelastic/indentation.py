@@ -12,6 +12,7 @@ in the middle bears P; that at the edge bears nothing, which is Ting's rule wher
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable, Iterator
 from typing import Annotated, Any, ClassVar
 
@@ -165,8 +166,7 @@ class LineViscoelasticIndentation:
             )
         if not line.single:
             refuse_unless_strips(line, np.array([widest]))
-        bed = LoadSprings(line)
-        row = SpringRow(bed, Springs.of(bed, widest, self.count), medium.relaxation)
+        row = SpringRow(LoadSprings(line), _springs(line, widest, self.count), medium.relaxation)
         ends = np.array([levels[-1] for _, levels in parts])
         before = np.maximum.accumulate([np.max(levels) for _, levels in parts])
         unbound = np.where(ends >= before, under_force(line, ends / modulus), 0.0)  # on ground that was never touched
@@ -238,6 +238,12 @@ class LineViscoelasticIndentation:
             As `steps`.
         """
         return self.gathered(self.steps())
+
+
+@functools.lru_cache(maxsize=8)
+def _springs(line: LineFoundation | LayeredLineFoundation, widest: float, count: int) -> Springs:
+    """Return the springs of an elastic line, kept: on layers they take longer than what is done with them."""
+    return Springs.of(LoadSprings(line), widest, count)
 
 
 def _refuse_pulling(state: LineViscoelasticState) -> None:
