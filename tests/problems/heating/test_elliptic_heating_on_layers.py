@@ -92,7 +92,8 @@ def test_many_loads_and_speeds_one_by_one_and_none():
     many = wk.EllipticFrictionHeating(
         wk.CurvedBodies(5e-3, 15e-3), coated(21e9), LAW, wk.Force(loads), pair, speeds, 1.0
     ).solve()
-    assert not np.any(many.flash_temperature[0]) and not np.any(many.stationary_temperature[0])
+    assert not np.any(many.flash_temperature[0])
+    assert not np.any(many.stationary_temperature[0])
     one = many.at((1, 2))
     assert one.flash_temperature == many.flash_temperature[1, 2]
     again = slid(wk.EllipticFrictionHeating, wk.CurvedBodies(5e-3, 15e-3), (coated(21e9),), 5.0, 1.0)
