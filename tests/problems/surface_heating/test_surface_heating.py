@@ -172,28 +172,26 @@ def test_hertz_against_one_share_for_the_whole_contact(first, second, part):
 
 
 @pytest.mark.few(1)
-@pytest.mark.parametrize("young", [210e9, 2100e9, 21e9])
+@pytest.mark.parametrize("young", [2100e9, 21e9])
 def test_ellipses_on_layers_heat_by_the_pixels_of_their_pressure(young):
-    """The way that `EllipticFrictionHeating` names: as Hertz on equal layers; stiff coatings narrow the contact."""
+    """Against an insulator both share in the same way: continuity in every pixel, and one share for the contact."""
     solid, insulated = wk.Elastic(210e9, 0.3), wk.HeatConductors(STEEL, wk.ThermalConductor(1e-4, 12e-6))
     bodies, load, friction = wk.CurvedBodies(5e-3, 15e-3), wk.Force(200.0), 0.1
     coat = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(young, 0.3), 5e-5)], on=solid, second=solid)
     pressed = wk.EllipticIndentation(bodies, coat, load).solve()
     sides = 2.2 * np.array([pressed.longitudinal_semi_axis, pressed.lateral_semi_axis])
-    x, y = ((np.arange(48) + 0.5) / 48 * side - 0.5 * side for side in sides)
+    x, y = ((np.arange(64) + 0.5) / 64 * side - 0.5 * side for side in sides)
     pressure = pressed.pressure(x[:, None], y[None, :])
     maps = wk.SurfaceLoad(pressure, sides, x_traction=-friction * pressure)
     warm = wk.SurfaceFrictionHeating(maps, insulated, 2.0).solve()
-    law = wk.Coulomb(friction)
-    with pytest.raises(wk.InvalidInput, match=r"give the pressure of EllipticIndentation, pixel by pixel, to Surface"):
-        wk.EllipticFrictionHeating(bodies, coat, law, load, insulated, 2.0)
+    once = wk.EllipticFrictionHeating(bodies, coat, wk.Coulomb(friction), load, insulated, 2.0).solve()
+    assert warm.heat_rate == pytest.approx(once.heat_rate, rel=2e-3)
+    assert warm.max_temperature == pytest.approx(once.flash_temperature, rel=3e-3)
+    place = warm.x - 0.5 * sides[0], warm.y - 0.5 * sides[1]
+    assert place == pytest.approx((once.first.warmest.x, once.first.warmest.y), abs=0.6 * sides[1] / 64)
     half = wk.HalfSpace.between(solid, solid)
-    bare = wk.EllipticFrictionHeating(bodies, half, law, load, insulated, 2.0).solve()
-    assert warm.heat_rate == pytest.approx(bare.heat_rate, rel=2e-3)
-    if young == solid.young:
-        assert warm.max_temperature == pytest.approx(bare.flash_temperature, rel=2e-3)
-    else:
-        assert (warm.max_temperature > 1.05 * bare.flash_temperature) == (young > solid.young)
+    bare = wk.EllipticFrictionHeating(bodies, half, wk.Coulomb(friction), load, insulated, 2.0).solve()
+    assert (once.flash_temperature > 1.05 * bare.flash_temperature) == (young > solid.young)
 
 
 def test_a_round_spot_conducts_as_the_constriction_of_a_disc():

@@ -3,10 +3,11 @@ r"""Stresses and displacements inside a body graded in depth, by Hankel integral
 The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay with depth as `winkler.media.layered.depth_recursion`
 computes. Near the surface, where short waves count, the field of a homogeneous half-space made of the surface under the
 same pressure is taken out: it is known without an integral over waves (`winkler.media.interior.subsurface`), and what
-is left of the amplitudes falls like :math:`1/\xi` even on the surface.  Waves shorter than a 3000th of the contact are
-left out, which matters at depths below a hundredth of the radius.  Against twice as many waves (E three times stiffer
-far below) that cost 1e-7 of the mean pressure under a paraboloid or a cone; under a flat punch 3e-6, and 1e-4 at a
-hundredth of the radius from its edge.
+is left of the amplitudes falls like :math:`1/\xi` even on the surface.  Its strains are those of the surface: below it
+the stresses along the surface follow from them with the moduli at that depth.  Waves shorter than a 3000th of the
+contact are left out, which matters at depths below a hundredth of the radius.  Against twice as many waves (E three
+times stiffer far below) that cost 1e-7 of the mean pressure under a paraboloid or a cone; under a flat punch 3e-6, and
+1e-4 at a hundredth of the radius from its edge.
 
 The amplitudes at one depth are smooth functions of the wave number times :math:`e^{-\xi z}`; they are kept as
 polynomials, octave by octave, and evaluated at the many wave numbers of the integrals.
@@ -80,6 +81,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
         beside = np.where(z == 0.0, np.maximum(r, LEAST_RADIUS_RATIO * a), r)
         own = subsurface.field(load, beside[near], z[near], modulus=modulus, poisson=top.poisson, shear=top.shear)
         result[:, near] = own
+        result[:2, near] = _strained(own, top, grading, z[near])
     depths = np.unique(z)
     end = min(LARGEST_WAVE_NUMBER / a, DECAY_DEPTH / depths[0]) if depths[0] > 0.0 else LARGEST_WAVE_NUMBER / a
     farthest = float(np.max(r))
@@ -99,6 +101,16 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
             (members,) = np.nonzero(z == depth)
             result[:, members] += superposed(state, waves, radial, r[members], last)
     return BodyField(*(part.reshape(shape) for part in result))
+
+
+def _strained(own: BodyField, top: Elastic, grading: DepthGrading, z: Array) -> tuple[Array, Array]:
+    """Return the radial and hoop stress of a grading under the axial stress and the strains of its surface."""
+    radial, hoop, axial = own.radial_stress, own.hoop_stress, own.axial_stress
+    young, poisson = grading.young_at(z), grading.poisson_at(z)
+    outward = (radial - top.poisson * (hoop + axial)) / top.young
+    around = (hoop - top.poisson * (radial + axial)) / top.young
+    plane, held = young / (1.0 - poisson**2), poisson / (1.0 - poisson) * axial
+    return plane * (outward + poisson * around) + held, plane * (around + poisson * outward) + held
 
 
 def _states(

@@ -11,7 +11,7 @@ from winkler.numerics.fields.strips_below import loads_of
 from winkler.numerics.surfaces.pressed_line import PressedLine
 from winkler.numerics.surfaces.refined_strips import gaps
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
-from winkler.numerics.types import Array, ComplexArray
+from winkler.numerics.types import Array, ComplexArray, Curve
 
 __all__ = ["ElementStrips", "FoundStrips", "RefinedStrips"]
 
@@ -144,12 +144,15 @@ class ElementStrips(NamedTuple):
     error
         The greatest relative change of contact length and greatest pressure from half as many elements, or an element
         of every strip over all that touch, if that is greater.
+    beyond
+        The distance of the deformed surfaces [m] at places beyond the elements [m].
     """
 
     modulus: float
     places: Array
     pressed: PressedLine
     error: float
+    beyond: Curve
 
     @property
     def refined(self) -> bool:
@@ -204,7 +207,12 @@ class ElementStrips(NamedTuple):
 
     def gap(self, x: Array) -> Array:
         """Return the distance of the deformed surfaces [m]: straight between the middles of elements."""
-        return np.maximum(np.interp(x, self.places, np.where(self.pressed.pressure > 0.0, 0.0, self.pressed.gap)), 0.0)
+        x = np.asarray(x, dtype=float)
+        found = np.interp(x, self.places, np.where(self.pressed.pressure > 0.0, 0.0, self.pressed.gap))
+        outside = (x < self.places[0]) | (x > self.places[-1])
+        if outside.any():
+            found[outside] = self.beyond(x[outside])
+        return np.maximum(found, 0.0)
 
     def potential(self, x: Array, z: Array) -> tuple[Array, Array]:
         """Return F [Pa] and, below the surface, F' [Pa/m]."""

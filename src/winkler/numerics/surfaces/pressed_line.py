@@ -3,7 +3,8 @@ r"""A two-dimensional profile pressed on a half-plane by a force per length, on 
 .. math:: w_i = f_i - \theta x_i - C + \sum_j K_{ij} p_j , \qquad
           K_{ij} = -\frac1\pi\int_{x_j-h/2}^{x_j+h/2}\ln\frac{|x_i-s|}L\,\mathrm ds ,
 
-to which layers add what `winkler.numerics.fields.strips_below` says,
+to which layers add what `winkler.numerics.fields.strips_below` says, and which bodies graded by a power k have with
+:math:`(1-|x|^{-k})/k` in place of the logarithm,
 with p >= 0, w >= 0 and p w = 0; pressures are even on each element.  Elements that pull are dropped, those that overlap
 added, until none does either; for each such set the pressures are linear in C, theta and f, found by conjugate
 gradients preconditioned with \|q\| (products by the fast Fourier transform, padded with zeros), and the force, with
@@ -21,6 +22,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.fields.strips_below import Below
+from winkler.numerics.pixels.power_law import PowerLawSurface
+from winkler.numerics.surfaces.strip_elements import power_elements
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
@@ -71,7 +74,7 @@ class PressedLine(NamedTuple):
 class _LogKernel:
     """Products with K on n places, and with the approximate inverse."""
 
-    def __init__(self, count: int, spacing: float, below: Below | None) -> None:
+    def __init__(self, count: int, spacing: float, below: Below | PowerLawSurface | None) -> None:
         from scipy import fft
 
         self.count = count
@@ -82,7 +85,9 @@ class _LogKernel:
         length = 2.0 * count * spacing
         whole = ends * np.log(np.abs(ends) / length)
         row = (spacing - np.diff(whole)) / math.pi
-        if below is not None:
+        if isinstance(below, PowerLawSurface):
+            row = power_elements(below, count, spacing, length)
+        elif below is not None:
             row = row + below.of_elements(count, spacing, length)
             self.rounding = ROUNDING * float(np.sum(np.abs(row)))
         kernel = np.zeros(self.size)
@@ -114,7 +119,7 @@ def press_line(
     *,
     tilt: float = 0.0,
     moment: float = math.nan,
-    below: Below | None = None,
+    below: Below | PowerLawSurface | None = None,
 ) -> PressedLine:
     """Solve the contact.
 
@@ -131,7 +136,7 @@ def press_line(
     moment
         2 M / E* [m^2] about x = 0; NaN where the tilt is prescribed.
     below
-        The layers below the surface; none of a half-plane.
+        The layers below the surface, or the power law of the moduli; none of a half-plane.
 
     Raises
     ------
@@ -163,7 +168,7 @@ def press_line(
 
 
 def _pressed(
-    x: Array, f: Array, force: float, tilt: float, moment: float, active: Array, below: Below | None
+    x: Array, f: Array, force: float, tilt: float, moment: float, active: Array, below: Below | PowerLawSurface | None
 ) -> PressedLine:
     spacing = float(x[-1] - x[0]) / (x.size - 1)
     grid, body = _LogKernel(x.size, spacing, below), np.isfinite(f)
@@ -199,7 +204,9 @@ def _pressed(
     )
 
 
-def _balanced(x: Array, f: Array, force: float, moment: float, active: Array, below: Below | None) -> PressedLine:
+def _balanced(
+    x: Array, f: Array, force: float, moment: float, active: Array, below: Below | PowerLawSurface | None
+) -> PressedLine:
     """Return the profile under the tilt with which its pressures bear the moment, sought between prescribed tilts."""
     from scipy.optimize import brentq
 

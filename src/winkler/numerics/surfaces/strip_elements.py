@@ -13,11 +13,23 @@ by :math:`\kappa_j` at :math:`s_j` has the potential of `winkler.problems.line.s
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
+from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.types import Array
 
-__all__ = ["by_hats", "element_compliance", "hats", "linear_potential", "linear_slope", "summed_power"]
+__all__ = [
+    "by_hats",
+    "element_compliance",
+    "hats",
+    "linear_potential",
+    "linear_slope",
+    "power_compliance",
+    "power_elements",
+    "summed_power",
+]
 
 FAR = 30.0
 """Distance in half-lengths from which moments of the traction are summed: the logarithms lose digits there."""
@@ -55,6 +67,44 @@ def element_compliance(edges: Array, exponent: float = 0.0) -> Array:
     """
     far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
     return np.asarray(2.0 / np.pi * np.diff(summed_power(far, exponent), axis=1))
+
+
+def power_elements(surface: PowerLawSurface, count: int, spacing: float, reference: float) -> Array:
+    """Return the displacement 0, 1, ... elements away from an even pressure of E*/2 on one, zero a reference on.
+
+    Parameters
+    ----------
+    surface : PowerLawSurface
+        In the unit of the lengths.
+    count : int
+        How many.
+    spacing, reference : float
+        Width of the elements, and from where on displacements are counted.
+    """
+    ends = spacing / reference * (np.arange(count + 1) - 0.5)
+    softer = _softer(surface, reference)
+    return np.asarray(-softer * reference / math.pi * np.diff(summed_power(ends, surface.exponent)))
+
+
+def power_compliance(surface: PowerLawSurface, x: Array) -> Array:
+    """Return the displacement by unit line loads at distances, over E*/2 and zero at a distance of one.
+
+    Parameters
+    ----------
+    surface : PowerLawSurface
+        In the unit of the lengths.
+    x : ndarray
+        Not zero, of any shape.
+    """
+    k, logarithm = surface.exponent, np.log(np.abs(x))
+    power = -np.expm1(-k * logarithm) / k if k else logarithm
+    return np.asarray(-_softer(surface, 1.0) / math.pi * power)
+
+
+def _softer(surface: PowerLawSurface, unit: float) -> float:
+    """Return how far a line load moves the surface, with lengths over a unit, over half-planes [-]."""
+    wave = float(surface.whole(np.array([1.0 / unit]))[0])  # 1 + M, of which the line load is the cosine transform
+    return wave / (math.gamma(1.0 - surface.exponent) * float(np.sinc(0.5 * surface.exponent)))
 
 
 def linear_slope(nodes: Array, x: Array, exponent: float = 0.0) -> Array:

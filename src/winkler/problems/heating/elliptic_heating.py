@@ -2,7 +2,8 @@ r"""Flash temperature of an elliptic contact whose bodies slide in any direction
 
 The flux is :math:`\mu\,p\,v` with the pressure of Hertz' ellipse and the speed of sliding
 :math:`v=|\vec V_1-\vec V_2|`.  Temperature is a mean of line loads over all directions, each changed by the motion of
-the surface in closed form (`winkler.numerics.fields.elliptic_source`); the two bodies share the heat.
+the surface in closed form (`winkler.numerics.fields.elliptic_source`); the two bodies share the heat.  On layers and
+gradings the pressure is that of pixels (`winkler.problems.heating.pressed_source`).
 """
 
 from __future__ import annotations
@@ -18,29 +19,36 @@ from winkler.loading.loads import Depth, Force
 from winkler.loading.path import load_number
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.mapped import MappedMedium
+from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.types import PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
-from winkler.problems.heating.elliptic_sharing import estimated_ellipse, shared_ellipse_temperatures
+from winkler.problems.heating.elliptic_sharing import estimated_ellipse, estimated_pressed, shared_ellipse_temperatures
 from winkler.problems.heating.heated_ellipse import HeatedEllipse, Turn, half_length, sliding_line
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
 from winkler.problems.heating.one_result import one_problem, one_result
+from winkler.problems.heating.pressed_source import PressedSource
 from winkler.problems.heating.validity import heating_notes
-from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.elliptic import IN_LAYERS, EllipticIndentation, EllipticSolution
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import single
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.values.checks.number_checks import FINITE_QUANTITY, Advice
 from winkler.values.errors import InvalidInput
-from winkler.values.validity import Assumption, Note
+from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
 __all__ = ["EllipticFrictionHeating", "EllipticFrictionHeatingSolution"]
 
-ON_LAYERS = (
-    "the heat is that of Hertz's pressure; on layers and gradings give the pressure of EllipticIndentation, pixel by "
-    "pixel, to SurfaceFrictionHeating"
+BY_PIXELS = Note(
+    Assumption.RESOLUTION,
+    Standing.ASYMPTOTIC,
+    "The heat follows the pressure of pixels: where closed forms are known, equal layers and round contacts, greatest "
+    "temperatures were within 5e-4 of them and means within 2e-3, at Peclet numbers up to 1e7.",
+    "comparison with EllipticFrictionHeating on half-spaces and FrictionHeating on layers",
 )
 
 
@@ -52,14 +60,16 @@ class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
     ----------
     bodies : CurvedBodies or CurvedPair
         R_x and R_y, or the radii of each body; x is that of both together.
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        Both bodies, homogeneous.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
+DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies: under Hertz's pressure on homogeneous ones, else under that of the pixels of `EllipticIndentation`.
     law : Coulomb
         Friction, with a finite coefficient.
     load : Force or Depth
         The normal load, which may be an array.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them; elastic layers
+        conduct like what is below them.
     first_speed, second_speed : float or ndarray, optional
         Speeds [m/s] at which the surface of either body moves past the contact; the second one rests unless given.
         Arrays broadcast with each other and with the load.
@@ -107,7 +117,7 @@ class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
     )
 
     bodies: CurvedBodies | CurvedPair
-    medium: Annotated[HomogeneousMedium, Advice(ON_LAYERS)]
+    medium: Annotated[MappedMedium, Advice("neither Hertz's ellipse nor the boundary elements apply to another")]
     law: Overcome
     load: Force[Q] | Depth[Q]
     conductors: HeatConductors
@@ -141,13 +151,27 @@ class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
         """Angles of both velocities to x [rad]."""
         return self.first_direction, self.second_direction
 
+    def _source(
+        self, contact: EllipticSolution[Q], shape: tuple[int, ...], place: tuple[int, ...]
+    ) -> EllipticSource | PressedSource | None:
+        """Return where the heat enters at a place of results of this shape, none without contact."""
+        columns = contact.longitudinal_semi_axis, contact.lateral_semi_axis, load_number(self.load)
+        a, b, load = (float(np.broadcast_to(each, shape)[place]) for each in columns)
+        if a == 0.0:
+            return None
+        if isinstance(self.medium, HomogeneousMedium):
+            return EllipticSource(a, b)
+        return PressedSource(self.bodies.together, self.medium, type(self.load)(load))  # type: ignore[arg-type]
+
     def solve(self) -> EllipticFrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
 
         Raises
         ------
         OutsideValidity
-            If a force is tensile, or a Peclet number is above 1e8.
+            If `EllipticIndentation` refuses the load, or a Peclet number is above 1e8.
+        NotConverged
+            If the pressures of the pixels are not found.
         """
         contact = EllipticIndentation(self.bodies, self.medium, self.load).solve()
         speeds = self.first_speed, self.second_speed
@@ -166,8 +190,8 @@ class EllipticFrictionHeating(RubbingBodies, PerLoad[Q]):
         ]
         table = np.zeros((5, *shape))
         for place in np.ndindex(shape):
-            axes, pair = (float(a[place]), float(b[place])), (float(first[place]), float(second[place]))
-            found = shared_ellipse_temperatures(axes, self._bodies, self.partition, pair, self._directions)
+            source, pair = self._source(contact, shape, place), (float(first[place]), float(second[place]))
+            found = shared_ellipse_temperatures(source, self._bodies, self.partition, pair, self._directions)
             table[(slice(None), *place)] = found
         between = self.first_direction - self.second_direction
         sliding = np.hypot(first * math.cos(between) - second, first * math.sin(between))
@@ -236,6 +260,8 @@ class EllipticFrictionHeatingSolution(PerLoad[Q]):
 
     def _estimate(self, *peclets: Quantity) -> Q:
         contact, problem = self.contact, self.problem
+        if not isinstance(problem.medium, HomogeneousMedium):
+            return self._estimate_by_pixels(*peclets)
         axes = np.broadcast_arrays(contact.longitudinal_semi_axis, contact.lateral_semi_axis, self.heat_rate)[:2]
         warm = axes[0] > 0.0
         unit = problem.bodies.semi_axes(1.0, 1.0)
@@ -244,6 +270,23 @@ class EllipticFrictionHeatingSolution(PerLoad[Q]):
         bodies, directions = problem._bodies, problem._directions
         found = estimated_ellipse((along, across), bodies, problem.partition, (first, second), directions)
         return shaped(np.where(warm, found * self.heat_rate, 0.0))
+
+    def _estimate_by_pixels(self, *peclets: Quantity) -> Q:
+        problem, shape = self.problem, np.shape(self.heat_rate)
+        rates = [
+            np.where(peclet, np.abs(speed), 0.0)
+            for peclet, speed in zip(peclets, (problem.first_speed, problem.second_speed), strict=True)
+        ]
+        first, second = (np.broadcast_to(rate, shape) for rate in rates)
+        found = np.zeros(shape)
+        for place in np.ndindex(shape):
+            source = problem._source(self.contact, shape, place)
+            if isinstance(source, PressedSource):
+                speeds = float(first[place]), float(second[place])
+                found[place] = estimated_pressed(
+                    source, problem._bodies, problem.partition, speeds, problem._directions
+                )
+        return shaped(found * self.heat_rate)
 
     @property
     def overestimate(self) -> Q:
@@ -267,8 +310,9 @@ class EllipticFrictionHeatingSolution(PerLoad[Q]):
         share = self.first_share if which == 0 else 1.0 - self.first_share
         speed = (problem.first_speed, problem.second_speed)[which]
         axes = float(self.contact.longitudinal_semi_axis), float(self.contact.lateral_semi_axis)
+        source = problem._source(self.contact, (), ())
         return HeatedEllipse(
-            problem._bodies[which], float(speed), problem._directions[which], float(share) * heat, *axes
+            problem._bodies[which], float(speed), problem._directions[which], float(share) * heat, *axes, source
         )
 
     def at(self, index: int | tuple[int, ...]) -> EllipticFrictionHeatingSolution[float]:
@@ -303,9 +347,13 @@ class EllipticFrictionHeatingSolution(PerLoad[Q]):
         problem, contact, friction = self.problem, self.contact, self.problem.law.coefficient
         angle = sliding_line((problem.first_speed, problem.second_speed), problem._directions)
         axes = contact.longitudinal_semi_axis, contact.lateral_semi_axis
+        if isinstance(problem.medium, HomogeneousMedium):
+            yields = ellipse_yield_notes(problem.medium, axes, contact.force, friction, angle)
+        else:
+            yields = (*unknown_yield(problem.medium, IN_LAYERS), BY_PIXELS)
         return (
             *(note for note in contact.validity if note.assumption is not Assumption.ELASTIC),
-            *ellipse_yield_notes(problem.medium, axes, contact.force, friction, angle),
+            *yields,
             sliding_note(problem.medium, friction),  # type: ignore[arg-type]
             *heating_notes(*pairs, np.asarray(self.overestimate), problem.partition),
         )

@@ -12,8 +12,9 @@ from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.types import Array
 from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.heated_ellipse import half_length
+from winkler.problems.heating.pressed_source import PressedSource
 
-__all__ = ["estimated_ellipse", "shared_ellipse_temperatures"]
+__all__ = ["estimated_ellipse", "estimated_pressed", "shared_ellipse_temperatures"]
 
 FAST_HEIGHT = 1.2346198309610955
 """Greatest integral of sqrt(1 - s^2)/sqrt(pi (t - s)) from -1 to t, at t = 0.652: Hertz' flux in fast motion."""
@@ -22,14 +23,18 @@ Pair = tuple[float, float]
 
 
 def shared_ellipse_temperatures(
-    axes: Pair, bodies: Bodies, partition: HeatPartition, speeds: Pair, directions: Pair
+    source: EllipticSource | PressedSource | None,
+    bodies: Bodies,
+    partition: HeatPartition,
+    speeds: Pair,
+    directions: Pair,
 ) -> tuple[float, ...]:
     """Return the share of the first body, and greatest and mean temperatures of both for 1 W in all [K/W].
 
     Parameters
     ----------
-    axes : tuple of float
-        Semi-axes along x and y [m], zero without contact.
+    source : EllipticSource or PressedSource
+        Where the heat enters; none without contact.
     bodies : tuple of ThermalConductor
     partition : EqualMaximum, EqualMean or FixedShare
     speeds, directions : tuple of float
@@ -40,9 +45,9 @@ def shared_ellipse_temperatures(
     tuple of float
         Share; greatest of the first, of the second; mean of the first, of the second.
     """
-    if axes[0] == 0.0:
+    if source is None:
         return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
-    source, peaks, means = EllipticSource(*axes), [], []
+    peaks, means = [], []
     for speed, direction, body in zip(speeds, directions, bodies, strict=True):
         wave = speed / body.diffusivity
         peaks.append(source.peak(wave, direction).height / body.conductivity)
@@ -77,3 +82,14 @@ def estimated_ellipse(
         fast = FAST_HEIGHT * 1.5 / (math.pi * a * b) * length / np.sqrt(2.0 * np.where(moves, peclet, 1.0))
         alone.append(np.where(moves, fast, at_rest) / body.conductivity)
     return shared(alone[0], alone[1], partition)
+
+
+def estimated_pressed(
+    source: PressedSource, bodies: Bodies, partition: HeatPartition, speeds: Pair, directions: Pair
+) -> float:
+    """Return the same of one contact by pixels, at these speeds, zero of a body at rest [m/s]."""
+    at_rest, alone = source.peak(0.0, 0.0).height, []
+    for speed, direction, body in zip(speeds, directions, bodies, strict=True):
+        height = source.fast(direction) / math.sqrt(speed / body.diffusivity) if speed else at_rest
+        alone.append(np.asarray(height / body.conductivity))
+    return float(shared(alone[0], alone[1], partition))

@@ -10,6 +10,7 @@ import numpy as np
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.elliptic_source import EllipticSource, PeakPlace
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.heating.pressed_source import PressedSource
 from winkler.values.checks.number_checks import Number
 from winkler.values.checks.place_checks import common_places
 from winkler.values.value import value, words
@@ -35,9 +36,12 @@ class HeatedEllipse:
         What flows into it [W].
     longitudinal_semi_axis, lateral_semi_axis : float
         a along x and b along y [m]; zero without contact.
+    source : EllipticSource or PressedSource
+        Where 1 W would enter, as Hertz' pressure or that of pixels; none without contact.
     """
 
     __words__ = words(
+        source=("", None, "where the heat enters: as Hertz' pressure, or as that of pixels"),
         direction=(r"\psi", "rad", "angle of the velocity to x"),
         half_length=("l", "m", "half the length of the contact along the motion"),
         longitudinal_semi_axis=("a", "m", "semi-axis of the contact along x"),
@@ -50,6 +54,7 @@ class HeatedEllipse:
     heat_rate: float
     longitudinal_semi_axis: float
     lateral_semi_axis: float
+    source: EllipticSource | PressedSource | None
 
     @property
     def half_length(self) -> float:
@@ -61,10 +66,6 @@ class HeatedEllipse:
     def peclet(self) -> float:
         """Pe = V l / (2 kappa) with the half length l [-]."""
         return 0.5 * abs(self.speed) * self.half_length / self.conductor.diffusivity
-
-    @property
-    def _source(self) -> EllipticSource:
-        return EllipticSource(self.longitudinal_semi_axis, self.lateral_semi_axis)
 
     def temperature(self, x: ArrayLike, y: ArrayLike = 0.0) -> Array:
         """Return the temperature of the surface above that far away [K].
@@ -78,19 +79,21 @@ class HeatedEllipse:
         ------
         InvalidInput
             If a place is not finite, or the shapes do not broadcast.
+        OutsideValidity
+            On layers and gradings, if a place is four times as far away as the contact reaches.
         """
         along, across = common_places("HeatedEllipse", x=x, y=y)
-        if self.longitudinal_semi_axis == 0.0 or self.heat_rate == 0.0:
+        if self.source is None or self.heat_rate == 0.0:
             return np.zeros(along.shape)
-        found = self._source.surface(self.speed / self.conductor.diffusivity, self.direction, along, across)
+        found = self.source.surface(self.speed / self.conductor.diffusivity, self.direction, along, across)
         return np.asarray(found * (self.heat_rate / self.conductor.conductivity))
 
     @property
     def warmest(self) -> PeakPlace:
         """The greatest temperature: `height` [K] and its place [m]."""
-        if self.longitudinal_semi_axis == 0.0 or self.heat_rate == 0.0:
+        if self.source is None or self.heat_rate == 0.0:
             return PeakPlace(0.0, 0.0, 0.0)
-        peak = self._source.peak(self.speed / self.conductor.diffusivity, self.direction)
+        peak = self.source.peak(self.speed / self.conductor.diffusivity, self.direction)
         return PeakPlace(peak.height * self.heat_rate / self.conductor.conductivity, peak.x, peak.y)
 
 

@@ -23,7 +23,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.pressing_load import pressing
 from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line_strips.profile_notes import profile_notes
-from winkler.problems.line_strips.strip_fields import LineMedium, layers_below, strip_fields
+from winkler.problems.line_strips.strip_fields import LineMedium, response_below, strip_fields
 from winkler.problems.line_strips.strip_search import Pushed, find_strips
 from winkler.problems.one_load import one_of, single
 from winkler.problems.which_body import in_first_body
@@ -47,9 +47,10 @@ class LineProfileContact(PerLoad[Q]):
     ----------
     section : CylinderRow, PunchRow, MirroredSection, FormulaSection or MeasuredSection
         The gap between the undeformed bodies across their length.
-    medium : HalfSpace, TransverselyIsotropicHalfSpace or PlaneMedium
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, PlaneMedium or GradedHalfSpace
         Both bodies: homogeneous, or one of them in layers, bonded or sliding, or graded with depth, such as a
-        CoatedHalfSpace, StackedHalfSpace, SlidingFilm or DepthGradedHalfSpace.
+        CoatedHalfSpace, StackedHalfSpace, SlidingFilm or DepthGradedHalfSpace; or graded by a power of the depth, a
+        GradedHalfSpace.
     load : LineForce
         The force per length; its value may be an array, the results then have its shape.
     alignment : Tilt or LineOfAction, optional
@@ -139,8 +140,7 @@ class LineProfileContact(PerLoad[Q]):
             return None
         tilt, action = self._aligned
         action = action if isinstance(self.alignment, LineOfAction) else math.nan
-        layered = layers_below(self.medium)
-        response = None if layered is None else layered.response
+        response = response_below(self.medium)
         return find_strips(self.section, Pushed(self.medium.modulus, force, tilt, action, self.elements, response))
 
 

@@ -8,12 +8,13 @@ from typing import cast
 import numpy as np
 
 from winkler.media.layered.plane_interior import PlaneWaves
-from winkler.media.offers import LayerStack
+from winkler.media.offers import LayerStack, PowerOfDepth, offers
 from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_notes import WAVES
+from winkler.problems.line.validity import PALLOT
 from winkler.problems.line_strips.strip_fields import LineMedium, layers_below, middle_of, strip_fields, strip_waves
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
@@ -49,17 +50,24 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
     """
     layered = layers_below(medium)
     standing, body = HALF_PLANES if layered is None else layered.response.first.in_plane
+    source = FLAMANT if layered is None else WAVES
+    if offers(medium, PowerOfDepth):
+        body, source = "Linear elastic bodies whose modulus follows one power of the depth, in plane strain", PALLOT
     response = Note(
         Assumption.RESPONSE,
         standing,
         f"{body}: all strips press on each other; the ends of a body of finite length and thickness are not included."
         if layered is None
         else f"{body}; all strips press on each other, and the ends of a body of finite length are not included.",
-        FLAMANT if layered is None else WAVES,
+        source,
     )
+    if offers(medium, PowerOfDepth):
+        section_notes = (*section.notes, *(note for note in medium.notes if note.standing is not Standing.EXACT))
+    else:
+        section_notes = section.notes
     if found is None:
         apart = "The bodies do not touch under this load."
-        return (*section.notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
+        return (*section_notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
     if found.refined:
         text = (
             "Edges and pressures of the strips were refined: no pressure pulls, no gap overlaps, and slopes are met to "
@@ -82,7 +90,7 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
         )
     x = _inside(found.edges)
     steep = max(float(np.max(np.abs(section.slope(x) - found.tilt))), abs(found.tilt))
-    notes = [*section.notes, response, resolution, steepness_note(steep)]
+    notes = [*section_notes, response, resolution, steepness_note(steep)]
     if _sharp(found):
         text = "The pressure is infinite under a sharp crest or at a wall: a real edge yields or is rounded."
         notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "elastic field at a corner"))

@@ -12,21 +12,48 @@ from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHa
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.depth_response import GradedBody
 from winkler.media.layered.plane_interior import PlaneWaves, plane_waves
-from winkler.media.offers import LayerStack, PlaneMedium
+from winkler.media.mapped import layers_of
+from winkler.media.offers import LayerStack, PlaneMedium, PowerOfDepth, offers
+from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.surfaces.found_strips import FoundStrips
+from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.problems.line.layered_stress import in_layers
 from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["LineMedium", "layers_below", "middle_of", "strip_fields", "strip_waves"]
+__all__ = ["LineMedium", "layers_below", "middle_of", "response_below", "strip_fields", "strip_waves"]
 
-LineMedium = HomogeneousMedium | CoatedHalfSpace | StackedHalfSpace | SlidingFilm | DepthGradedHalfSpace | PlaneMedium
+LineMedium = (
+    HomogeneousMedium
+    | CoatedHalfSpace
+    | StackedHalfSpace
+    | SlidingFilm
+    | DepthGradedHalfSpace
+    | PlaneMedium
+    | PowerOfDepth
+)
 
 
 def layers_below(medium: LineMedium) -> PlaneMedium | None:
-    """Return a medium whose moduli depend on the depth, or none."""
-    return None if isinstance(medium, HomogeneousMedium) else medium
+    """Return a medium whose moduli depend on the depth by layers or a grading of finite moduli, or none."""
+    if isinstance(medium, HomogeneousMedium) or offers(medium, PowerOfDepth):
+        return None
+    return cast(PlaneMedium, medium)
+
+
+def response_below(medium: LineMedium) -> WaveResponse | PowerLawSurface | None:
+    """Return how a medium differs from a half-plane under pressures; none of a homogeneous one.
+
+    Raises
+    ------
+    OutsideValidity
+        If the modulus of a power law is proportional to the depth.
+    """
+    if offers(medium, PowerOfDepth):
+        return cast(PowerLawSurface, layers_of(medium))
+    layered = layers_below(medium)
+    return None if layered is None else layered.response
 
 
 def strip_fields(
@@ -58,6 +85,11 @@ def strip_fields(
     OutsideValidity
         If the body has no stresses that are known.
     """
+    if offers(medium, PowerOfDepth):
+        raise OutsideValidity(
+            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
+            "grading by the layers of a CoatedHalfSpace."
+        )
     layered = layers_below(medium)
     if layered is None:
         body, deep = InBody(poisson_of(medium, below), friction), np.abs(z)

@@ -1,4 +1,4 @@
-"""The search for the strips in which a section touches a half-plane or layers under one load.
+"""The search for the strips in which a section touches a half-plane, layers or a power law under one load.
 
 Boundary elements on an even grid find which places touch.  From their edges the strips of smooth sections are refined
 (`winkler.numerics.surfaces.refined_strips`) and examined; where that fails on finer grids too, and for measured
@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 
 from winkler.numerics.fields.strips_below import Below
+from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.surfaces.found_strips import ElementStrips, FoundStrips, RefinedStrips, runs
 from winkler.numerics.surfaces.pressed_line import PressedLine, press_line
 from winkler.numerics.surfaces.refined_strips import examined, refined
+from winkler.numerics.surfaces.strip_elements import power_compliance
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
@@ -52,7 +54,7 @@ class Pushed(NamedTuple):
     elements
         Places of the first grid.
     response
-        Of the layers to pressures; none of a half-plane.
+        Of the layers to pressures, or the power law of the moduli; none of a half-plane.
     """
 
     modulus: float
@@ -60,10 +62,12 @@ class Pushed(NamedTuple):
     tilt: float
     action: float
     elements: int
-    response: WaveResponse | None = None
+    response: WaveResponse | PowerLawSurface | None = None
 
-    def below(self, unit: float) -> Below | None:
-        """Return the layers, for lengths over a unit [m]."""
+    def below(self, unit: float) -> Below | PowerLawSurface | None:
+        """Return the layers or the power law, for lengths over a unit [m]."""
+        if isinstance(self.response, PowerLawSurface):
+            return self.response.in_units_of(unit)
         return None if self.response is None else Below(self.response, unit)
 
 
@@ -106,7 +110,9 @@ def find_strips(section: Section, load: Pushed) -> FoundStrips:
 
 
 def _refines(load: Pushed) -> bool:
-    """Return whether strips may be refined: not on a grading, whose kernel has a logarithm of its own."""
+    """Return whether strips may be refined: not on gradings, whose kernels are no logarithm of the half-plane."""
+    if isinstance(load.response, PowerLawSurface):
+        return False
     return load.response is None or load.response.smooth == load.response.length
 
 
@@ -191,7 +197,7 @@ def _refined(section: Section, load: Pushed, grid: _OnGrid, checked: Array) -> R
     """Return refined strips, or nothing where they are not found or pull, overlap or leave something."""
     edges, pinned = _guess(section, grid)
     origin, unit = 0.5 * float(edges[0, 0] + edges[-1, 1]), 0.5 * float(edges[-1, 1] - edges[0, 0])
-    curve = _curve(section, origin, unit)._replace(below=load.below(unit))
+    curve = _curve(section, origin, unit)._replace(below=cast(Below | None, load.below(unit)))
     force = 2.0 * load.force / (load.modulus * unit)
     moment = force * (load.action - origin) / unit
     places = (checked - origin) / unit
@@ -258,4 +264,24 @@ def _elements(section: Section, load: Pushed, grid: _OnGrid) -> ElementStrips:
         error = max(error, missed * len(runs(fine > 0.0)) / int(np.count_nonzero(fine > 0.0)))
     except NotConverged:
         pass
-    return ElementStrips(load.modulus, grid.places, grid.pressed, error)
+    return ElementStrips(
+        load.modulus, grid.places, grid.pressed, error, functools.partial(_beyond, section, load, grid)
+    )
+
+
+def _beyond(section: Section, load: Pushed, grid: _OnGrid, x: Array) -> Array:
+    """Return the distance of the deformed surfaces [m] at places beyond a grid, where elements are as line loads."""
+    ends, bears = grid.places[[0, -1]], grid.pressed.pressure > 0.0
+    unit, loads = float(ends[1] - ends[0]), grid.pressed.pressure[bears] / (grid.places.size - 1)
+    places, below = grid.places[bears] / unit, load.below(unit)
+
+    def height(at: Array) -> Array:
+        if isinstance(below, PowerLawSurface):
+            sunk = power_compliance(below, at[:, None] / unit - places)
+        else:
+            sunk = -np.log(np.abs(at[:, None] / unit - places)) / math.pi
+            sunk = sunk if below is None else sunk + below.raised(at / unit, places)
+        return np.asarray(section.height(at) - grid.pressed.tilt * at + unit * (sunk @ loads))
+
+    start = height(ends) - grid.pressed.gap[[0, -1]]
+    return np.asarray(height(x) - np.where(x < ends[0], start[0], start[1]))

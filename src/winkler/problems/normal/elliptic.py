@@ -46,7 +46,7 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["EDGE_ERROR", "EllipticIndentation", "EllipticSolution", "pressed_ellipse"]
+__all__ = ["EDGE_ERROR", "IN_LAYERS", "EllipticIndentation", "EllipticSolution", "pressed_ellipse"]
 
 ELLIPSE = Note(
     Assumption.RESPONSE,

@@ -20,7 +20,8 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Rigid
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
-from winkler.media.offers import LayerStack, offers
+from winkler.media.layered.depth_response import solid_at
+from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import greatest, in_strip
 from winkler.problems.line.indentation import LineIndentation, LineSolution
@@ -63,7 +64,8 @@ class ContactStress:
     Parameters
     ----------
     contact : Indentation, EllipticIndentation or LineIndentation
-        How the bodies are pressed, by one load: homogeneous ones, or layers, all of them isotropic.
+        How the bodies are pressed, by one load: homogeneous ones, or layers, all of them isotropic; by an Indentation
+        also a DepthGradedHalfSpace, whose graded body is one part.
 
     Raises
     ------
@@ -98,11 +100,18 @@ class ContactStress:
 
     def __post_init__(self) -> None:
         medium = self.medium
-        if not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
+        if offers(medium, GradedInDepth):
+            if not isinstance(self.contact, Indentation):
+                raise InvalidInput(
+                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; in "
+                    "gradings the greatest stresses are sought under round contacts only: give an Indentation, or a "
+                    "CoatedHalfSpace of layers that follow the grading."
+                )
+        elif not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
             raise InvalidInput(
                 f"ContactStress: the medium is a {type(medium).__name__}; the greatest stresses are sought in "
-                "isotropic bodies and layers only: give a HalfSpace, a CoatedHalfSpace, a SlidingFilm or a "
-                "StackedHalfSpace."
+                "isotropic bodies, layers and gradings only: give a HalfSpace, a CoatedHalfSpace, a SlidingFilm, a "
+                "StackedHalfSpace or a DepthGradedHalfSpace."
             )
         if offers(medium, LayerStack):
             bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
@@ -136,7 +145,7 @@ class ContactStress:
             along = contact.longitudinal_semi_axis >= contact.lateral_semi_axis
             kinds.append(tensor.longitudinal_shear if along else tensor.lateral_shear)
         rows, error = [], 0.0
-        for number, part in enumerate(solid_parts(self.medium), 1):
+        for number, part in enumerate(_parts(self.medium), 1):
             found = [find(part, kind) for kind in kinds]
             if isinstance(contact, IndentationSolution):
                 found.append(found[-1])
@@ -242,6 +251,12 @@ class ContactStressSolution:
             "comparison of two grids",
         )
         return (*self.contact.validity, summed)
+
+
+def _parts(medium: object) -> tuple[StrongPart, ...]:
+    """Return the parts in which stresses are sought; a graded body is one, of the solid at its surface."""
+    graded = (StrongPart("graded body", solid_at(medium.grading), True),) if offers(medium, GradedInDepth) else ()
+    return (*graded, *solid_parts(medium))
 
 
 def _greatest(rows: list[PartStress], kind: str) -> tuple[float, float]:
