@@ -118,6 +118,7 @@ PAIR = wk.CrossProfile(Y, 0.0 * Y), wk.CrossProfile(Y, 0.5 * Y**2)
 ROLLER = 0.2, 0.5, wk.CrownedEnds(2.0)
 SHEAR = wk.Path.through(LOAD, wk.ShearForce([0.0, 0.0005]))
 ON_SURFACES = {
+    "EllipticFrictionHeating": lambda medium: wk.EllipticFrictionHeating(BODIES, medium, MU, LOAD, STEEL, 3e-5),
     "EllipticIndentation": lambda medium: wk.EllipticIndentation(BODIES, medium, LOAD),
     "EllipticWear": lambda medium: wk.EllipticWear(BODIES, medium, wk.Archard(1e-3), LOAD, 1.0),
     "JointStiffness": lambda medium: wk.JointStiffness(HILL, medium, MU, LOAD),

@@ -33,8 +33,8 @@ FEWEST, MOST = 96, 384
 """Pixels along a side of a turned map."""
 ACROSS = 20.0
 """Pixels over the smaller semi-axis, where their number allows it."""
-LEVELS = 3
-"""Maps of one, two and four times the size, on which temperatures beside the contact are found."""
+FARTHEST = 4.0
+"""How far away temperatures beside the contact are found, over how far its longer side reaches."""
 
 
 @value
@@ -59,27 +59,29 @@ class PressedSource:
         Raises
         ------
         OutsideValidity
-            If a place is farther away than four times the contact reaches.
+            If a place is farther away than four times the contact reaches along its longer side.
         """
         from scipy.ndimage import map_coordinates
 
         cosine, sine = math.cos(angle), math.sin(angle)
         along, across = np.ravel(x * cosine + y * sine), np.ravel(y * cosine - x * sine)
         turned = _turned(self, angle)
-        sides = turned.half_sides
-        far = np.maximum(np.abs(along) / sides[0], np.abs(across) / sides[1])
-        level = np.ceil(np.log2(np.maximum(far * (1.0 + 2.0 / FEWEST), 1.0))).astype(int)
-        if np.any(level >= LEVELS):
+        places = np.stack([along, across])
+        reach = np.abs(places) * (1.0 + 2.0 / FEWEST) / np.array(turned.half_sides)[:, None]
+        far = float(np.max(np.abs(places), initial=0.0)) / max(turned.half_sides)
+        if far > FARTHEST:
             raise OutsideValidity(
-                f"HeatedEllipse: a place is {float(np.max(far)):.3g} times as far away as the contact reaches; on "
-                f"layers and gradings temperatures are known up to {2 ** (LEVELS - 1) - 0.1:.3g} times: give nearer "
-                "places."
+                f"HeatedEllipse: a place is {far:.3g} times as far away as the contact reaches; on layers and gradings "
+                f"temperatures are known up to {FARTHEST:g} times: give nearer places."
             )
-        found = np.empty(far.shape)
-        for each in np.unique(level).tolist():
-            here, wider = level == each, turned.widened(2**each)
-            places = zip((along, across), wider.half_sides, wider.pixel, strict=True)
-            rows = [(place[here] + side) / pixel - 0.5 for place, side, pixel in places]
+        times = 2.0 ** np.ceil(np.log2(np.maximum(reach, 1.0)))
+        found = np.empty(along.shape)
+        for each in np.unique(times, axis=1).T:
+            here, wider = np.all(times == each[:, None], axis=0), turned.widened((int(each[0]), int(each[1])))
+            rows = [
+                (place + side) / pixel - 0.5
+                for place, side, pixel in zip(places[:, here], wider.half_sides, wider.pixel, strict=True)
+            ]
             found[here] = map_coordinates(wider.warmed(wave), rows, order=3, mode="nearest")
         return found.reshape(np.shape(x))
 
@@ -133,13 +135,15 @@ class _Turned(NamedTuple):
         nx, ny = self.flux.shape
         return HeatedGrid.of((nx, ny), self.pixel, 1.0, wave).warmed(self.flux)
 
-    def widened(self, times: int) -> _Turned:
-        """Return a map of as many pixels, each so many `times` as large."""
-        nx, ny = (count // times for count in self.flux.shape)
-        inner = self.flux.reshape(nx, times, ny, times).mean(axis=(1, 3))
-        borders = [((count - part) // 2,) * 2 for count, part in zip(self.flux.shape, (nx, ny), strict=True)]
-        along, across = self.half_sides
-        return _Turned((times * along, times * across), np.pad(inner, borders))
+    def widened(self, times: tuple[int, int]) -> _Turned:
+        """Return a map of as many pixels, each so many `times` as long and as wide."""
+        rows, columns = (
+            ((np.arange(n) + 0.5 - 0.5 * n) / part + 0.5 * n).astype(int)
+            for n, part in zip(self.flux.shape, times, strict=True)
+        )
+        flux = np.zeros(self.flux.shape)
+        np.add.at(flux, (rows[:, None], columns[None, :]), self.flux / (times[0] * times[1]))
+        return _Turned((times[0] * self.half_sides[0], times[1] * self.half_sides[1]), flux)
 
 
 @cached_by_value(16)
