@@ -39,7 +39,7 @@ GROUPS = {
 
 
 TO_MEND = {("surface_adhesion", "answer_stuck")}
-"""Figures of kinds with known faults: a colour bar has other ticks in pixels than in SVG, and its name needs more room."""
+"""Known faults: a colour bar has other ticks in pixels than in SVG, where the figure is laid out; its name needs room."""
 
 
 @functools.cache
