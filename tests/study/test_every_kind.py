@@ -39,7 +39,7 @@ GROUPS = {
 
 
 TO_MEND = {("surface_adhesion", "answer_stuck")}
-"""Known faults: a colour bar has other ticks in pixels than in SVG, where the figure is laid out; its name needs room."""
+"""Known faults: a colour bar has other ticks in pixels than in SVG, where figures are laid out; its name is cut."""
 
 
 @functools.cache
