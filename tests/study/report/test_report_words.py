@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ import winkler as wk
 from winkler.study import chapters
 from winkler.study.batch.run import run
 from winkler.study.chapters.answer import Equation
+from winkler.study.language.reading import read_study
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, in_words, inputs, values_text
 from winkler.study.report.figure import svg_element
@@ -21,6 +23,8 @@ from winkler.study.report.figures import answers_over
 from winkler.study.report.markup import safe, table, with_fixed_units
 from winkler.study.report.mathml import formula, inline, symbol
 from winkler.values.errors import InvalidInput
+
+STUDIES = Path(__file__).resolve().parents[3] / "examples" / "studies"
 
 FORMULAS = [
     item
@@ -214,3 +218,11 @@ def test_a_figure_for_a_page_is_one_element():
     ids = [element.attrib["id"] for element in root.iter() if "id" in element.attrib]
     assert ids
     assert all(name.startswith("answer-depth-") for name in ids)
+
+
+def test_what_was_not_given_is_not_mentioned():
+    """A map without tractions along y, as a name in a file: no empty name or bracket is left in the sentence."""
+    sentence = in_words(read_study(STUDIES / "rough" / "pressure_map.toml"))
+    assert "x traction = 48 values" in sentence
+    assert "y traction" not in sentence
+    assert ", )" not in in_words(read_study(STUDIES / "rough" / "rough_surface.toml"))

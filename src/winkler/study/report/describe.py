@@ -119,7 +119,9 @@ def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -
 
 
 def _is_left_out(content: Any, field: dataclasses.Field[Any]) -> bool:
-    """Return whether a number is infinite by default, and so not given."""
+    """Return whether a number is infinite by default, or a text or an array has nothing in it, and so is not given."""
+    if isinstance(content, str | np.ndarray):
+        return len(np.ravel(content)) == 0 or np.array_equal(content, "")
     return isinstance(content, float) and math.isinf(content) and field.default == content
 
 
@@ -243,7 +245,7 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
         elif isinstance(inside, float | np.ndarray) and not _is_left_out(inside, field):
             name = _name(type(content), field.name)
             parts.append(f"{name} = {_content_text(content, field.name, inside, path, {})}")
-        elif isinstance(inside, str):
+        elif isinstance(inside, str) and inside:
             parts.append(inside)
     label = _label(content)
     if len(parts) == 1 and label == parts[0].partition(" ")[0]:
