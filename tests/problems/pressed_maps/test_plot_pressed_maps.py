@@ -31,7 +31,8 @@ def test_a_seal():
     gap = np.ma.filled(relief.images[0].get_array(), np.nan)
     place = found.last_passage().way.place
     assert gap.T[place] == pytest.approx(1e6 * found.critical_gap[1])
-    mark = next(line for line in relief.lines if line.get_label() == "narrowest place")
+    (mark,) = (line for line in relief.lines if len(line.get_xdata()) == 1)
+    assert relief.get_title(loc="left").endswith("ring: narrowest")
     assert mark.get_xdata()[0] == pytest.approx((place[0] + 0.5) / 32)
     assert np.nanmax(np.ma.filled(fluid.images[0].get_array(), np.nan)) == pytest.approx(
         1e-3 * np.nanmax(found.fluid_pressure())

@@ -77,8 +77,8 @@ def _packed(sheet: Sheet) -> str:
 
     from winkler.plot.render import render
 
-    drawn, packed = io.BytesIO(), io.BytesIO()
+    drawn, store = io.BytesIO(), io.BytesIO()
     render(sheet).savefig(drawn, format="png", dpi=DOTS_PER_INCH)
     with Image.open(drawn) as image:
-        image.convert("RGB").quantize(COLOURS).save(packed, format="png", optimize=True)
-    return base64.b64encode(packed.getvalue()).decode("ascii")
+        image.convert("RGB").quantize(COLOURS).save(store, format="png", optimize=True)
+    return base64.b64encode(store.getvalue()).decode("ascii")
