@@ -22,6 +22,7 @@ from matplotlib import pyplot
 from matplotlib.figure import Figure
 from sphinx.util import logging
 from sphinx_gallery.scrapers import figure_rst
+from sphinx_gallery.sorting import FileNameSortKey
 
 import winkler
 from winkler.calculators.single_page import calculator_page
@@ -112,6 +113,7 @@ sphinx_gallery_conf = {
     "capture_repr": (),
     "examples_dirs": "../examples",
     "gallery_dirs": "gallery",
+    "within_subsection_order": FileNameSortKey,
     "filename_pattern": r"\.py$",
     "ignore_pattern": r"__init__\.py$",
     "download_all_examples": False,

@@ -231,15 +231,17 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
-def _grown(law, state, dt, room):  # type: ignore[no-untyped-def]
+def _surveyed(law, state, dt, workspace):  # type: ignore[no-untyped-def]
     """Survey a step, unless it is sudden."""
-    return _survey(law, state, dt, room[0], room[1], room[2][4]) if dt > 0.0 else (0.0, 0.0)
+    return _survey(law, state, dt, workspace[0], workspace[1], workspace[2][4]) if dt > 0.0 else (0.0, 0.0)
 
 
 @compiled
-def _go(law, springs, state, motion, change, dt, grown, room, sums):  # type: ignore[no-untyped-def]
+def _carry(law, springs, state, motion, change, dt, grown, workspace, sums):  # type: ignore[no-untyped-def]
     """Carry the springs through a surveyed step, in place; return how many are pressed after it."""
-    held = _step(law, springs, state, motion[0], change, dt, grown, room[0], room[1], room[2], True, sums)
+    held = _step(
+        law, springs, state, motion[0], change, dt, grown, workspace[0], workspace[1], workspace[2], True, sums
+    )
     motion[0] += change
     motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
     motion[2] = change / dt if dt > 0.0 else 0.0
@@ -251,11 +253,11 @@ def advance_springs(law, springs, state, motion, changes, times, numbers):  # ty
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
     modes, count = state[1].shape
     scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
-    room = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
+    workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
     for n in range(changes.size):
         sums = numbers[n]
-        grown = _grown(law, state, times[n], room)
-        held = _go(law, springs, state, motion, changes[n], times[n], grown, room, sums)
+        grown = _surveyed(law, state, times[n], workspace)
+        held = _carry(law, springs, state, motion, changes[n], times[n], grown, workspace, sums)
         sums[5] = _energy(law, springs, state)
         sums[6] = _radius(law, springs, state, motion, held)
         sums[8] = 1.0 if held > state[3][0] else 0.0
@@ -269,9 +271,9 @@ def _most(law, springs, target, dt):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def _find(law, springs, state, motion, target, dt, guess, scale, grown, room):  # type: ignore[no-untyped-def]
+def _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace):  # type: ignore[no-untyped-def]
     """Return as `advance_to_force` for a surveyed step."""
-    factors, spans, scratch, sums = room
+    factors, spans, scratch, sums = workspace
     change, low, high, stride = guess, -np.inf, np.inf, 0.0
     for turn in range(MOST_TRIALS):
         held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
@@ -305,8 +307,8 @@ def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # 
     """
     modes, count = state[1].shape
     scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
-    room = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
-    return _find(law, springs, state, motion, target, dt, guess, scale, _grown(law, state, dt, room), room)
+    workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
+    return _find(law, springs, state, motion, target, dt, guess, scale, _surveyed(law, state, dt, workspace), workspace)
 
 
 @compiled
@@ -324,7 +326,7 @@ def _curved(law, whole, dt, rate):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def _put(state, motion, place, way):  # type: ignore[no-untyped-def]
+def _put(state, motion, place, onto):  # type: ignore[no-untyped-def]
     """Write a state and a motion into others, number by number: to compile an assignment of slices takes seconds."""
     for j in range(state[0].size):
         place[0][j], place[2][j] = state[0][j], state[2][j]
@@ -332,7 +334,7 @@ def _put(state, motion, place, way):  # type: ignore[no-untyped-def]
             place[1][k, j] = state[1][k, j]
     place[3][0], place[3][1] = state[3][0], state[3][1]
     for i in range(motion.size):
-        way[i] = motion[i]
+        onto[i] = motion[i]
 
 
 @compiled
@@ -365,7 +367,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
     there = np.empty_like(state[0]), np.empty_like(state[1]), np.empty_like(state[2]), np.empty_like(state[3])
     modes, count = state[1].shape
     scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
-    room = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
+    workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
     away, sums, target, held = np.empty(3), np.empty(STEP_NUMBERS), np.zeros(4), 0
     little, scale, viscous = limits[0], limits[1], law[1] > 0.0
     for n in range(times.size):
@@ -381,13 +383,13 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
             # with a dashpot alongside, whose forces jump with the rate, the mean force of a step is meant
             target[1], target[2] = (0.0, 1.0 / dt) if viscous else (1.0, 0.0)
             target[0] = start + rise * (1.0 if sudden else (done + (0.5 if viscous else 1.0) * dt) / duration)
-            grown = _grown(law, state, dt, room)
-            whole, _ = _find(law, springs, state, motion, target, dt, course[0] * dt, scale, grown, room)
+            grown = _surveyed(law, state, dt, workspace)
+            whole, _ = _find(law, springs, state, motion, target, dt, course[0] * dt, scale, grown, workspace)
             if np.isnan(whole):
                 return n, 1
             error = 0.0 if sudden else np.inf if viscous else _curved(law, whole, dt, course[0])
             if error <= SURELY_LITTLE * little:
-                held = _go(law, springs, state, motion, whole, dt, grown, room, sums)
+                held = _carry(law, springs, state, motion, whole, dt, grown, workspace, sums)
                 moved, worked, wasted = whole, sums[2], sums[9]
             else:
                 _put(state, motion, there, away)
@@ -397,11 +399,11 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                     place = 0.25 + 0.5 * stage if viscous else 0.5 + 0.5 * stage
                     target[0] = start + rise * (done + place * dt) / duration
                     guess = 0.5 * whole if stage == 0 else whole - moved
-                    grown = _grown(law, there, half, room)
-                    change, _ = _find(law, springs, there, away, target, half, guess, scale, grown, room)
+                    grown = _surveyed(law, there, half, workspace)
+                    change, _ = _find(law, springs, there, away, target, half, guess, scale, grown, workspace)
                     if np.isnan(change):
                         return n, 1
-                    touching = _go(law, springs, there, away, change, half, grown, room, sums)
+                    touching = _carry(law, springs, there, away, change, half, grown, workspace, sums)
                     moved, worked, wasted = moved + change, worked + sums[2], wasted + sums[9]
                 error = abs(moved - whole)
                 if error > little:

@@ -12,7 +12,7 @@ from winkler.plot.series import places, scale_of, series
 
 __all__ = ["pressures_panel", "steps_panel"]
 
-ROOM_FOR_NAMES = 1.7
+WIDTH_WITH_NAMES = 1.7
 """Width of the panel of pressures over what is drawn in it."""
 
 
@@ -73,7 +73,7 @@ def pressures_panel(staircase: Staircase, extent: float) -> Panel:
     name = f"sum of {staircase.radii.size} punches" if staircase.radii.size > 1 else "one punch"
     marks.append(Line(r, staircase.pressure(r), style.RED, width=1.1, order=4.0, name=name))
     marks.append(Line(r, exact, style.INK, width=2.0, dash=style.DASHES[1], order=5.0, name="infinitely many"))
-    wide = ROOM_FOR_NAMES * extent  # beside the rims, which reach to the upper end
+    wide = WIDTH_WITH_NAMES * extent  # beside the rims, which reach to the upper end
     across = PanelAxis.of(series("r", r), scale_of("m", [extent]), low=0.0, high=wide)
     upright = PanelAxis.of(series("pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
     return Panel(tuple(marks), across, upright, legend="upper right")
