@@ -133,6 +133,7 @@ def in_lammps(folder: Path) -> list[list[str]]:
         "jkr": wk.AdhesiveCycle(sticky, wk.ShortRange(0.05), wk.Depth([20e-6, -1e-5])),
         "mdr": wk.ElasticPlasticParticle(1e-3, POWDER, wk.Depth([50e-6, 0.0]), work_opening=0.05, work_closing=0.05),
         "friction": beads(),
+        "friction_one_spring": beads(1),
     }
     none = "tangential linear_nohistory 0.0 0.0 damping velocity"
     built_in = {
@@ -141,7 +142,8 @@ def in_lammps(folder: Path) -> list[list[str]]:
         "mdr": "mdr 1e9 0.3 20e6 0.1 0.5 0.0 tangential linear_nohistory 0.0 0.0 damping mdr 1",
         "friction": "hertz/material 70e9 0.0 0.22 tangential mindlin NULL 0.0 0.3 damping velocity",
     }
-    depths = {"hertz": 1e-6, "jkr": 5e-6, "mdr": 10e-6, "friction": 1e-6}
+    built_in["friction_one_spring"] = built_in["friction"]
+    depths = {"hertz": 1e-6, "jkr": 5e-6, "mdr": 10e-6, "friction": 1e-6, "friction_one_spring": 1e-6}
     rows = []
     for name, law in laws.items():
         wk.write_export(wk.export(law, "lammps", name=f"own_{name}"), folder)
@@ -167,7 +169,7 @@ def in_lammps(folder: Path) -> list[list[str]]:
                 print(f"LAMMPS, {name}, {what}: {done.stderr.strip().splitlines()[-2:]}")
                 continue
             times = [t / (40 * 4000 * 6) for t in json.loads(done.stdout.splitlines()[-1])]
-            rows.append(row(f"LAMMPS, {name}, {what}", times))
+            rows.append(row(f"LAMMPS, {name.replace('_', ' ')}, {what}", times))
     return rows
 
 

@@ -62,3 +62,22 @@ def test_the_process_of_a_page_loads_fits_when_one_is_asked_for():
     code = "from winkler.web.session.worker import _WorkerState as S; S(); import sys; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert {"winkler.web.pictures.fitted", "winkler.plot.registered", "matplotlib"}.isdisjoint(done.stdout.split())
+
+
+@pytest.mark.slow
+def test_a_picture_of_one_kind_loads_those_of_its_part_and_is_the_same():
+    code = """
+import sys
+import winkler as wk
+from winkler.plot.registered import sheet_of_kind
+bed = wk.Foundation(wk.Paraboloid(1e-2), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+found = wk.SlidingWear(bed, wk.Archard(1e-14), wk.Force(10.0), [0.0, 1e-3], count=30).solve()
+one = [panel.title for panel in sheet_of_kind(found).panels]
+assert "winkler.plot.wear.wear" in sys.modules
+assert not [name for name in sys.modules if name.startswith("winkler.plot.rolling.")]
+from winkler.plot import sheet_of
+assert one == [panel.title for panel in sheet_of(found).panels]
+assert [name for name in sys.modules if name.startswith("winkler.plot.rolling.")]
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

@@ -51,8 +51,8 @@ def draw(
     """
     from winkler.fields.restoration import SubsurfaceFields
     from winkler.io.whole_file import write_whole
-    from winkler.plot import sheet_of
     from winkler.plot.normal.stresses import interface_rules
+    from winkler.plot.registered import sheet_of_kind
     from winkler.plot.render import render
     from winkler.study.language.reading import read_study
     from winkler.study.language.study import PICTURES
@@ -72,7 +72,7 @@ def draw(
     refuse_existing(path, overwrite, "draw: ")
     answer = _solved(read_study(study, settings=settings or ()), point)
     item = _drawn_value(answer, part, load)
-    sheet = sheet_of(item)
+    sheet = sheet_of_kind(item)
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
         rules = interface_rules(item, answer.problem.bed.medium)
         sheet = dataclasses.replace(sheet, panels=(sheet.panels[0].plus(*rules),))

@@ -242,9 +242,9 @@ def _draw(found: Inspection, output: Path) -> None:
     import io
 
     from winkler.io.whole_file import write_whole
-    from winkler.plot import sheet_of
+    from winkler.plot.registered import sheet_of_kind
     from winkler.plot.render import render
 
     with io.BytesIO() as drawn:
-        render(sheet_of(found.content)).savefig(drawn, format=output.suffix[1:].lower())
+        render(sheet_of_kind(found.content)).savefig(drawn, format=output.suffix[1:].lower())
         write_whole({output: drawn.getvalue()})

@@ -26,4 +26,4 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module 'winkler.plot' has no attribute {name!r}")
     from winkler.plot import registered
 
-    return getattr(registered, name)
+    return getattr(registered.everything(), name)

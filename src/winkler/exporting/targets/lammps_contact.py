@@ -70,13 +70,15 @@ void across(const double *n, double *axis) {
     for (int k = 0; k < 3; ++k) axis[k] = rest[k] / length;
 }
 
+typedef std::pair<tagint, tagint> Key;
+
 struct Remembered {
     @name@_state state;
     double axis[3];
     bigint seen;
+    Key key;
+    Remembered *next; /* what was asked for after this one in the last step */
 };
-
-typedef std::pair<tagint, tagint> Key;
 
 struct PairHash {
     std::size_t operator()(const Key &key) const {
@@ -84,32 +86,39 @@ struct PairHash {
     }
 };
 
-/* What contacts remember, until they are not met in a step. */
+/* What contacts remember, until they are not met in a step.  Lists of neighbours stay for many steps, so that most
+   contacts are met in the order of the step before. */
 class Memory {
 public:
-    void begin() { ++now, met = 0; }
+    void begin() { ++now, met = 0, last = nullptr; }
 
     /* Return what a contact remembers; nothing where it has never touched. */
     Remembered *find(tagint first, tagint second, double overlap) {
         const Key key(first, second);
-        auto found = kept.find(key);
-        if (found == kept.end()) {
-            if (!(overlap >= 0.0)) return nullptr;
-            Remembered fresh;
-            std::memset(&fresh, 0, sizeof(fresh));
-            @name@_begin(&fresh.state);
-            found = kept.emplace(key, fresh).first;
-        } else if (found->second.seen == now) twice = true;
-        found->second.seen = now;
+        Remembered *one = last ? last->next : nullptr;
+        if (!one || one->key != key) {
+            auto found = kept.find(key);
+            if (found == kept.end()) {
+                if (!(overlap >= 0.0)) return nullptr;
+                Remembered fresh{};
+                @name@_begin(&fresh.state);
+                fresh.key = key;
+                found = kept.emplace(key, fresh).first;
+            }
+            one = &found->second;
+            if (last) last->next = one;
+        }
+        if (one->seen == now) twice = true;
+        one->seen = now;
         ++met;
-        return &found->second;
+        return last = one;
     }
 
     void end() {
         if (met == kept.size()) return;
         for (auto one = kept.begin(); one != kept.end();)
             if (one->second.seen != now) one = kept.erase(one);
-            else ++one;
+            else (one++)->second.next = nullptr;
     }
 
     bool twice = false;
@@ -117,6 +126,7 @@ public:
 private:
     bigint now = 0;
     std::size_t met = 0;
+    Remembered *last = nullptr;
     std::unordered_map<Key, Remembered, PairHash> kept;
 };
 

@@ -11,19 +11,16 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 __all__ = [
-    "FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held_edge", "potential", "spring_sums",
-    "stable_edge", "with_surface",
+    "FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held_edge", "least_stable",
+    "potential", "spring_sums", "stable_edge", "with_surface",
 ]  # fmt: skip
 
 Springs5 = tuple[float, float, float, float, float]
-NODES, WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(16))
-FEW_NODES, FEW_WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(6))
-THREE_NODES, THREE_WEIGHTS = (tuple(map(float, row)) for row in np.polynomial.legendre.leggauss(3))
-SMALL_ANGLE, LEAST_ANGLE = 0.3, 1e-6
-"""Below the first six nodes are exact to rounding, below the second, where half an ellipse is a parabola, three."""
+ANGLE_SERIES = tuple((-1) ** k * (4.0**k - 4.0) / (3.0 * math.factorial(2 * k + 1)) for k in range(13, 1, -1))
+"""Of the angle less its value by the sine, over its fifth power: factors of powers of its square, the highest first."""
+SERIES_ANGLE, SMALL_ANGLE, FEW_TERMS = 1.2, 0.3, 5
+"""Below the first the series is exact to rounding, below the second without so many terms, which are the highest."""
 FULL_CONTACT_ANGLE = 0.5 * math.pi
 """The angle at which all springs are in contact."""
 CRITICAL, BALANCED = 0, 1
@@ -32,37 +29,44 @@ MOST_TRIALS = 400
 ROOT_TOLERANCE = 4e-16
 
 
+def _half_square_and_sine(angle: float) -> tuple[float, float]:
+    """Return the squared sine of half an angle, and the sine of the angle itself."""
+    half = math.sin(0.5 * angle)
+    square = half * half
+    return square, 2.0 * half * math.sqrt(1.0 - square)
+
+
 def spring_sums(springs: Springs5, angle: float, compression: float) -> tuple[float, float]:
-    """Return force [N] and elastic energy of the springs [J], from quadrature that is exact to rounding."""
-    if angle < LEAST_ANGLE:
-        return _summed(THREE_NODES, THREE_WEIGHTS, springs, angle, compression)
-    if angle < SMALL_ANGLE:
-        return _summed(FEW_NODES, FEW_WEIGHTS, springs, angle, compression)
-    return _summed(NODES, WEIGHTS, springs, angle, compression)
+    r"""Return force [N] and elastic energy of the springs [J], exact to rounding.
 
+    With the integrals from 0 to the angle :math:`\varphi`, :math:`s = \sin\tfrac\varphi2`,
 
-def _summed(
-    nodes: tuple[float, ...], weights: tuple[float, ...], springs: Springs5, angle: float, compression: float
-) -> tuple[float, float]:
-    """Return both sums at given nodes."""
+    .. math:: \int\cos\theta\sin^2\tfrac\theta2 = \tfrac13 s^2\sin\varphi - \tfrac14 D, \qquad
+              \int\cos\theta\sin^4\tfrac\theta2 = \tfrac13 s^4\sin\varphi - \tfrac14 D, \qquad
+              D = \varphi - (1 + \tfrac23 s^2)\sin\varphi .
+    """
     modulus, height, half_width, _, _ = springs
-    force = 0.0
-    energy = 0.0
-    for k in range(len(nodes)):
-        theta = 0.5 * angle * (nodes[k] + 1.0)
-        sine = math.sin(0.5 * theta)
-        pressed = compression - height * sine * sine
-        weight = modulus * half_width * angle * weights[k] * (1.0 - 2.0 * sine * sine)
-        force += weight * pressed
-        energy += 0.5 * weight * pressed * pressed
-    return force, energy
+    square, sine = _half_square_and_sine(angle)
+    if angle < SERIES_ANGLE:
+        x = angle * angle
+        rest = 0.0
+        for k in range(FEW_TERMS if angle < SMALL_ANGLE else 0, len(ANGLE_SERIES)):
+            rest = rest * x + ANGLE_SERIES[k]
+        rest *= angle * x * x
+    else:
+        rest = angle - sine * (1.0 + 2.0 / 3.0 * square)
+    second = height * (sine * square / 3.0 - 0.25 * rest)
+    fourth = height * height * (sine * square * square / 3.0 - 0.25 * rest)
+    scale = modulus * half_width
+    force = 2.0 * scale * (compression * sine - second)
+    return force, scale * (compression * (compression * sine - 2.0 * second) + fourth)
 
 
 def balanced(springs: Springs5, angle: float, work: float) -> float:
     """Return the compression of the springs when an edge at the angle is just held by a work of adhesion [m]."""
     modulus, height, half_width, _, _ = springs
-    sine = math.sin(0.5 * angle)
-    return height * sine * sine - math.sqrt(2.0 * math.pi * half_width * math.sin(angle) * work / modulus)
+    square, sine = _half_square_and_sine(angle)
+    return height * square - math.sqrt(2.0 * math.pi * half_width * sine * work / modulus)
 
 
 def potential(springs: Springs5, angle: float, compression: float, work: float) -> float:
@@ -81,15 +85,16 @@ def with_surface(springs: Springs5, angle: float, energy: float, work: float) ->
 def _excess(springs: Springs5, what: int, angle: float, work: float, target: float) -> tuple[float, float]:
     """Return what vanishes at the angle that is looked for, and its slope."""
     modulus, height, half_width, _, _ = springs
-    sine = math.sin(angle)
-    cosine = math.cos(angle)
+    square, sine = _half_square_and_sine(angle)
+    cosine = 1.0 - 2.0 * square
     if what == CRITICAL:
         root = math.sqrt(sine)
         return sine * root - target * cosine, 1.5 * root * cosine + target * sine
+    stretch = math.sqrt(2.0 * math.pi * half_width * sine * work / modulus)
     slope = 0.5 * height * sine
-    if sine > 0.0 and work > 0.0:
-        slope -= cosine * math.sqrt(0.5 * math.pi * half_width * work / (modulus * sine))
-    return balanced(springs, angle, work) - target, slope
+    if stretch > 0.0:
+        slope -= 0.5 * cosine * stretch / sine
+    return height * square - stretch - target, slope
 
 
 def _angle_of(springs: Springs5, what: int, work: float, target: float, least: float, guess: float) -> float:
@@ -97,6 +102,8 @@ def _angle_of(springs: Springs5, what: int, work: float, target: float, least: f
     low = least
     high = FULL_CONTACT_ANGLE
     angle = guess if low < guess < high else 0.5 * (low + high)
+    moved = 0.0
+    before = 0.0
     trials = 0
     while trials < MOST_TRIALS:
         trials += 1
@@ -114,7 +121,14 @@ def _angle_of(springs: Springs5, what: int, work: float, target: float, least: f
             better = math.sqrt(low * high) if low > 0.0 and high > 2.0 * low else 0.5 * (low + high)
         if not low < better < high:
             break
+        # the step after this one would be about the curvature over twice the slope, times its square
+        step = better - angle
+        last = abs((slope - before) * step) * abs(step) <= 2.0 * ROOT_TOLERANCE * angle * abs(slope * moved)
+        moved = step
+        before = slope
         angle = better
+        if last:
+            break
     return angle
 
 
@@ -125,14 +139,35 @@ def critical_angle(springs: Springs5, work: float, factor: float) -> float:
     """
     if work == 0.0:
         return 0.0
+    number = _critical_number(springs, work, factor)
+    return _angle_of(springs, CRITICAL, work, number, 0.0, _beyond_critical(number))
+
+
+def _critical_number(springs: Springs5, work: float, factor: float) -> float:
+    """Return what the sine to the power 3/2 is over the cosine, of the critical angle."""
     modulus, height, half_width, _, _ = springs
-    number = 2.0 * factor * math.sqrt(2.0 * math.pi * half_width * work / modulus) / height
-    return _angle_of(springs, CRITICAL, work, number, 0.0, math.asin(min(number, 1.0) ** (2.0 / 3.0)))
+    return 2.0 * factor * math.sqrt(2.0 * math.pi * half_width * work / modulus) / height
+
+
+def _beyond_critical(number: float) -> float:
+    """Return an angle that is greater than the critical one, and near it where that is small."""
+    return math.asin(min(number, 1.0) ** (2.0 / 3.0))
+
+
+def least_stable(springs: Springs5, compression: float, work: float, near: float) -> float:
+    """Return the critical angle at a prescribed depth, or a greater one that is below both `near` and the stable edge.
+
+    The greater one needs no search.
+    """
+    beyond = _beyond_critical(_critical_number(springs, work, 0.5))
+    if near >= beyond and compression >= balanced(springs, beyond, work):
+        return beyond
+    return critical_angle(springs, work, 0.5)
 
 
 def held_edge(springs: Springs5, compression: float, work: float, near: float) -> float:
     """Return the angle of the stable edge at a depth; zero if there is none. It is looked for from `near` on."""
-    least = critical_angle(springs, work, 0.5)
+    least = least_stable(springs, compression, work, near)
     if work > 0.0 and compression < balanced(springs, least, work):
         return 0.0
     return stable_edge(springs, compression, work, least, near)

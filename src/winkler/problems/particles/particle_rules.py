@@ -13,8 +13,8 @@ from winkler.problems.particles.particle_edge import (
     FULL_CONTACT_ANGLE,
     Springs5,
     balanced,
-    critical_angle,
     held_edge,
+    least_stable,
     potential,
     spring_sums,
     stable_edge,
@@ -109,7 +109,7 @@ def _within(
         return goal, edge, True, work + _spent(springs, start, angle, goal, edge, closing)
     if goal >= balanced(springs, angle, opening):
         return goal, angle, True, work + _spent(springs, start, angle, goal, angle, opening)
-    least = critical_angle(springs, opening, 0.5)
+    least = least_stable(springs, goal, opening, angle)
     if angle < least or goal < balanced(springs, least, opening):
         end = min(angle, least)
         last = balanced(springs, end, opening)

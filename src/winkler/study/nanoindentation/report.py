@@ -8,10 +8,10 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities
-from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import numbers_sheet
 from winkler.plot.fitting.nanoindentation import HARDNESS, YOUNG, over_depth
 from winkler.plot.panel import Sheet
+from winkler.plot.registered import sheet_of_kind
 from winkler.plot.series import Series
 from winkler.study.nanoindentation.running import Evaluated, NanoindentationOutcome
 from winkler.study.report import page_parts as parts
@@ -64,7 +64,7 @@ def figures_of(outcome: NanoindentationOutcome) -> tuple[ReportFigure, ...]:
 def _figures(outcome: NanoindentationOutcome) -> Iterator[ReportFigure]:
     for item in outcome.calibration:
         sentence = "Left the area that every unloading demands, right its distance to the fitted function."
-        yield drawn("calibration", "Area function", sentence, sheet_of(item))
+        yield drawn("calibration", "Area function", sentence, sheet_of_kind(item))
     solutions = [one.solution for one in outcome.evaluated]
     if len(solutions) >= LEAST_TOGETHER:
         sentence = "Every unloading of every curve with its 95 % interval."
@@ -86,16 +86,16 @@ def _figures(outcome: NanoindentationOutcome) -> Iterator[ReportFigure]:
             )
     if (found := outcome.first_yield) is not None:
         sentence = "Greatest shear stress below the tip at the first pop-in of each curve, with Weibull's distribution."
-        yield drawn("first_yield", "First yield", sentence, sheet_of(found))
+        yield drawn("first_yield", "First yield", sentence, sheet_of_kind(found))
     for place, one in enumerate(outcome.continuous[:MOST_CURVES_DRAWN]):
         sentence = "E and H of the continuously measured stiffness; band: 95 % interval without noise."
-        yield drawn(f"continuous_{place + 1}", one.name, sentence, sheet_of(one.solution))
+        yield drawn(f"continuous_{place + 1}", one.name, sentence, sheet_of_kind(one.solution))
     chosen = np.unique(np.linspace(0, len(solutions) - 1, min(MOST_CURVES_DRAWN, len(solutions))).astype(int))
     for place in chosen.tolist() if solutions else []:
         sentence = (
             "The curve after drift, zero point and frame with its fitted unloadings; E and H with 95 % intervals."
         )
-        yield drawn(f"curve_{place + 1}", outcome.evaluated[place].name, sentence, sheet_of(solutions[place]))
+        yield drawn(f"curve_{place + 1}", outcome.evaluated[place].name, sentence, sheet_of_kind(solutions[place]))
 
 
 def page(outcome: NanoindentationOutcome, shown: tuple[ReportFigure, ...]) -> str:

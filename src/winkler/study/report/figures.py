@@ -193,11 +193,11 @@ def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
         wanted.append(ExtraPicture(picture, point.solution))
     where = settings_text(outcome.study, point.settings)
     for (name, title, caption), item in wanted:
-        from winkler.plot import sheet_of  # loads all pictures, which those of the method do not need
+        from winkler.plot.registered import sheet_of_kind  # loads pictures that those of the method do not need
 
         sentence = f"{caption} Shown is {where}." if where else caption
         try:
-            yield drawn(f"answer_{name}", title, sentence, sheet_of(item))
+            yield drawn(f"answer_{name}", title, sentence, sheet_of_kind(item))
         except WinklerError as error:
             yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 

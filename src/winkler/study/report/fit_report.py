@@ -9,8 +9,8 @@ import numpy as np
 
 from winkler.fitting.outcome import CreepFit, Fit
 from winkler.media.relaxing.layered import ViscoelasticCoatedHalfSpace
-from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
+from winkler.plot.registered import sheet_of_kind
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -85,11 +85,11 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:
                 "depth, and the relaxation with its 95 % interval, grey where the curve does not determine it."
             )
         number = outcome.results.index(result) + 1
-        yield drawn(f"curve_{number}", result.name, sentence, sheet_of(result.fit))
+        yield drawn(f"curve_{number}", result.name, sentence, sheet_of_kind(result.fit))
         if place in chosen[:MOST_MEASURED_DRAWN]:
             curve = measured_curve(outcome.study, result)
             events = " ".join(f"{line}." for line in curve.events.lines(curve.time if curve.timed else ()))
-            yield drawn(f"measured_{number}", f"{result.name}: what was done", events, sheet_of(curve))
+            yield drawn(f"measured_{number}", f"{result.name}: what was done", events, sheet_of_kind(curve))
     if len(outcome.results) == 1:
         yield noise_figure(outcome.fitted[0])
 

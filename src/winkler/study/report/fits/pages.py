@@ -8,8 +8,8 @@ import math
 import re
 from pathlib import Path
 
-from winkler.plot import sheet_of
 from winkler.plot.fitting.noise_sheet import noise_sheet
+from winkler.plot.registered import sheet_of_kind
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.fit_recording import path_from_study
 from winkler.study.language.fit_study import FitStudy
@@ -63,7 +63,7 @@ def _page(outcome: FitOutcome, result: Fitted) -> str:
 
 
 def _fit_figure(result: Fitted) -> ReportFigure:
-    return drawn("curve", "Fit", "The curve with the fitted model, below what is left over.", sheet_of(result.fit))
+    return drawn("curve", "Fit", "The curve with the fitted model, below what is left over.", sheet_of_kind(result.fit))
 
 
 def noise_figure(result: Fitted) -> ReportFigure:
@@ -77,7 +77,7 @@ def noise_figure(result: Fitted) -> ReportFigure:
 
 def _segments(result: Fitted) -> ReportFigure:
     sentence = "What was done, as the file states, the study states, or as detected: the points that were fitted."
-    return drawn("segments", "Segments", sentence, sheet_of(result.fit.curve))
+    return drawn("segments", "Segments", sentence, sheet_of_kind(result.fit.curve))
 
 
 def curve_facts(outcome: FitOutcome, result: Fitted) -> str:
