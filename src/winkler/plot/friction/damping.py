@@ -26,7 +26,7 @@ LOOP_POINTS = 101
 LEAST_SHIFT_SHARE, GREATEST_SHIFT_SHARE = 0.02, 4.0
 """Range of the curves relative to the shift at full sliding."""
 PHASE_POINTS = 19
-RELAXING_POINTS, RELAXING_PHASES, RELAXING_COUNT = 9, 7, 100
+RELAXING_POINTS, RELAXING_PHASES, RELAXING_COUNT = 13, 9, 100
 """Points and springs of curves of bodies that relax, which are followed through cycles at each."""
 
 
@@ -89,7 +89,8 @@ def _relaxing_sheet(item: FrictionDampingSolution) -> Sheet:
         if np.any(of.content > 0.0)
     ]
     marks.append(points(item.shift, item.loss_per_cycle, name="requested"))
-    upright = PanelAxis.of(losses[0], middle_scale("J", losses[0].content), log=True)
+    least = 0.1 * float(np.min(losses[0].content))
+    upright = PanelAxis.of(losses[0], middle_scale("J", losses[0].content), log=True, low=least)
     factor = series("loss_factor", np.asarray(curve.loss_factor))
     damped = Panel(
         (Line(along.content, factor.content), points(item.shift, item.loss_factor)),

@@ -111,8 +111,8 @@ class BimodalDamping(PerLoad[Q]):
     ------
     InvalidInput
         If one of them is out of bounds, the shapes do not go together, or the method is another one.  If bodies relax
-        and there is no frequency, or they flow for ever, or are layers that relax each by its own law; if they do not
-        relax and there is a frequency.
+        and there is no frequency, or they flow for ever, have a dashpot alongside, or are layers that relax each by
+        its own law; if they do not relax and there is a frequency.
     OutsideValidity
         If rings are asked for on a medium whose rings are not known, or a contact that is no disc.
 

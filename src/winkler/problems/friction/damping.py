@@ -79,7 +79,7 @@ class FrictionDamping(PerLoad[Q]):
     frequency : float, optional
         Of the oscillation [Hz], of bodies that relax; elastic ones take none.
     count : int, optional
-        How many springs of bodies that relax; the error falls with its square.
+        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
     tolerance : float, optional
         On bodies that relax the error of a step, as of `Tangential`.
 
@@ -87,8 +87,8 @@ class FrictionDamping(PerLoad[Q]):
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
-        negative.  If bodies relax and there is no frequency, or they flow for ever, or are layers that relax each by
-        its own law; if they do not relax and there is a frequency.
+        negative.  If bodies relax and there is no frequency, or they flow for ever, have a dashpot alongside, or are
+        layers that relax each by its own law; if they do not relax and there is a frequency.
     OutsideValidity
         If rings are asked for on another medium, or a contact that is no disc.
 

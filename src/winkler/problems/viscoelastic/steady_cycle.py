@@ -35,7 +35,7 @@ from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["SteadyCycle", "Swing", "check_cycles", "depth_at_rest", "steady_cycle", "swing_notes"]
 
-POINTS = 32
+POINTS = 64
 """Of each oscillation; steps between them are halved on its curve."""
 MOST_CYCLES = 300
 ENDLESS = 1e6
@@ -152,10 +152,16 @@ def check_cycles(owner: str, bed: Bed, frequency: float, method: Method) -> None
             "in Hz."
         )
     refuse_method(owner, method, (Method.AUTO, Method.SPRINGS))
-    if relaxation_of(owner, bed).relaxed == 0.0:
+    series = relaxation_of(owner, bed)
+    if series.relaxed == 0.0 or series.viscosity > 0.0:
+        what = (
+            "the body flows for ever and bears no steady load, so that no cycle repeats"
+            if series.relaxed == 0.0
+            else "a dashpot alongside has forces that jump wherever a spring begins to slide"
+        )
         raise InvalidInput(
-            f"{owner}: the body flows for ever and bears no steady load, so that no cycle repeats; give a solid with a "
-            "positive relaxed modulus, such as StandardSolid or Prony."
+            f"{owner}: {what}; give a solid with a positive relaxed modulus and without a dashpot alongside, such as "
+            "StandardSolid or Prony."
         )
 
 
