@@ -172,9 +172,9 @@ def test_cycles_that_repeat_are_those_of_a_long_path():
     swing = wk.BimodalDamping(ball(STANDARD), MU, DEPTH, amplitude, shift, phase, frequency=1.0, tolerance=1e-7)
     losses = []
     for count in (100, 200):
-        path = swing.path(phase, shift, cycles=5, count=count)
+        path = swing.path(phase, shift, cycles=14, count=count)
         marched = wk.Tangential(swing.bed, MU, path, tolerance=1e-7).solve()
-        first = int(np.searchsorted(path.time, 4.0 - 1e-9))
+        first = int(np.searchsorted(path.time, 13.0 - 1e-9))
         losses.append([float(np.ptp(loss[first:])) for loss in (marched.friction_loss, marched.bulk_loss)])
     solved = swing.solve()
     limit = (4.0 * np.array(losses[1]) - losses[0]) / 3.0

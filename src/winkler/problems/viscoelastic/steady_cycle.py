@@ -40,8 +40,8 @@ POINTS = 64
 MOST_CYCLES = 300
 ENDLESS = 1e6
 """Of the longest relaxation time, after which all has relaxed."""
-LEAST_STEADY = 1e-4
-"""Part of loss and force by which the last cycles may differ, if `tolerance` is less: the steps differ by as much."""
+STEADY_STEPS, LEAST_STEADY = 10.0, 1e-6
+"""Part of loss and force by which the last cycles may differ: of the tolerance of a step, and at least."""
 
 
 class Swing(NamedTuple):
@@ -200,7 +200,7 @@ def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, t
     row = dragged_row(owner, bed, law, path, count, tolerance, swing.goal)
     row.owner = owner
     state, before, last = _at_rest(row, goals[0], swing), None, None
-    allowed, small, error = max(tolerance, LEAST_STEADY), 0, math.inf
+    allowed, small, error = max(STEADY_STEPS * tolerance, LEAST_STEADY), 0, math.inf
     for turn in range(MOST_CYCLES):
         start = state
         state, cycle = _through(row, bed, goals, start)
