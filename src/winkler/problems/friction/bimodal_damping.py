@@ -340,7 +340,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
         """How far the result can be trusted."""
         stated = self.problem
         if isinstance(self.contact, ViscoelasticState):
-            return swing_notes(stated.bed, stated.law, 1.0 / stated.frequency, self.contact, self.cycle_change)
+            return swing_notes(stated.bed, stated.law, 1.0 / stated.frequency, self.contact)
         bed, coefficient, radius = self.problem.bed, self.problem.law.coefficient, float(self.contact.radius)
         by_rings = self.problem.method is Method.RINGS
         rings = () if math.isinf(coefficient) else moving_ring_notes(bed, coefficient, radius, IN_CYCLES, by_rings)

@@ -331,7 +331,7 @@ class FrictionDampingSolution(DampingSolution[Q]):
         """How far the result can be trusted."""
         stated = self.problem
         if isinstance(self.contact, ViscoelasticState):
-            return swing_notes(stated.bed, stated.law, 1.0 / stated.frequency, self.contact, self.cycle_change)
+            return swing_notes(stated.bed, stated.law, 1.0 / stated.frequency, self.contact)
         mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
         depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
         rubbing = SurfaceFriction(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))

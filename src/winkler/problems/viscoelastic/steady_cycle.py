@@ -146,13 +146,13 @@ def check_cycles(owner: str, bed: Bed, frequency: float, method: Method) -> None
                 "at each frequency; leave it out, or give a medium that relaxes, such as ViscoelasticHalfSpace."
             )
         return
+    refuse_method(owner, method, (Method.AUTO, Method.SPRINGS))
+    series = relaxation_of(owner, bed)
     if frequency == 0.0:
         raise InvalidInput(
             f"{owner}: the bodies relax, so that the loss of a cycle depends on how long it lasts; give the frequency "
             "in Hz."
         )
-    refuse_method(owner, method, (Method.AUTO, Method.SPRINGS))
-    series = relaxation_of(owner, bed)
     if series.relaxed == 0.0 or series.viscosity > 0.0:
         what = (
             "the body flows for ever and bears no steady load, so that no cycle repeats"
@@ -313,7 +313,7 @@ def _ahead(
     return state._replace(row=across, memory=found[1][:, :-1].copy(), displaced=found[1][:, -1].copy())
 
 
-def swing_notes(bed: Bed, law: Coulomb, period: float, contact: ViscoelasticState, change: float) -> tuple[Note, ...]:
+def swing_notes(bed: Bed, law: Coulomb, period: float, contact: ViscoelasticState) -> tuple[Note, ...]:
     """Return how far cycles that repeat can be trusted.
 
     Parameters
@@ -324,14 +324,12 @@ def swing_notes(bed: Bed, law: Coulomb, period: float, contact: ViscoelasticStat
         [s].
     contact : ViscoelasticState
         Where it is deepest.
-    change : float
-        As of `SteadyCycle`, the greatest.
     """
     repeats = Note(
         Assumption.STEADY,
         Standing.ASYMPTOTIC,
-        f"The cycle is one of those that repeat: its loss and forces differ by {change:.2g} from those of the cycle "
-        f"before; {contact.position.size} springs.",
+        "Springs were followed from cycle to cycle until loss and forces repeated; `cycle_change` states by what part "
+        "the last two cycles differ.",
         "hereditary springs followed from cycle to cycle",
     )
     slow = Note(
