@@ -77,9 +77,8 @@ class Swing(NamedTuple):
         pushed = self.amplitude * math.cos(self.lateral_cycles * turn + self.phase)
         return DragGoal(time, self.depth + pressed, pushed)
 
-    @property
     def goals(self) -> list[DragGoal]:
-        """What is prescribed at the points of the cycle: evenly spaced, and where the shift or the depth turns."""
+        """Return what is prescribed at the points of the cycle: evenly spaced, and where the shift or the depth turns."""
         n, m = self.normal_cycles, self.lateral_cycles
         even = np.arange(POINTS * max(n, m)) / (POINTS * max(n, m))
         aside = np.mod(np.arange(2 * m) / 2 - self.phase / (2.0 * np.pi), m) / m
@@ -194,7 +193,7 @@ def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, t
     NotConverged
         If a step does not settle, or the cycles do not repeat.
     """
-    goals, period = swing.goals, swing.period
+    goals, period = swing.goals(), swing.period
     deepest = np.full(2, swing.depth + swing.depth_amplitude)
     path = Path(np.array([0.0, period]), Depth(deepest), swing.lateral(np.full(2, swing.amplitude)))
     row = dragged_row(owner, bed, law, path, count, tolerance, swing.goal)
