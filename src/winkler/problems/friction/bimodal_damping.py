@@ -231,9 +231,13 @@ class BimodalDamping(PerLoad[Q]):
         cycles = [cycle(*pair) for pair in zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)]
         any_cycle = cycles[0] if cycles else cycle(0.0, 0.0)
         numbers = np.reshape([(each.loss, each.friction, each.bulk) for each in cycles], (pushed.size, 3))
-        columns: list[Q] = [shaped(each, pushed.shape) for each in numbers.T]
+        whole, rubbed, inside = numbers.T
+        lost: Q = shaped(whole, pushed.shape)
         change = max((each.change for each in cycles), default=0.0)
-        return BimodalDampingSolution(self, any_cycle.contact, change, *columns, any_cycle.pressing)
+        return BimodalDampingSolution(
+            self, any_cycle.contact, change, lost, shaped(rubbed, pushed.shape), shaped(inside, pushed.shape),
+            any_cycle.pressing,
+        )  # fmt: skip
 
     def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
         """Return the motion as a path of straight pieces, for `Tangential`; its time counts closed cycles.

@@ -78,7 +78,7 @@ class Swing(NamedTuple):
         return DragGoal(time, self.depth + pressed, pushed)
 
     def goals(self) -> list[DragGoal]:
-        """Return what is prescribed at the points of the cycle: evenly spaced, and where the shift or the depth turns."""
+        """Return what is prescribed at points of the cycle: evenly spaced, and where shift or depth turn."""
         n, m = self.normal_cycles, self.lateral_cycles
         even = np.arange(POINTS * max(n, m)) / (POINTS * max(n, m))
         aside = np.mod(np.arange(2 * m) / 2 - self.phase / (2.0 * np.pi), m) / m
