@@ -12,6 +12,7 @@ from winkler.loading.loads import ShearForce
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.relaxing_medium import relaxes
+from winkler.plot.friction.damping import damping_sheet
 from winkler.reference.damping import ball_loss
 from winkler.values.errors import InvalidInput, OutsideValidity
 
@@ -280,3 +281,14 @@ def test_one_question_says_whether_a_medium_relaxes():
     assert relaxes(ball(STANDARD).medium)
     assert not relaxes(LAYERS.relaxed)
     assert not relaxes(ball(wk.Elastic(1.0, 0.3)).medium)
+
+
+def test_the_picture_tells_the_losses_apart():
+    swing = wk.FrictionDamping(ball(STANDARD), MU, wk.Depth(DEPTH), wk.Shift(0.003), frequency=1.0, count=20).solve()
+    lost, damped, loop = damping_sheet(swing).panels
+    names = [mark.name for mark in lost.marks]
+    assert names == ["all", "to friction", "in the bodies", "requested"]
+    whole, rubbed, inside = (np.asarray(mark.y) for mark in lost.marks[:3])
+    np.testing.assert_allclose(whole, rubbed + inside, rtol=1e-12)
+    assert len(damped.marks) == 2
+    assert max(loop.marks[1].x) == pytest.approx(0.003, rel=1e-12)
