@@ -25,9 +25,14 @@ if TYPE_CHECKING:  # layers are loaded with media that have some
     from winkler.media.offers import PairWaves
     from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
-__all__ = ["RelaxingLayers", "RelaxingMedium"]
+__all__ = ["RelaxingLayers", "RelaxingMedium", "relaxes"]
 
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
+
+
+def relaxes(medium: object) -> bool:
+    """Return whether a medium relaxes, by whatever law: it has no single value of its moduli, and says so."""
+    return hasattr(medium, "timeless")
 
 
 class RelaxingMedium(Protocol):

@@ -26,6 +26,8 @@ LOOP_POINTS = 101
 LEAST_SHIFT_SHARE, GREATEST_SHIFT_SHARE = 0.02, 4.0
 """Range of the curves relative to the shift at full sliding."""
 PHASE_POINTS = 19
+RELAXING_POINTS, RELAXING_PHASES, RELAXING_COUNT = 13, 9, 100
+"""Points and springs of curves of bodies that relax, which are followed through cycles at each."""
 
 
 @without_extent(FrictionDampingSolution)
@@ -37,6 +39,8 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
     item : FrictionDampingSolution
     """
     problem = item.problem
+    if problem.relaxes:
+        return _relaxing_sheet(item)
     slides = problem.law.coefficient * float(item.contact.force)
     reach = float(dataclasses.replace(problem, amplitude=ShearForce(slides)).solve().shift)
     requested = np.ravel(np.asarray(item.shift, dtype=float))
@@ -54,6 +58,47 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
         "loss factor",
         "loop of the greatest amplitude",
     )
+    return Sheet(panels, width=3.9, height=3.2)
+
+
+def _relaxing_sheet(item: FrictionDampingSolution) -> Sheet:
+    """Return losses and loss factor of bodies that relax, and the loop of the greatest amplitude."""
+    asked = np.ravel(np.asarray(item.shift, dtype=float))
+    asked = asked[asked > 0.0] if np.any(asked > 0.0) else np.array([float(item.contact.depth)])
+    shifts = np.geomspace(0.2 * float(np.min(asked)), 5.0 * float(np.max(asked)), RELAXING_POINTS)
+    problem = dataclasses.replace(item.problem, count=min(item.problem.count, RELAXING_COUNT), amplitude=Shift(shifts))
+    curve, cycle = problem.solve(), problem.cycle(float(np.max(asked)))
+    along = series("shift", shifts)
+    names = {"loss_per_cycle": "all", "friction_loss": "to friction", "bulk_loss": "in the bodies"}
+    losses = [series(name, np.asarray(getattr(curve, name))) for name in names]
+    shift, force = series("shift", cycle.shift), series("shear_force", cycle.shear_force)
+    loop = Panel(
+        (
+            Polygon(shift.content, force.content, style.RED, 0.14),
+            Line(shift.content, force.content),
+            zero(),
+            note(f"shaded: {with_unit(cycle.loss, 'J')}", "upper left"),
+        ),
+        PanelAxis.of(shift, margin=0.06),
+        PanelAxis.of(force, margin=0.12),
+    )
+    across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
+    marks = [
+        Line(along.content, of.content, style.CYCLE[at], dash=style.DASHES[at], name=label)
+        for at, (of, label) in enumerate(zip(losses, names.values(), strict=True))
+        if np.any(of.content > 0.0)
+    ]
+    marks.append(points(item.shift, item.loss_per_cycle, name="requested"))
+    least = 0.1 * float(np.min(losses[0].content))
+    upright = PanelAxis.of(losses[0], middle_scale("J", losses[0].content), log=True, low=least)
+    factor = series("loss_factor", np.asarray(curve.loss_factor))
+    damped = Panel(
+        (Line(along.content, factor.content), points(item.shift, item.loss_factor)),
+        across,
+        PanelAxis.of(factor, middle_scale(factor.word.unit, factor.content), low=0.0),
+    )
+    lost = Panel(tuple(marks), across, upright, legend="upper left")
+    panels = titled((lost, damped, loop), "loss per cycle", "loss factor", "loop of the greatest amplitude")
     return Sheet(panels, width=3.9, height=3.2)
 
 
@@ -125,7 +170,8 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
 
 def _over_phase(item: BimodalDampingSolution) -> BimodalDampingSolution:
     phase = float(np.ravel(np.asarray(item.problem.phase))[0])
-    around = np.union1d(np.linspace(0.0, math.pi, PHASE_POINTS), [phase] if 0.0 <= phase <= math.pi else [])
+    count = RELAXING_PHASES if item.problem.relaxes else PHASE_POINTS
+    around = np.union1d(np.linspace(0.0, math.pi, count), [phase] if 0.0 <= phase <= math.pi else [])
     return dataclasses.replace(
         item.problem, phase=around, shift_amplitude=float(np.ravel(np.asarray(item.problem.shift_amplitude))[0])
     ).solve()

@@ -26,9 +26,10 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
+from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.declared import RELAXING, SHEARED
 from winkler.problems.friction.damping import DampingSolution
 from winkler.problems.friction.damping_springs import oscillating_contact
 from winkler.problems.friction.damping_validity import STEADY, damping_notes
@@ -41,6 +42,8 @@ from winkler.problems.ring_slip.push_bound import pushed_body
 from winkler.problems.ring_slip.ring_table import RingTable
 from winkler.problems.ring_slip.sliding_springs import sliding_springs
 from winkler.problems.ring_slip.steady_loss import STEPS_PER_CYCLE, cycle_steps, loss_of_cycle
+from winkler.problems.viscoelastic.states import ViscoelasticState
+from winkler.problems.viscoelastic.steady_cycle import SteadyCycle, Swing, check_cycles, steady_cycle, swing_notes
 from winkler.values.checks.field_checks import Condition
 from winkler.values.checks.number_checks import (
     FINITE_QUANTITY,
@@ -49,12 +52,14 @@ from winkler.values.checks.number_checks import (
     Count,
     Finite,
     NonNegative,
+    Whole,
     affordable,
+    between,
 )
 from winkler.values.errors import InvalidInput
-from winkler.values.limits import MOST_SPRINGS
+from winkler.values.limits import MOST_SPRINGS, RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
-from winkler.values.value import value
+from winkler.values.value import value, words
 
 __all__ = ["BimodalDamping", "BimodalDampingSolution"]
 
@@ -95,11 +100,19 @@ class BimodalDamping(PerLoad[Q]):
     method : Method, optional
         How slip is followed: AUTO, EXACT (springs of one gap as one) or RINGS; by default springs where they are alike,
         and rings elsewhere.
+    frequency : float, optional
+        Of the closed cycle [Hz], of bodies that relax; elastic ones take none.
+    count : int, optional
+        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
+    tolerance : float, optional
+        On bodies that relax the error of a step, as of `Tangential`.
 
     Raises
     ------
     InvalidInput
-        If one of them is out of bounds, the shapes do not go together, or the method is another one.
+        If one of them is out of bounds, the shapes do not go together, or the method is another one.  If bodies relax
+        and there is no frequency, or they flow for ever, have a dashpot alongside, or are layers that relax each by
+        its own law; if they do not relax and there is a frequency.
     OutsideValidity
         If rings are asked for on a medium whose rings are not known, or a contact that is no disc.
 
@@ -122,6 +135,8 @@ class BimodalDamping(PerLoad[Q]):
     array([0., 1.])
     """
 
+    __words__ = words(relaxes=("", None, "whether the bodies relax"), count=("n", "", "how many springs"))
+
     bed: Bed
     law: Annotated[Coulomb, WITH_FRICTION]
     depth: Finite
@@ -131,13 +146,18 @@ class BimodalDamping(PerLoad[Q]):
     normal_cycles: Count = 1
     lateral_cycles: Count = 1
     method: Method = Method.AUTO
+    frequency: NonNegative = 0.0
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 400
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015", "jaeger_1995")
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | {Assumption.INERTIA, Assumption.STEADY}
     needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
-        refuse_method("BimodalDamping", self.method, (Method.AUTO, Method.EXACT, Method.RINGS))
+        check_cycles("BimodalDamping", self.bed, self.frequency, self.method)
+        if not self.relaxes:
+            refuse_method("BimodalDamping", self.method, (Method.AUTO, Method.EXACT, Method.RINGS))
         if self.method is Method.RINGS:
             pushed_body(self.bed, "BimodalDamping", "")
         affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, MOST_SPRINGS)
@@ -155,6 +175,11 @@ class BimodalDamping(PerLoad[Q]):
                 f"{np.shape(self.phase)}; give shapes that go together."
             ) from None
 
+    @property
+    def relaxes(self) -> bool:
+        """Whether the bodies relax, so that the frequency counts."""
+        return relaxes(self.bed.medium)
+
     def solve(self) -> BimodalDampingSolution[Q]:
         """Return the loss of every closed cycle, in the steady state.
 
@@ -169,8 +194,10 @@ class BimodalDamping(PerLoad[Q]):
             rings of a coating, or not alike while the method is exact, or a closed cycle on a coating holds more than
             50 oscillations.
         NotConverged
-            If the profile is too rough.
+            If the profile is too rough, or cycles of bodies that relax do not repeat.
         """
+        if self.relaxes:
+            return self._relaxing()
         deepest, lowest = oscillating_contact("BimodalDamping", self.bed, self.depth, self.depth_amplitude)
         radius = float(deepest.radius)
         ratio, table = 1.0, None
@@ -185,7 +212,32 @@ class BimodalDamping(PerLoad[Q]):
             loss = np.array([self._lost(ratio, edges, a, p) for a, p in pairs])
         else:
             loss = self._worn(table, list(pairs))
-        return BimodalDampingSolution(self, deepest, shaped(loss, pushed.shape))
+        lost: Q = shaped(loss, pushed.shape)
+        return BimodalDampingSolution(self, deepest, 0.0, lost, lost, shaped(np.zeros(pushed.shape)), 0.0)
+
+    def _relaxing(self) -> BimodalDampingSolution[Q]:
+        """Return the loss of every closed cycle of bodies that relax."""
+        pushed, ahead = np.broadcast_arrays(
+            np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
+        )
+
+        def cycle(amplitude: float, phase: float) -> SteadyCycle:
+            swing = Swing(
+                1.0 / self.frequency, self.depth, self.depth_amplitude, Shift, amplitude, phase, self.normal_cycles,
+                self.lateral_cycles,
+            )  # fmt: skip
+            return steady_cycle("BimodalDamping", self.bed, self.law, swing, self.count, self.tolerance)
+
+        cycles = [cycle(*pair) for pair in zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)]
+        any_cycle = cycles[0] if cycles else cycle(0.0, 0.0)
+        numbers = np.reshape([(each.loss, each.friction, each.bulk) for each in cycles], (pushed.size, 3))
+        whole, rubbed, inside = numbers.T
+        lost: Q = shaped(whole, pushed.shape)
+        change = max((each.change for each in cycles), default=0.0)
+        return BimodalDampingSolution(
+            self, any_cycle.contact, change, lost, shaped(rubbed, pushed.shape), shaped(inside, pushed.shape),
+            any_cycle.pressing,
+        )  # fmt: skip
 
     def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
         """Return the motion as a path of straight pieces, for `Tangential`; its time counts closed cycles.
@@ -267,24 +319,32 @@ class BimodalDampingSolution(DampingSolution[Q]):
     ----------
     problem : BimodalDamping
         The problem that was solved.
-    contact : IndentationSolution
-        The contact at its greatest depth.
-    loss_per_cycle : float or ndarray
-        Energy lost in every closed cycle [J].
+    pressing_loss : float
+        What of the loss the depth alone costs in bodies that relax [J]; it is lost without a shift, too.
     """
 
+    __words__ = words(pressing_loss=("W_d", "J", "what of the loss of a cycle the depth alone costs"))
+
     problem: BimodalDamping[Q]
-    loss_per_cycle: Q
+    pressing_loss: float
 
     @property
     def loss_stiffness(self) -> Q:
-        """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper."""
+        """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper.
+
+        What the depth alone costs is left out.
+        """
         moved = np.broadcast_to(self.problem.shift_amplitude, np.shape(self.loss_per_cycle))
-        return per_unit(self.loss_per_cycle, np.pi * moved**2 * self.problem.lateral_cycles)
+        return per_unit(
+            shaped(self.loss_per_cycle - self.pressing_loss), np.pi * moved**2 * self.problem.lateral_cycles
+        )
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
+        stated = self.problem
+        if isinstance(self.contact, ViscoelasticState):
+            return swing_notes(stated.bed, stated.law, 1.0 / stated.frequency, self.contact)
         bed, coefficient, radius = self.problem.bed, self.problem.law.coefficient, float(self.contact.radius)
         by_rings = self.problem.method is Method.RINGS
         rings = () if math.isinf(coefficient) else moving_ring_notes(bed, coefficient, radius, IN_CYCLES, by_rings)

@@ -10,6 +10,9 @@ per cycle: the loop of Mindlin and Deresiewicz for every profile.  Of small ampl
 :math:`W\to\tfrac43 G^{*2}U^3/(\mu E^*g'(a))`; beyond gross slip each further :math:`\mathrm dU` costs
 :math:`4\mu F_N\mathrm dU`.  A static shift or shear force about which the contact oscillates changes nothing, as long
 as the whole does not slide away: the loop depends on the amplitude alone.
+
+Bodies that relax lose energy inside, too, and as much as the frequency has it.  There the shift or the shear force is
+harmonic, and springs that relax are followed until their cycles repeat (`winkler.problems.viscoelastic.steady_cycle`).
 """
 
 from __future__ import annotations
@@ -23,8 +26,9 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
 from winkler.loading.loads import ShearForce, Shift
 from winkler.loading.path import SWING, OneNormal, numbers_of
+from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.numerics.types import Array, PerLoad, Q, shaped
-from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.declared import RELAXING, SHEARED
 from winkler.problems.friction.damping_springs import SlippingSprings
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.last_cycle import loss_factor, per_unit
@@ -33,7 +37,18 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import SurfaceFriction, slid_depth
 from winkler.problems.ring_slip.push_bound import exact_ratio, pushed_body
 from winkler.problems.ring_slip.pushed_rings import PushedRings, pushed_rings
+from winkler.problems.viscoelastic.states import ViscoelasticState
+from winkler.problems.viscoelastic.steady_cycle import (
+    SteadyCycle,
+    Swing,
+    check_cycles,
+    depth_at_rest,
+    steady_cycle,
+    swing_notes,
+)
+from winkler.values.checks.number_checks import NonNegative, Whole, between
 from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
@@ -61,12 +76,19 @@ class FrictionDamping(PerLoad[Q]):
     method : Method, optional
         How slip is followed.  By default rings on bonded layers and gradings, as far as an outer ring slides first, and
         springs elsewhere.
+    frequency : float, optional
+        Of the oscillation [Hz], of bodies that relax; elastic ones take none.
+    count : int, optional
+        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
+    tolerance : float, optional
+        On bodies that relax the error of a step, as of `Tangential`.
 
     Raises
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
-        negative.
+        negative.  If bodies relax and there is no frequency, or they flow for ever, have a dashpot alongside, or are
+        layers that relax each by its own law; if they do not relax and there is a frequency.
     OutsideValidity
         If rings are asked for on another medium, or a contact that is no disc.
 
@@ -94,6 +116,8 @@ class FrictionDamping(PerLoad[Q]):
 
     __words__ = words(
         amplitude=("", None, "amplitude of the shift or of the shear force"),
+        relaxes=("", None, "whether the bodies relax"),
+        count=("n", "", "how many springs"),
     )
 
     bed: Bed
@@ -101,14 +125,23 @@ class FrictionDamping(PerLoad[Q]):
     normal: OneNormal
     amplitude: Annotated[Shift[Q] | ShearForce[Q], SWING]
     method: Method = Method.AUTO
+    frequency: NonNegative = 0.0
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 400
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | {Assumption.INERTIA, Assumption.STEADY}
     needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
+        check_cycles("FrictionDamping", self.bed, self.frequency, self.method)
         if self.method is Method.RINGS:
             pushed_body(self.bed, "FrictionDamping")
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether the bodies relax, so that the frequency counts."""
+        return relaxes(self.bed.medium)
 
     def solve(self) -> FrictionDampingSolution[Q]:
         """Return the loss per cycle with the stiffness and the loss factor that belong to it.
@@ -124,8 +157,10 @@ class FrictionDamping(PerLoad[Q]):
             do not touch.  If the method is exact, and the stiffnesses of the springs have no common ratio; if it is
             rings, and none slides before all do.
         NotConverged
-            If the profile is too rough.
+            If the profile is too rough, or cycles of bodies that relax do not repeat.
         """
+        if self.relaxes:
+            return self._relaxing()
         contact = Indentation(self.bed, self.normal).solve()
         if float(contact.radius) == 0.0:
             raise OutsideValidity(
@@ -139,8 +174,30 @@ class FrictionDamping(PerLoad[Q]):
             moved = springs.shift(force)
         else:
             moved, force = flat, springs.force(flat)
-        columns: list[Q] = [shaped(each, prescribed.shape) for each in (moved, force, springs.loss(moved))]
-        return FrictionDampingSolution(self, contact, *columns)
+        loss = springs.loss(moved)
+        columns: list[Q] = [shaped(each, prescribed.shape) for each in (loss, loss, np.zeros(loss.size), moved, force)]
+        return FrictionDampingSolution(self, contact, 0.0, *columns)
+
+    def cycle(self, amplitude: float) -> SteadyCycle:
+        """Return the cycle of bodies that relax at one amplitude [m] or [N]."""
+        depth, lateral = depth_at_rest(self.bed, self.normal), type(self.amplitude)
+        swing = Swing(1.0 / self.frequency, depth, 0.0, lateral, amplitude, -0.5 * math.pi)
+        return steady_cycle("FrictionDamping", self.bed, self.law, swing, self.count, self.tolerance)
+
+    def _relaxing(self) -> FrictionDampingSolution[Q]:
+        """Return the loss per cycle of bodies that relax."""
+        prescribed = numbers_of(self.amplitude)
+        flat, rest = prescribed.ravel(), self.cycle(0.0)
+        if isinstance(self.amplitude, ShearForce):
+            flat = np.minimum(flat, self._bearable(flat, rest.contact.force))
+        cycles = [self.cycle(each) if each > 0.0 else rest for each in flat.tolist()]
+        numbers = [
+            (cycle.loss, cycle.friction, cycle.bulk, 0.5 * np.ptp(cycle.shift), 0.5 * np.ptp(cycle.shear_force))
+            for cycle in cycles
+        ]
+        columns: list[Q] = [shaped(each, prescribed.shape) for each in np.reshape(numbers, (flat.size, 5)).T]
+        change = max((cycle.change for cycle in cycles), default=0.0)
+        return FrictionDampingSolution(self, rest.contact, change, *columns)
 
     def _bearable(self, targets: Array, force: float) -> float:
         """Return the sliding force [N]; refuse what exceeds it."""
@@ -164,12 +221,29 @@ class DampingSolution(PerLoad[Q]):
     ----------
     problem
         The problem that was solved.
-    contact : IndentationSolution
-        The contact at its greatest depth.
+    contact : IndentationSolution or ViscoelasticState
+        The contact at its greatest depth; of bodies that relax in the cycle that repeats.
+    cycle_change : float
+        Part of loss or force by which the last two cycles of bodies that relax differ [-]; zero of elastic ones.
+    loss_per_cycle : float or ndarray
+        Energy lost in every closed cycle [J].
+    friction_loss, bulk_loss : float or ndarray
+        The parts of it that friction takes, and that bodies which relax lose inside [J].  Where nothing slides friction
+        takes what springs hold when they part.
     """
 
+    __words__ = words(
+        cycle_change=("", "", "part of loss or force by which the last two cycles differ"),
+        friction_loss=("W_f", "J", "energy lost to friction in a cycle"),
+        bulk_loss=("W_b", "J", "energy lost in the bodies in a cycle"),
+    )
+
     problem: Any
-    contact: IndentationSolution[float]
+    contact: IndentationSolution[float] | ViscoelasticState
+    cycle_change: float
+    loss_per_cycle: Q
+    friction_loss: Q
+    bulk_loss: Q
 
     @property
     def loss_stiffness(self) -> Q:
@@ -182,7 +256,7 @@ class DampingSolution(PerLoad[Q]):
         Parameters
         ----------
         frequency : float
-            Of the oscillation [Hz].
+            Of the oscillation along the surface [Hz]; of bodies that relax the prescribed one.
 
         Returns
         -------
@@ -192,9 +266,16 @@ class DampingSolution(PerLoad[Q]):
         Raises
         ------
         InvalidInput
-            If the frequency is not positive.
+            If the frequency is not positive, or not that at which bodies that relax oscillate.
         """
-        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+        problem, given = self.problem, positive_frequency(frequency)
+        prescribed = problem.frequency * getattr(problem, "lateral_cycles", 1)
+        if problem.relaxes and not math.isclose(given, prescribed, rel_tol=1e-9):
+            raise InvalidInput(
+                f"frequency: {given:.6g} Hz is given, but the bodies relax, and the loss is that at {prescribed:.6g} "
+                "Hz; give this one, or solve the problem at the other."
+            )
+        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * given))
 
 
 @value
@@ -205,20 +286,15 @@ class FrictionDampingSolution(DampingSolution[Q]):
     ----------
     problem : FrictionDamping
         The problem that was solved.
-    contact : IndentationSolution
-        The contact under its normal load.
     shift : float or ndarray
         Amplitude of the shift [m].
     shear_force : float or ndarray
         Amplitude of the shear force [N].
-    loss_per_cycle : float or ndarray
-        Energy lost in every cycle [J].
     """
 
     problem: FrictionDamping[Q]
     shift: Q
     shear_force: Q
-    loss_per_cycle: Q
 
     @property
     def secant_stiffness(self) -> Q:
@@ -226,7 +302,11 @@ class FrictionDampingSolution(DampingSolution[Q]):
         moving = np.asarray(self.shift) > 0.0
         stuck = 0.0
         if not np.all(moving):
-            stuck = _springs(self.problem, self.contact).stiffness
+            at_rest = self.contact
+            if isinstance(at_rest, ViscoelasticState):
+                stuck = self.problem.cycle(0.0).stuck
+            else:
+                stuck = _springs(self.problem, at_rest).stiffness
         return shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
 
     @property
@@ -241,13 +321,17 @@ class FrictionDampingSolution(DampingSolution[Q]):
     def loss_factor(self) -> Q:
         """W / (pi F_x U) [-]: the loss per radian over the greatest energy of a spring with the secant stiffness.
 
-        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.
+        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.  Of bodies that relax, without slip,
+        the sine of the loss angle.
         """
         return loss_factor(self.loss_per_cycle, self.shift, self.shear_force)
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
+        stated = self.problem
+        if isinstance(self.contact, ViscoelasticState):
+            return swing_notes(stated.bed, stated.law, 1.0 / stated.frequency, self.contact)
         mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
         depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
         rubbing = SurfaceFriction(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))

@@ -23,6 +23,7 @@ from winkler.foundation.bed import Bed, slipping_depth, slipping_springs
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import Depth, Force, ShearForce, Shift
 from winkler.loading.path import Path
+from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
@@ -152,7 +153,7 @@ class Tangential:
     @property
     def relaxes(self) -> bool:
         """Whether the bodies relax, so that each spring remembers its loads over time."""
-        return hasattr(self.bed.medium, "timeless")
+        return relaxes(self.bed.medium)
 
     @property
     def _coulomb_line(self) -> bool:

@@ -21,6 +21,7 @@ from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
 from winkler.loading.loads import Angle, Depth, Torque
 from winkler.loading.path import Path
+from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.media.twisting.kernels import twisted_medium
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
@@ -127,7 +128,7 @@ class Torsion:
     @property
     def relaxes(self) -> bool:
         """Whether the bodies relax, so that each spring remembers its loads over time."""
-        return hasattr(self.bed.medium, "timeless")
+        return relaxes(self.bed.medium)
 
     @property
     def total(self) -> int:

@@ -24,6 +24,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Sliding
+from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
@@ -126,7 +127,7 @@ class LineTangential:
     @property
     def relaxes(self) -> bool:
         """Whether the bodies relax, so that the elements remember their tractions over time."""
-        return hasattr(self.bed.medium, "timeless")
+        return relaxes(self.bed.medium)
 
     @property
     def _relaxing_bed(self) -> LineFoundation | LayeredLineFoundation:

@@ -12,7 +12,7 @@ All the work is stored, lost to friction, or lost in the bodies.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -59,6 +59,7 @@ __all__ = [
     "columns",
     "dragged",
     "dragged_notes",
+    "dragged_row",
     "dragged_states",
     "pressed_alone",
     "stick_radius",
@@ -195,7 +196,7 @@ def dragged(
     NotConverged
         If no step is short enough.
     """
-    row = _row(owner, bed, law, path, count, tolerance)
+    row = dragged_row(owner, bed, law, path, count, tolerance)
     goals = map(DragGoal, path.time.tolist(), path.across.tolist(), path.along.tolist())
     for reached in follow(row, goals):
         refuse_rings(owner, np.array([reached.state.goal.time]), np.array([reached.state.ring]))
@@ -226,8 +227,24 @@ def columns(row: DraggedRow, reached: Reached[DraggedSprings]) -> dict[str, Any]
     }
 
 
-def _row(owner: str, bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> DraggedRow:
-    """Return the row before anything has happened, which knows what counts as little on this path."""
+def dragged_row(
+    owner: str,
+    bed: Bed,
+    law: Coulomb,
+    path: Path,
+    count: int,
+    tolerance: float,
+    course: Callable[[float], DragGoal] | None = None,
+) -> DraggedRow:
+    """Return the row before anything has happened, which knows what counts as little on this path.
+
+    Parameters
+    ----------
+    owner, bed, law, path, count, tolerance
+        As of `dragged`.
+    course : callable, optional
+        What is prescribed at a time, as of `DraggedRow`.
+    """
     deepest = pressed_alone(owner, bed, path, count, tolerance)._deepest
     if deepest == 0.0:
         raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
@@ -253,7 +270,8 @@ def _row(owner: str, bed: Bed, law: Coulomb, path: Path, count: int, tolerance: 
     slide_ = slide_ if slide_ > 0.0 else deepest * rubbed / force
     little = tolerance
     scales = ErrorScales(little * deepest, little * slide_, little * borne, little * borne * slide_, force)
-    return DraggedRow(SpringRow(elastic, springs, normal), cells, shear, law.coefficient, by_depth, by_shift, scales)
+    row = SpringRow(elastic, springs, normal)
+    return DraggedRow(row, cells, shear, law.coefficient, by_depth, by_shift, scales, course)
 
 
 def _cells(owner: str, bed: Bed, springs: Springs, count: int) -> tuple[DragCells, RelaxationSeries]:

@@ -98,8 +98,8 @@ class DraggedSprings(NamedTuple):
         U_x [m], and how fast depth and shift changed in the last step [m/s].
     force, radius, shear_force, stored
         F_N [N], a [m], F_x [N], and the energy of both directions [J].
-    friction, bulk
-        Lost to friction and in the bodies [J].
+    friction, bulk, pressing
+        Lost to friction and in the bodies, and what of that pressing costs [J].
     ring
         Whether the contact is no disc.
     """
@@ -121,6 +121,7 @@ class DraggedSprings(NamedTuple):
     stored: float = 0.0
     friction: float = 0.0
     bulk: float = 0.0
+    pressing: float = 0.0
     ring: bool = False
 
 
@@ -140,6 +141,8 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
     by_depth, by_shift : bool
         What is prescribed.
     scales : ErrorScales
+    course : callable, optional
+        What is prescribed at a time [s], where steps are halved on a curve: losses in the bodies are compared too.
     """
 
     def __init__(
@@ -151,7 +154,9 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         by_depth: bool,
         by_shift: bool,
         scales: ErrorScales,
+        course: Callable[[float], DragGoal] | None = None,
     ) -> None:
+        self.course = course
         self.row, self.shear, self.coefficient, self.scales = row, shear, coefficient, scales
         self.cells, self.owner = cells, cells.owner
         self.by_depth, self.by_shift = by_depth, by_shift
@@ -178,6 +183,8 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
     def halfway(self, state: DraggedSprings, start: DragGoal, goal: DragGoal) -> DragGoal | None:
         """Return what is prescribed in the middle of a step that takes time."""
         middle = DragGoal(*(0.5 * (mine + its) for mine, its in zip(start, goal, strict=True)))
+        if self.course is not None:
+            middle = self.course(middle.time)
         return middle if start.time < middle.time < goal.time else None
 
     def apart(self, one: Reached[DraggedSprings], two: Reached[DraggedSprings]) -> float:
@@ -188,6 +195,7 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
             over(abs(here.friction - there.friction), scales.energy),
             over(abs(here.shift - there.shift), scales.shift),
             0.0 if self.by_depth else over(abs(here.row.depth - there.row.depth), scales.depth),
+            0.0 if self.course is None else over(abs(one.lost - two.lost), scales.energy),
         )
 
     def _sudden(self, state: DraggedSprings, goal: DragGoal) -> Reached[DraggedSprings]:
@@ -257,6 +265,7 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
             stored=float(pressed.stored[0]) + stored,
             friction=state.friction + lost,
             bulk=state.bulk + float(pressed.lost[0]) + bulk,
+            pressing=state.pressing + float(pressed.lost[0]),
             ring=bool(pressed.ring[0]),
         )
         lost_in_all = new.friction - state.friction + new.bulk - state.bulk

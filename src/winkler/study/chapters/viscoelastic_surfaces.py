@@ -29,6 +29,10 @@ LOSSES = Equation(
     "What was spent is stored, lost in the bodies, or lost to friction",
     r"\int F_N\,\mathrm{d}d + \int F_x\,\mathrm{d}u_x = U + W_b + W_f",
 )
+CYCLE_LOSSES = Equation(
+    "In a cycle that repeats nothing is stored: what it costs is lost in the bodies, or to friction",
+    r"\oint F_N\,\mathrm{d}d + \oint F_x\,\mathrm{d}u_x = W_b + W_f",
+)
 AROUND = Equation(
     "Around the axis too, of the angle; it slides where that reaches what the pressure of all rings farther out lets it "
     "bear",
@@ -171,6 +175,22 @@ VISCOELASTIC_SURFACES = Chapter(
             curves=(("angle", "torque"), ("time", "torque"), ("time", "dissipation")),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, AROUND, TURNED, TWIST_LOSSES),
+        ),
+        "friction_damping": answer(
+            "winkler.problems.friction.damping:FrictionDamping",
+            headline=("loss_per_cycle", "friction_loss", "bulk_loss", "loss_factor", "secant_stiffness", "shear_force"),
+            picture=Caption(
+                "damping", "Damping by friction", "Losses and loss factor over the amplitude, and the greatest loop."
+            ),
+            pictured=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, SPRINGS, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
+        ),
+        "bimodal_damping": answer(
+            "winkler.problems.friction.bimodal_damping:BimodalDamping",
+            headline=("loss_per_cycle", "friction_loss", "bulk_loss", "pressing_loss", "loss_stiffness"),
+            picture=Caption("damping", "Damping by friction", "Loss in every closed cycle of depth and shift."),
+            pictured=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
         ),
     },
 )
