@@ -43,7 +43,7 @@ def test_a_step_of_no_time():
 
 @pytest.mark.parametrize("x", [1e-9, 1e-3, 0.3, 0.49999, 0.5, 0.9, 3.0, 40.0, 1e5])
 def test_a_bend_adds_its_integrals(x):
-    """R by its definition at fifty digits, the means by quadrature; relative, and 1e-15 where a term itself vanishes."""
+    """R by its definition at fifty digits, the means by quadrature."""
     phi, out = np.empty(4), np.empty(8)
     fading(x, phi)
     bends(x, phi, out)

@@ -37,9 +37,9 @@ FORCE_TOLERANCE = 1e-13
 """Part of the forces to which a prescribed one is met."""
 SHORTEST_STEP = 1e-12
 """Part of a stretch of forces below which no step falls."""
-SURELY_LITTLE = 0.1
+SURELY_LITTLE = 0.2
 """Part of the error allowed below which that of a step is estimated from how the rate has changed alone."""
-CORNER = 0.1
+CORNER = 0.2
 """Part of a step's change of depth beyond which it does not bend, and a kink is a corner: the step is halved."""
 NEGLIGIBLE_MEMORY = 1e-200
 """Memories below this are none: numbers that small are slow."""
