@@ -52,9 +52,10 @@ def bench_what_it_grows_with(benchmark, below, size):
     below(5.0 * np.prod(size) / (STEPS * SPRINGS * TERMS), "in proportion to steps, springs and terms")
 
 
-def bench_forces(benchmark, below):
+@pytest.mark.parametrize("solid", [Maxwell(0.25, 0.3), Prony(0.05, [0.04] * TERMS, np.geomspace(1e-3, 10.0, TERMS))])
+def bench_forces(benchmark, below, solid):
     """Two cycles of 500 points under forces, each step chosen by its error: three times the march by depths."""
-    bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(0.25, 0.3)))
+    bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(solid))
     t = np.linspace(0.0, 2.0, 1000)
     problem = ViscoelasticIndentation(bed, Path(t, wk.Force(0.01 * np.sin(np.pi * t) ** 2)))
     problem.solve()

@@ -101,27 +101,6 @@ def test_a_cycle_ends_where_it_began_in_the_same_direction(name):
     assert cycle_ends([np.array(row) for row in rows]) == ends
 
 
-def test_rings_on_equal_layers_lose_what_the_half_space_loses():
-    path = wk.Path.through(wk.Force(LOAD), wk.Shift([0.0, 4e-7, -4e-7, 4e-7]))
-    layers = wk.CoatedHalfSpace([wk.Layer(STEEL, 5e-5)], STEEL, STEEL)
-    rings = wk.Tangential(wk.Foundation(wk.Paraboloid(10e-3), layers), wk.Coulomb(MU), path).solve()
-    gap = wk.Tangential(BALL, wk.Coulomb(MU), path).solve()
-    assert rings.loss_per_cycle == pytest.approx(gap.loss_per_cycle, rel=1e-3)
-    assert rings.secant_stiffness == pytest.approx(gap.secant_stiffness, rel=1e-4)
-    assert not any("not closed" in note.statement for note in rings.validity)
-
-
-def test_a_body_that_hardly_relaxes_loses_what_an_elastic_one_loses():
-    slow = wk.StandardSolid(relaxed_shear=0.5 * STEEL.shear, shear=0.5 * STEEL.shear, relaxation_time=1e9, poisson=0.3)
-    bed = wk.Foundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(slow))
-    path = wk.Path.through(wk.Depth(1e-6), wk.Shift([0.0, 2e-7, -2e-7, 2e-7]))
-    late = wk.Tangential(bed, wk.Coulomb(MU), path).solve()
-    elastic = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(STEEL))
-    now = wk.Tangential(elastic, wk.Coulomb(MU), path).solve()
-    assert late.loss_per_cycle == pytest.approx(now.loss_per_cycle, rel=1e-2)
-    assert late.secant_stiffness == pytest.approx(now.secant_stiffness, rel=1e-3)
-
-
 def test_a_line_that_begins_at_rest_does_not_close_its_first_loop():
     bed = wk.LineFoundation(wk.Paraboloid(10e-3), PAIR)
     first = wk.LineTangential(bed, wk.Coulomb(0.5), wk.LinePath(1e5, [0.0, 30e3, -30e3, 0.0], count=60)).solve()

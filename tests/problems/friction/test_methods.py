@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import collections
 import math
 
 import numpy as np
@@ -76,13 +75,3 @@ def test_rings_of_a_coating_that_is_none_lose_what_springs_do():
     assert rings.loss_per_cycle == pytest.approx(exact.loss_per_cycle, rel=2e-3)
     assert any("cut into rings" in note.statement for note in rings.validity)
     assert math.isfinite(rings.loss_per_cycle)
-
-
-def test_a_path_that_friction_does_not_bear_keeps_the_states_before():
-    """By sums and by elements."""
-    bed, path = wk.LineFoundation(BALL, HALF), wk.LinePath([1e3, 1e3, 1e3], [0.0, 200.0, 400.0])
-    for method in (wk.Method.EXACT, wk.Method.ELEMENTS):
-        reached = []
-        with pytest.raises(wk.OutsideValidity, match="LineTangential: at index 2 of the path a shear force of 400 N/m"):
-            collections.deque(map(reached.append, wk.LineTangential(bed, LAW, path, method).steps()), maxlen=0)
-        assert len(reached) == 2

@@ -90,24 +90,6 @@ def test_rings_that_slide_bear_their_own_pressure_and_others_less(name, problem)
     assert np.max(np.abs(missed)) < 1e-10 * solution.work[-1]
 
 
-@pytest.mark.slow
-def test_a_layer_of_the_same_solid_twists_and_slips_as_a_half_space():
-    same = wk.Foundation(BALL, wk.CoatedHalfSpace([wk.Layer(SOLID, 0.02)], on=SOLID))
-    plain = wk.Foundation(BALL, wk.HalfSpace.between(SOLID))
-    _, a, force = pressed(plain)
-    load = wk.Force(force * np.array([0.0, 0.5, 1.0, 0.8]))
-    angle = wk.Angle(MU * force / (16.0 / 3.0 * a**2) * np.array([0.0, 0.4, 1.2, -0.3]))
-    twists = [wk.Torsion(bed, wk.Coulomb(MU), wk.Path(np.arange(4.0), load, angle)).solve() for bed in (same, plain)]
-    for word in ("torque", "stick_radius", "dissipation"):
-        first, other = (getattr(twist, word) for twist in twists)
-        np.testing.assert_allclose(first, other, rtol=1e-7, atol=1e-9 * np.max(other))
-    shift = wk.Shift(MU * force / (2.0 * same.medium.shear_modulus * a) * np.array([0.0, 0.4, 1.2, -0.3]))
-    path = wk.Path(np.arange(4.0), load, shift)
-    first = wk.Tangential(same, wk.Coulomb(MU), path).solve()
-    other = wk.Tangential(plain, wk.Coulomb(MU), path).solve()
-    np.testing.assert_allclose(first.shear_force, other.shear_force, rtol=2e-5)
-
-
 @pytest.mark.parametrize("k", [-0.4, 0.3, 0.7])
 def test_torsion_on_a_power_law(k):
     bed = wk.Foundation(BALL, wk.GradedHalfSpace.between(PowerLawGraded(2.6, 0.5, exponent=k, poisson=0.3)))

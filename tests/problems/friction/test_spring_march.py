@@ -32,21 +32,6 @@ def still(shift, **other):
     return Path(np.arange(float(len(shift))), wk.Depth(1.0), wk.Shift(shift), **other)
 
 
-def test_cattaneo_mindlin():
-    """A force grows at constant depth: F_x = mu F (1 - c^3), U = U_full (1 - c^2); then the depth falls at rest."""
-    c = 0.7
-    depth = 1.0 - np.array([0.0, 0.0, 0.2, 0.4])
-    path = Path(np.arange(4.0), wk.Depth(depth), wk.Shift(FULL * (1.0 - c * c) * np.array([0.0, 1.0, 1.0, 1.0])))
-    states = list(SpringMarch(BALL, Coulomb(MU), path, 1000).steps())
-    for state, d in zip(states[1:], depth[1:], strict=True):
-        left = np.sqrt(max(c * c - (1.0 - d), 0.0))
-        assert state.shear_force == pytest.approx(MU * FORCE * (d**1.5 - left**3), rel=1e-5)
-        assert state.stick_radius == pytest.approx(left, abs=1e-5)
-        assert state.force == pytest.approx(FORCE * d**1.5, rel=1e-12)
-    assert states[0].stick_radius == states[0].radius == 1.0
-    assert states[0].shear_force == 0.0
-
-
 def test_theory_numbers_of_unloading():
     """E* = 2, G* = 1.5, mu = 0.4, R = 3, a = 1.2, c = 0.7: depths of 0.9, 0.7, 0.5, 0.3 of the first one."""
     poisson = 0.4  # G*/E* = 2 (1 - nu) / (2 - nu) = 3/4
@@ -59,27 +44,6 @@ def test_theory_numbers_of_unloading():
     trace = SpringMarch(bed, Coulomb(0.4), path, 2000).solve()
     expected = [0.492444444444, 0.4522200744, 0.3548642550, 0.2172232032, 0.1009562218]
     np.testing.assert_allclose(trace.shear_force[1:], expected, rtol=1e-6)
-
-
-@pytest.mark.slow
-def test_mindlin_deresiewicz_loss_per_cycle():
-    """y = Q/(mu F) = 0.6: W a G*/(mu F)^2 = 0.0410573844465, by the shear force itself."""
-    turns = 0.6 * MU * FORCE * np.array([0.0, 1.0, -1.0, 1.0, -1.0, 1.0])
-    path = Path(np.arange(6.0), wk.Force(FORCE), wk.ShearForce(turns))
-    trace = SpringMarch(BALL, Coulomb(MU), path, 1500).solve()
-    np.testing.assert_allclose(trace.shear_force, turns, rtol=1e-12, atol=1e-13)
-    cycle = trace.dissipation[3] - trace.dissipation[1], trace.dissipation[5] - trace.dissipation[3]
-    np.testing.assert_allclose(np.array(cycle) * G / (MU * FORCE) ** 2, 0.0410573844465, rtol=1e-5)
-    np.testing.assert_allclose(trace.shift[1::2], trace.shift[1], rtol=1e-12)
-    np.testing.assert_allclose(trace.shift[2::2], -trace.shift[1], rtol=1e-12)
-
-
-def test_masing():
-    """From a turning point on the curve is the first one, twice as large in both directions."""
-    track = FULL * np.linspace(0.0, 0.8, 21)
-    trace = SpringMarch(BALL, Coulomb(MU), still(np.concatenate([track, track[-1] - 2.0 * track[1:]])), 300).solve()
-    first, second = trace.shear_force[:21], trace.shear_force[20:]
-    np.testing.assert_allclose(second, first[-1] - 2.0 * first, atol=1e-13 * FORCE)
 
 
 def traction(state, r):

@@ -8,10 +8,7 @@ from hypothesis import strategies as st
 import winkler as wk
 from winkler.problems.friction.spring_march import SpringMarch
 from winkler.reference.friction import (
-    mindlin_returning_force,
     mindlin_shear_force,
-    mindlin_shift,
-    mindlin_stick_radius,
     mindlin_traction,
 )
 
@@ -54,14 +51,6 @@ def test_depth_drawn_back_at_a_held_shift():
     assert list(solution.stick_radius[3:]) == [0.0, 0.0]
 
 
-def test_mindlin_at_every_shift():
-    y = np.linspace(0.0, 0.99, 34)
-    shift = mindlin_shift(MU * FORCE, 1.5, 1.2, y)
-    solution = run(through(wk.Depth(DEPTH), wk.Shift(shift)))
-    np.testing.assert_allclose(solution.shear_force, y * MU * FORCE, rtol=1e-13, atol=1e-15)
-    np.testing.assert_allclose(solution.stick_radius, mindlin_stick_radius(1.2, y), rtol=1e-11)
-
-
 def test_the_peer_code_agrees(shared_data):
     table = np.genfromtxt(shared_data / "reference" / "tangential_shift_circle.csv", delimiter=",", skip_header=1)
     for poisson in (0.0, 0.25):
@@ -77,14 +66,6 @@ def test_the_peer_code_agrees(shared_data):
         close = 2e-4 if poisson == 0.0 else 3e-4
         np.testing.assert_allclose(solution.shear_force[fine] / (MU * contact.force), expected[fine], atol=close)
         np.testing.assert_allclose(solution.shear_force / (MU * contact.force), expected, atol=2e-3)
-
-
-def test_the_loop_of_mindlin_and_deresiewicz():
-    q = 0.6 * MU * FORCE
-    solution = run(through(wk.Force(FORCE), wk.ShearForce([0.0, q, -q, q, -q, q])))
-    for start in (1, 3):
-        loss = solution.dissipation[start + 2] - solution.dissipation[start]
-        assert loss * 1.2 * 1.5 / (MU * FORCE) ** 2 == pytest.approx(0.0410573844465, abs=6e-14)
 
 
 def test_small_loops_lose_the_cube_of_their_amplitude():
@@ -106,16 +87,6 @@ def test_gross_slip_costs_friction_times_distance():
     gain = np.diff(more.dissipation[[0, 2]])[0] - np.diff(just.dissipation[[0, 2]])[0]
     assert gain == pytest.approx(4.0 * MU * FORCE * 0.7 * most, rel=1e-13)
     assert more.shear_force[0] == pytest.approx(MU * FORCE, rel=1e-14)
-
-
-def test_masing():
-    start = 0.7 * BETA * DEPTH
-    back = np.linspace(start, -start, 21)
-    there = np.linspace(-start, start, 21)
-    solution = run(through(wk.Depth(DEPTH), wk.Shift(np.concatenate([back, there]))))
-    expected = mindlin_returning_force(MU * FORCE, 1.5, 1.2, start, back)
-    np.testing.assert_allclose(solution.shear_force[:21], expected, rtol=1e-12, atol=1e-14)
-    np.testing.assert_allclose(solution.shear_force[21:], -expected, rtol=1e-12, atol=1e-14)
 
 
 def test_what_is_wiped_out_does_not_matter():
@@ -161,22 +132,6 @@ def test_a_shear_force_is_met(normal):
     solution = run(through(normal, wk.ShearForce(prescribed)))
     np.testing.assert_allclose(solution.shear_force, prescribed, rtol=1e-12, atol=1e-14)
     assert solution.stick_radius[-1] == 0.0
-
-
-def test_under_a_steady_normal_load_shift_and_force_are_equivalent():
-    shift = BETA * DEPTH * np.array([0.3, -0.2, 0.1, 0.8, 0.3, 0.9, -0.95])
-    first = run(through(wk.Depth(DEPTH), wk.Shift(shift)))
-    second = run(through(wk.Depth(DEPTH), wk.ShearForce(first.shear_force)))
-    np.testing.assert_allclose(second.shift, shift, rtol=1e-10, atol=1e-13)
-    np.testing.assert_allclose(second.dissipation, first.dissipation, rtol=1e-9, atol=1e-14)
-
-
-def test_more_than_friction_bears_is_refused_after_what_came_before():
-    problem = wk.Tangential(BALL, wk.Coulomb(MU), through(wk.Force(1.0), wk.ShearForce([0.1, 0.3, 0.5])))
-    states = []
-    with pytest.raises(wk.OutsideValidity, match="index 2 .* 0.5 N .* 0.4 N at most"):
-        states.extend(problem.steps())
-    assert [state.shear_force for state in states] == pytest.approx([0.1, 0.3], rel=1e-12)
 
 
 def test_a_contact_that_was_lost_begins_anew():

@@ -307,15 +307,6 @@ def test_a_torque_under_a_changing_load():
     assert solution.torque == pytest.approx(np.array([0.3, 0.7]) * MOMENT, rel=1e-10)
 
 
-def test_too_great_a_torque_is_refused_where_it_comes():
-    problem = Torsion(BALL, Coulomb(MU), Path(np.arange(3), Force(F), Torque(np.array([0.1, 0.5, 0.6]) * MOMENT)))
-    states = problem.steps()
-    remaining = [next(states), next(states)]
-    assert remaining[1].torque == pytest.approx(0.5 * MOMENT, abs=1e-12 * MOMENT)
-    with pytest.raises(OutsideValidity, match="at index 2 of the path the torque"):
-        next(states)
-
-
 def test_a_falling_load_and_a_twist_that_turns_back_are_marked():
     depths = np.array([1.0, 0.8]) * A**2 / R
     solution = twisted(BALL, Depth(depths), Angle(np.array([0.3, 0.246]) * TWIST))

@@ -62,19 +62,6 @@ def test_shear_does_not_follow_the_compliance_to_pressures():
     assert found.stick_half_width[-1] / 10.0 > 0.72  # sqrt(0.49) on a half-plane
 
 
-@pytest.mark.slow
-def test_layers_of_one_solid_slip_as_a_half_plane():
-    """Without layers every path has a sum of earlier contacts, also while the normal force changes."""
-    path = wk.LinePath([1.0, 1.0, 1.4, 0.9], [0.0, 0.2, -0.1, 0.05])
-    layered = pushed(wk.LayeredLineFoundation(CYLINDER, coating(1.0)), path)
-    plain = pushed(wk.LineFoundation(CYLINDER, wk.HalfSpace(solid())), path)
-    np.testing.assert_allclose(layered.half_width, plain.half_width, rtol=1e-12)
-    np.testing.assert_allclose(layered.stick_half_width, plain.stick_half_width, rtol=3e-3)
-    lost = plain.dissipation_per_length
-    np.testing.assert_allclose(layered.dissipation_per_length, lost, atol=2e-4 * lost[-1])
-    np.testing.assert_allclose(layered.slip_shift, plain.slip_shift, atol=3e-4 * np.max(np.abs(plain.slip_shift)))
-
-
 def loss(medium, a):
     bed = wk.LayeredLineFoundation(CYLINDER, medium)
     load = force(bed, a)

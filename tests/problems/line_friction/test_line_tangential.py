@@ -210,14 +210,6 @@ def test_beyond_the_limit_of_a_bulk_stress_an_edge_slips_back():
         assert np.max(np.abs(off)) < 3e-4
 
 
-def test_points_in_between_change_nothing():
-    forces, shears = ([1e5, 1.4e5, 0.6e5, 0.6e5, 0.0, 1e5], [0.0, 3e4, -1e4, 1.5e4, 0.0, 2e4])
-    coarse, fine = (sheared(wk.Paraboloid(10e-3), wk.LinePath(forces, shears, count=n)) for n in (1, 7))
-    assert fine.dissipation_per_length[::7] == pytest.approx(coarse.dissipation_per_length, rel=1e-11, abs=1e-18)
-    assert fine.stick_half_width[::7] == pytest.approx(coarse.stick_half_width, rel=1e-12)
-    assert fine.slip_shift[::7] == pytest.approx(coarse.slip_shift, rel=1e-10, abs=1e-20)
-
-
 def test_bodies_that_are_pressed_and_sheared_in_proportion_stick():
     """dQ/dP below mu: the traction is the pressure times Q/P, nothing is lost; narrower strips were moved farther."""
     solution = sheared(wk.Paraboloid(10e-3), wk.LinePath([0.0, 1e5], [0.0, 3e4]))

@@ -82,16 +82,6 @@ def test_an_ellipse_sticks_as_stiffly_along_either_axis(along):
     assert pushed.shift[0, along] == pytest.approx(shift, rel=5e-4)
 
 
-def test_there_and_back_as_a_round_body_remembers():
-    shift = FAR * np.array([0.0, 0.5, 0.9, 0.3, -0.2, -0.8, -0.1, 0.6, 0.2])
-    path = wk.Path.through(wk.Depth(DEPTH), wk.Shift(shift))
-    found = wk.SurfaceTangential(ball(), DULL, wk.Coulomb(MU), path).solve()
-    exact = wk.Tangential(wk.Foundation(wk.Paraboloid(BALL), DULL), wk.Coulomb(MU), path).solve()
-    np.testing.assert_allclose(found.shear_force[:, 0], exact.shear_force, atol=1e-4 * MU * FORCE)
-    np.testing.assert_allclose(found.dissipation, exact.dissipation, atol=5e-4 * exact.dissipation[-1])
-    np.testing.assert_allclose(found.stored_energy, exact.stored_energy, atol=2e-4 * np.max(exact.stored_energy))
-
-
 @pytest.mark.slow
 def test_a_normal_load_that_changes_too():
     turn = np.linspace(0.0, 2.0 * np.pi, 21)
@@ -100,18 +90,6 @@ def test_a_normal_load_that_changes_too():
     exact = wk.Tangential(wk.Foundation(wk.Paraboloid(BALL), DULL), wk.Coulomb(MU), path).solve()
     np.testing.assert_allclose(found.shear_force[:, 0], exact.shear_force, atol=1e-3 * MU * FORCE)
     assert found.dissipation[-1] == pytest.approx(exact.dissipation[-1], rel=1.5e-2)
-
-
-def test_a_twist_as_of_a_round_body():
-    path = wk.Path.through(wk.Depth(DEPTH), wk.Angle([0.0, 0.01, 0.025, -0.015]))
-    pair = wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.0, 0.3))
-    exact = wk.Torsion(wk.Foundation(wk.Paraboloid(BALL), pair), wk.Coulomb(MU), path).solve()
-    found = wk.SurfaceTangential(ball(), pair, wk.Coulomb(MU), path).solve()
-    np.testing.assert_allclose(found.torque, exact.torque, atol=3e-4 * np.max(exact.torque))
-    np.testing.assert_allclose(found.dissipation, exact.dissipation, atol=1e-3 * exact.dissipation[-1])
-    torque = wk.Path.through(wk.Depth(DEPTH), wk.Torque(found.torque))
-    back = wk.SurfaceTangential(ball(), pair, wk.Coulomb(MU), torque).solve()
-    np.testing.assert_allclose(back.angle, path.along, atol=1e-6)
 
 
 def test_the_ball_of_contact(shared_data):

@@ -51,17 +51,6 @@ def test_all_relaxes_in_proportion_after_sudden_steps(profile, part):
     assert held.friction_loss == pytest.approx(np.full(4, elastic.dissipation[0]), rel=2e-3)
 
 
-@pytest.mark.parametrize(("tau", "shear"), [(1e-7, 0.05), (1e7, 0.25)])
-def test_the_elastic_limits(tau, shear):
-    ours = dragged(StandardSolid(0.05, 0.2, tau), TIME, Depth(PRESS), Shift(PUSH), tolerance=1e-6)
-    elastic = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(3.0 * shear, 0.5)))
-    true = wk.Tangential(elastic, Coulomb(MU), Path(TIME, Depth(PRESS), Shift(PUSH))).solve()
-    assert ours.shear_force == pytest.approx(true.shear_force, abs=1e-5 * np.max(true.shear_force))
-    assert ours.stick_radius == pytest.approx(true.stick_radius, abs=1e-5)
-    assert ours.friction_loss == pytest.approx(true.dissipation, abs=1e-4 * true.dissipation[-1])
-    assert ours.bulk_loss == pytest.approx(0.0, abs=1e-4 * true.dissipation[-1])
-
-
 @pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("solid", [STANDARD, Prony(0.05, [0.2, 0.3], [0.01, 0.5]), KelvinVoigt(0.25, 0.05)])
 def test_small_oscillations_without_slip(solid):

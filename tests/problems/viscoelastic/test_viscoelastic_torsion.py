@@ -191,17 +191,6 @@ def test_energies_balance_and_mirrored_paths_are_mirrored():
     assert ours.dissipation == pytest.approx(ours.friction_loss + ours.bulk_loss, rel=1e-12)
 
 
-def test_more_torque_than_friction_bears_is_refused_with_the_states_before_kept():
-    problem = wk.Torsion(
-        wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(STANDARD)),
-        Coulomb(MU), Path([0.0, 1.0, 2.0], Force(1e-3), Torque([0.0, 1e-6, 1.0])), count=50,
-    )  # fmt: skip
-    steps = problem.steps()
-    assert [next(steps).time, next(steps).time] == [0.0, 1.0]
-    with pytest.raises(OutsideValidity, match=r"index 2 .* torque of 1 N m .* would spin; .* Angle"):
-        next(steps)
-
-
 def test_what_does_not_relax_by_one_function_is_refused():
     stack = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.1)], on=HARD)
     path = Path([0.0, 1.0], Depth(0.01), Angle([0.0, 0.01]))

@@ -2,7 +2,8 @@ r"""Rows of relaxing springs under a rigid body, carried through many steps at o
 
 A spring bears :math:`q=M_\infty u+\eta\dot u+\sum_i S_i`, :math:`\dot S_i=-S_i/\tau_i+M_i\dot u`, while it is pressed,
 :math:`u=d-g`.  When q would pull it lets go and recovers freely, :math:`u=\sum_k w_k e^{-r_k t}`, until the body
-catches it again.  Within a step of steady motion both are known in closed form.  The springs about the axis that stay
+catches it again.  Within a step of steady motion both are known in closed form, and of springs that stay pressed also
+where the motion bends by a steady acceleration.  The springs about the axis that stay
 pressed through a step, and those around them that stay free, go through it together, a row of memory at a time; the few
 that let go or are caught are carried from event to event, each for itself.
 
@@ -15,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.integrals.exponential_integrals import fading, losses
+from winkler.numerics.integrals.exponential_integrals import BENDS, bends, fading, losses
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_spring import carry, jump
 
@@ -28,30 +29,37 @@ The loss is that of every dashpot, not what is missing from the work.
 """
 FORCED_NUMBERS = 6
 """Of a stretch under a force: depth, radius, work, energy stored, loss, a ring."""
-STEP_FACTORS = 7
-"""Of a step: of every memory its decay, gain with the rate, and three of `losses`; of every mode its fade and loss."""
+STEP_FACTORS = 13
+"""Of a step: of every memory its decay, gain with the rate, and three of `losses`; of every mode its fade and loss; of
+every memory that bends its gain, three more of the loss, and two of the work."""
 MOST_TRIALS = 200
 FORCE_TOLERANCE = 1e-13
 """Part of the forces to which a prescribed one is met."""
 SHORTEST_STEP = 1e-12
 """Part of a stretch of forces below which no step falls."""
-SURELY_LITTLE = 0.1
+SURELY_LITTLE = 0.2
 """Part of the error allowed below which that of a step is estimated from how the rate has changed alone."""
+CORNER = 0.2
+"""Part of a step's change of depth beyond which it does not bend, and a kink is a corner: the step is halved."""
 NEGLIGIBLE_MEMORY = 1e-200
 """Memories below this are none: numbers that small are slow."""
 
 
 @compiled
-def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def]
-    """Write what a step of this length does to all springs at any rate; return its growth with the rate.
+def _survey(law, state, dt, bent, factors, spans, scratch):  # type: ignore[no-untyped-def]
+    """Write what a step of this length does to all springs at any rate.
 
-    `spans` gets, of those pressed, the load now and at the end and the impulse, as if nothing moved; of those free, in
-    the second row, the place at the end.  `factors` are those of `STEP_FACTORS`.
+    Returned is how load and impulse of those pressed grow with the rate, and what an acceleration `bent` of the body
+    does: how far it goes, and its part of load, impulse and work.  `spans` gets, of those pressed, the load now and at
+    the end and the impulse, as if nothing moved; of those free, in the second row, the place at the end.  `factors` are
+    those of `STEP_FACTORS`.
     """
     relaxed, _, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
     u, memory, _, counts = state
+    phi, bend = scratch[4], scratch[5]
     inside, outer = counts[0], counts[1]
-    gains, pulls = 0.0, 0.0
+    gains, pulls, bow = 0.0, 0.0, bent * dt * dt
+    load, push, spent = 0.0, -relaxed * bow / 12.0, 0.0
     for j in range(inside):
         spans[0, j] = relaxed * u[j]
         spans[1, j] = relaxed * u[j]
@@ -65,6 +73,12 @@ def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def
         factors[3, i], factors[4, i], factors[5, i] = losses(x, phi)
         gains += gain
         pulls += moduli[i] * dt * dt * phi[1]
+        if bow != 0.0:
+            bends(x, phi, bend)
+            own = moduli[i] * bow
+            factors[7, i], factors[8, i], factors[9, i] = own * bend[0], own * bend[5], own * bend[6]
+            factors[10, i], factors[11, i], factors[12, i] = own * own * bend[7], bow * bend[2], bow * bend[3]
+            load, push, spent = load + own * bend[0], push + own * bend[1], spent + bow * own * bend[4]
         for j in range(inside):
             s = memory[i, j]
             spans[0, j] += s
@@ -77,7 +91,7 @@ def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def
         factors[2, k], factors[6, k] = fade, -law[8][k] * np.expm1(-2.0 * rates[k] * dt)
         for j in range(inside, outer):
             spans[1, j] += memory[k, j] * fade
-    return gains, pulls
+    return gains, pulls, bow, load, dt * push, spent
 
 
 @compiled
@@ -89,12 +103,12 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
     relaxed, viscosity, moduli = law[0], law[1], law[2]
     gaps, weights, _ = springs
     u, memory, pressed, counts = state
-    columns, odd, spare, steady, phi = scratch
+    columns, odd, spare, steady, phi, _ = scratch
     inside, outer, modes, odds, sudden = counts[0], counts[1], memory.shape[0], 0, dt == 0.0
     rate = 0.0 if sudden else change / dt
     first = viscosity * rate
-    stay = relaxed * change + first + grown[0] * rate
-    push = dt * (0.5 * relaxed * change + first) + rate * grown[1]
+    stay = relaxed * change + first + grown[0] * rate + grown[3]
+    push = dt * (0.5 * relaxed * change + first) + rate * grown[1] + grown[4]
     force, impulse, heavy, work, lost, count = 0.0, 0.0, 0.0, 0.0, 0.0, 0
     for j in range(0 if sudden else inside):
         fine = (spans[0, j] + first >= 0.0) & (spans[1, j] + stay >= 0.0)
@@ -104,6 +118,7 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
         heavy += part
         count += 1 if fine else 0
     lost += viscosity * rate * change * heavy
+    bending = heavy * (grown[2] * relaxed * change / 12.0 + grown[5]) if grown[2] != 0.0 else 0.0
     for j in range(outer):
         if j < inside and not sudden:
             if count == inside or ((spans[0, j] + first >= 0.0) & (spans[1, j] + stay >= 0.0)):
@@ -152,6 +167,7 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
         lost += factors[6, k] * stored
         if k < moduli.size:
             decay, gain, rise = factors[0, k], factors[1, k] * rate, moduli[k] * change
+            gain += factors[7, k] if grown[2] != 0.0 else 0.0
             zeroth, first, second = 0.0, 0.0, 0.0
             for j in range(inside):
                 s = memory[k, j]
@@ -162,7 +178,11 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
                 memory[k, j] = s if abs(s) > NEGLIGIBLE_MEMORY else 0.0
             mixed = factors[4, k] * first + factors[5, k] * rise * zeroth
             lost += (factors[3, k] * second + rise * mixed) / moduli[k]
-    sums[9] = lost
+            if grown[2] != 0.0:
+                bowed = factors[8, k] * first + (factors[9, k] * rise + factors[10, k]) * zeroth
+                lost += bowed / moduli[k]
+                bending += factors[11, k] * first + factors[12, k] * rise * zeroth
+    sums[2], sums[9] = sums[2] + bending, lost
     for j in range(0 if sudden else outer):
         u[j] = depth + change - gaps[j] if j < inside else spans[1, j]
     for c in range(odds):
@@ -231,9 +251,11 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
-def _surveyed(law, state, dt, workspace):  # type: ignore[no-untyped-def]
+def _surveyed(law, state, dt, bent, workspace):  # type: ignore[no-untyped-def]
     """Survey a step, unless it is sudden."""
-    return _survey(law, state, dt, workspace[0], workspace[1], workspace[2][4]) if dt > 0.0 else (0.0, 0.0)
+    if dt > 0.0:
+        return _survey(law, state, dt, bent, workspace[0], workspace[1], workspace[2])
+    return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 @compiled
@@ -252,11 +274,12 @@ def _carry(law, springs, state, motion, change, dt, grown, workspace, sums):  # 
 def advance_springs(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
     modes, count = state[1].shape
-    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    rows = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count)
+    scratch = rows[0], rows[1], rows[2], rows[3], np.empty(4), np.empty(BENDS)
     workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
     for n in range(changes.size):
         sums = numbers[n]
-        grown = _surveyed(law, state, times[n], workspace)
+        grown = _surveyed(law, state, times[n], 0.0, workspace)
         held = _carry(law, springs, state, motion, changes[n], times[n], grown, workspace, sums)
         sums[5] = _energy(law, springs, state)
         sums[6] = _radius(law, springs, state, motion, held)
@@ -306,14 +329,16 @@ def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # 
     change.  `scale` is one that matters.
     """
     modes, count = state[1].shape
-    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    rows = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count)
+    scratch = rows[0], rows[1], rows[2], rows[3], np.empty(4), np.empty(BENDS)
     workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
-    return _find(law, springs, state, motion, target, dt, guess, scale, _surveyed(law, state, dt, workspace), workspace)
+    grown = _surveyed(law, state, dt, 0.0, workspace)
+    return _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace)
 
 
 @compiled
-def _curved(law, whole, dt, rate):  # type: ignore[no-untyped-def]
-    """Return about by how much the depth after a step is wrong that is straight, while its rate has been changing.
+def _curved(law, missed, dt):  # type: ignore[no-untyped-def]
+    """Return about by how much the depth after a step is wrong that ends so far from where rate and bend led.
 
     What relaxes forgets where between the ends of the step it was pressed in: of the parabola over the straight line,
     whose area is d'' dt^3 / 12, each memory forgets at most the part dt / tau.
@@ -322,7 +347,7 @@ def _curved(law, whole, dt, rate):  # type: ignore[no-untyped-def]
     for i in range(law[2].size):
         forgotten += law[2][i] * min(dt / law[3][i], 1.0)
         glassy += law[2][i]
-    return abs(whole - rate * dt) * forgotten / glassy / 12.0
+    return abs(missed) * forgotten / glassy / 12.0
 
 
 @compiled
@@ -341,7 +366,8 @@ def _put(state, motion, place, onto):  # type: ignore[no-untyped-def]
 def advance_under_forces(law, springs, state, motion, forces, times, limits, course, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through stretches in which a force changes steadily, in place; write `FORCED_NUMBERS` of each.
 
-    The depth is straight within steps, which are halved until both halves reach the depth of the whole.
+    Within steps the depth bends as it did before them, under a dashpot alongside it is straight.  Where it turns out to
+    go otherwise, steps are halved until both halves reach the depth of the whole.
 
     Parameters
     ----------
@@ -353,8 +379,9 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
         How long they take; none for a force that is put on suddenly, and not by a dashpot.
     limits : ndarray, (2,)
         The error of depth that a step may have, and a force that matters.
-    course : ndarray, (2,)
-        The rate of the last step, and how long the next one should take; zero before the first.
+    course : ndarray, (5,)
+        The rate of the last step, how long the next one should take, the acceleration, how long the last one took, and
+        the rate of the force; zero before the first.
     numbers : ndarray, (n, FORCED_NUMBERS)
         What comes of it; work and loss of the stretch alone.
 
@@ -366,14 +393,16 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
     """
     there = np.empty_like(state[0]), np.empty_like(state[1]), np.empty_like(state[2]), np.empty_like(state[3])
     modes, count = state[1].shape
-    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    rows = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count)
+    scratch = rows[0], rows[1], rows[2], rows[3], np.empty(4), np.empty(BENDS)
     workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
-    away, sums, target, held = np.empty(3), np.empty(STEP_NUMBERS), np.zeros(4), 0
+    away, sums, target, held = np.empty(3), workspace[3], np.zeros(4), 0
     little, scale, viscous = limits[0], limits[1], law[1] > 0.0
     for n in range(times.size):
         start, duration, done = forces[n], times[n], 0.0
         rise, work, lost = forces[n + 1] - start, 0.0, 0.0
         sudden = duration == 0.0 and not viscous
+        slope = rise / duration if duration > 0.0 else 0.0
         pace = min(course[1], duration) if course[1] > 0.0 else 0.125 * duration
         while sudden or done < duration:
             dt = min(pace, duration - done)
@@ -383,14 +412,22 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
             # with a dashpot alongside, whose forces jump with the rate, the mean force of a step is meant
             target[1], target[2] = (0.0, 1.0 / dt) if viscous else (1.0, 0.0)
             target[0] = start + rise * (1.0 if sudden else (done + (0.5 if viscous else 1.0) * dt) / duration)
-            grown = _surveyed(law, state, dt, workspace)
-            whole, _ = _find(law, springs, state, motion, target, dt, course[0] * dt, scale, grown, workspace)
+            bent = 0.0 if sudden or viscous else course[2]
+            guess = (course[0] + 0.5 * bent * (dt + course[3])) * dt
+            if abs(bent) * dt * dt > CORNER * abs(guess):  # springs that come and go within a step do so without it
+                bent, guess = 0.0, course[0] * dt
+            grown = _surveyed(law, state, dt, bent, workspace)
+            whole, _ = _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace)
             if np.isnan(whole):
                 return n, 1
-            error = 0.0 if sudden else np.inf if viscous else _curved(law, whole, dt, course[0])
+            # where the force kinks, so does the depth: that is no bend
+            kink = (slope - course[4]) * dt / sums[3] if sums[3] > 0.0 else 0.0
+            corner = viscous or abs(kink) > CORNER * abs(whole)
+            error = 0.0 if sudden else np.inf if corner else _curved(law, whole - guess - kink, dt)
             if error <= SURELY_LITTLE * little:
                 held = _carry(law, springs, state, motion, whole, dt, grown, workspace, sums)
-                moved, worked, wasted = whole, sums[2], sums[9]
+                worked, wasted, rate, length = sums[2], sums[9], whole / dt if dt > 0.0 else 0.0, dt
+                bent = 2.0 * (rate - course[0] - kink / dt) / (dt + course[3]) if dt > 0.0 and course[3] > 0.0 else 0.0
             else:
                 _put(state, motion, there, away)
                 moved, worked, wasted, half = 0.0, 0.0, 0.0, 0.5 * dt
@@ -399,7 +436,7 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                     place = 0.25 + 0.5 * stage if viscous else 0.5 + 0.5 * stage
                     target[0] = start + rise * (done + place * dt) / duration
                     guess = 0.5 * whole if stage == 0 else whole - moved
-                    grown = _surveyed(law, there, half, workspace)
+                    grown = _surveyed(law, there, half, bent, workspace)
                     change, _ = _find(law, springs, there, away, target, half, guess, scale, grown, workspace)
                     if np.isnan(change):
                         return n, 1
@@ -412,12 +449,13 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                     pace = dt * max(0.2, 0.9 * (little / error) ** (1.0 / 3.0))
                     continue
                 _put(there, away, state, motion)
-                held = touching
+                held, rate, length = touching, change / half, half
+                bent = (2.0 * change - moved) / (half * half)
             work, lost = work + worked, lost + wasted
             if sudden:
-                sudden = False
+                sudden, course[2] = False, 0.0
                 continue
-            course[0] = moved / dt
+            course[0], course[2], course[3], course[4] = rate, bent, length, slope
             done = duration if last else done + dt
             grow = dt * min(4.0, max(0.3, 0.9 * (little / max(error, 1e-6 * little)) ** (1.0 / 3.0)))
             pace = max(pace, grow) if last else grow  # a step that the end has cut short says little of the next

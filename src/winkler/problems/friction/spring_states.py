@@ -156,7 +156,8 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
             f"{count} springs: shear force and energies are of second order in their distance; under a sphere the "
-            f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force.",
+            f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force. "
+            "Between two points depth and shift go straight: where a prescribed force bends their path, give more.",
             "compared with the exact solution for one direction, tests/convergence/test_order_springs.py",
         )
     ]

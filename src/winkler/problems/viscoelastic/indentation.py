@@ -104,7 +104,7 @@ class ViscoelasticIndentation:
     bed: Bed
     path: Path
     count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
-    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-7
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 3e-7
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -222,7 +222,7 @@ class ViscoelasticIndentation:
     def _by_force(self, row: SpringRow, deepest: float, length: int) -> Iterator[tuple[SpringRow, Array]]:
         times, forces = self.path.time, self.path.across
         spans, before = np.diff(times, prepend=times[0]), np.append(0.0, forces)
-        limits, course = np.array([self.tolerance * deepest, np.max(forces)]), np.zeros(2)
+        limits, course = np.array([self.tolerance * deepest, np.max(forces)]), np.zeros(5)
         work = lost = 0.0
         for start in range(0, times.size, length):
             part = slice(start, min(start + length, times.size))

@@ -153,7 +153,7 @@ class SpringRow:
         forces : ndarray, (n + 1,)
             At the ends of the stretches.
         spans : ndarray, (n,)
-        limits, course : ndarray, (2,)
+        limits, course : ndarray, (2,) and (5,)
             As `advance_under_forces` takes them; `course` is carried on.
 
         Returns
