@@ -7,7 +7,11 @@ import pytest
 
 from winkler.fitting.curves.directions import found_directions
 from winkler.io.curves import read_curve, read_curves
+from winkler.io.logs.log_tables import read_friction_log
 from winkler.io.swapped_columns import signs
+from winkler.io.tables.relaxation_table import read_relaxation
+from winkler.io.tables.table_cells import named
+from winkler.values.errors import InvalidInput
 
 TRAVEL = np.linspace(0.0, 2000.0, 401)
 FORCE = np.maximum(TRAVEL - 1000.0, 0.0) ** 1.5 / 1000.0
@@ -145,3 +149,23 @@ def test_sheets_of_other_languages_with_a_table_beside_the_test(tmp_path):
     assert [curve.force.max() for curve in curves] == pytest.approx([FORCE.max(), 2.0 * FORCE.max()])
     assert curves[0].position == pytest.approx(1e-6 * TRAVEL)
     assert curves[0].time[-1] == pytest.approx(40.0)
+
+
+def test_a_noun_behind_a_name_is_no_unit(tmp_path):
+    """A shear stress over time, its unit a row below, was read as a shear modulus that relaxes."""
+    (tmp_path / "flow.csv").write_text(
+        "Time,Gap,Normal Stress,Shear Stress\n[s],[mm],[Pa],[Pa]\n"
+        + "".join(f"{t},1,3,{5 * t}\n" for t in range(1, 30))
+    )
+    with pytest.raises(InvalidInput, match=r"the header has no shear modulus \(.*there are 'Time', 'Gap'"):
+        read_relaxation(tmp_path / "flow.csv")
+    assert named("Shear Stress", ("shear",)) == (False, "")
+    assert named("Load mNn", ("load",)) == (True, "mNn")
+    assert named("Kraft Newton", ("kraft",)) == (True, "Newton")
+
+
+def test_a_device_before_a_channel_is_not_its_name(tmp_path):
+    """A tribometer writes each name behind that of the device that measured it."""
+    place = np.concatenate([np.linspace(-1.0, 1.0, 30), np.linspace(1.0, -1.0, 30)])
+    rows = _file(tmp_path, "DAQ.Displacement (um),DAQ.Fx (N)", np.tile(place, 3), np.sign(np.tile(place, 3)))
+    assert read_friction_log(rows).displacement.max() == pytest.approx(1e-6, rel=1e-12)

@@ -32,6 +32,10 @@ PREFIXES = {"nano": "n", "micro": "u", "milli": "m", "kilo": "k", "mega": "M", "
 """Words before a unit in such names: ``load_micro_N``."""
 BEHIND_WORDS = ("in", "en")
 """Words before a unit, as in ``f in Hz``."""
+LONGEST_MISSPELT = 4
+"""A word of so many letters that is no unit is a noun: units that users misspell are shorter."""
+DEVICE = re.compile(r"[^\W\d]\w++\.(?=[^\W\d]{2})")
+"""A device before the name of its channel, as in "DAQ.Fx (N)"."""
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 """A symbol in brackets behind a name, as in "Position (z), mm"."""
 
@@ -106,8 +110,10 @@ def _plain_readings(cell: str) -> tuple[tuple[str, str], ...]:
     """Return how a cell may be name and unit, names as `_plain` has them; one header is asked for many quantities."""
     if len(cell) > CELL_LETTERS or DEVIATION.search(cell):
         return ()
-    # the whole cell first, before "Storage Modulus" is a storage in a unit of "Modulus"
-    return ((_plain(cell), ""), *((_plain(name), unit.strip(" -")) for name, unit in _readings(cell)))
+    # the whole cell first, before "Storage N" is a storage in newton
+    whole = ((_plain(cell), ""), *((_plain(name), unit.strip(" -")) for name, unit in _readings(cell)))
+    device = DEVICE.match(cell)
+    return (*whole, *_plain_readings(cell[device.end() :])) if device else whole
 
 
 @functools.lru_cache(maxsize=256)
@@ -170,5 +176,16 @@ def _readings(cell: str) -> Iterator[tuple[str, str]]:
         yield words[0], words[2]
     yield from _joined(cell)
     words = cell.split(None, 2)
-    if len(words) == 2:
+    if len(words) == 2 and not _is_noun(words[1]):
         yield words[0], words[1]
+
+
+def _is_noun(word: str) -> bool:
+    """Return whether a second word names a quantity, as in "Shear Stress", and is no unit, not even a misspelt one."""
+    if len(word) < LONGEST_MISSPELT or not word.isalpha():
+        return False
+    try:
+        scale(word, word)
+    except InvalidInput:
+        return True
+    return False
