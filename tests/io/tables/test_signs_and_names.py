@@ -11,6 +11,7 @@ from winkler.io.logs.log_tables import read_friction_log
 from winkler.io.swapped_columns import signs
 from winkler.io.tables.relaxation_table import read_relaxation
 from winkler.io.tables.table_cells import named
+from winkler.io.topography_file import read_topography
 from winkler.values.errors import InvalidInput
 
 TRAVEL = np.linspace(0.0, 2000.0, 401)
@@ -169,3 +170,22 @@ def test_a_device_before_a_channel_is_not_its_name(tmp_path):
     place = np.concatenate([np.linspace(-1.0, 1.0, 30), np.linspace(1.0, -1.0, 30)])
     rows = _file(tmp_path, "DAQ.Displacement (um),DAQ.Fx (N)", np.tile(place, 3), np.sign(np.tile(place, 3)))
     assert read_friction_log(rows).displacement.max() == pytest.approx(1e-6, rel=1e-12)
+
+
+def test_a_table_without_names_is_no_map(tmp_path):
+    """Time, strain, rate and stress of a rheometer asked for the unit of their heights."""
+    time = np.linspace(0.0, 1.0, 200)
+    rows = np.stack([time, np.sin(time), np.cos(time), np.sin(time + 0.3)], axis=1)
+    np.savetxt(tmp_path / "bare.txt", rows)
+    with pytest.raises(TypeError, match="positional"):  # was a fault of the file
+        read_topography(tmp_path / "bare.txt", "um")
+    with pytest.raises(InvalidInput, match="its 4 columns stand without a header above them"):
+        read_topography(tmp_path / "bare.txt", lengths=(1e-6, 1e-6), unit="um")
+    np.savetxt(tmp_path / "strip.txt", rows * rows[::-1, :1] + np.cos(40.0 * rows))
+    assert read_topography(tmp_path / "strip.txt", lengths=(1e-6, 1e-6), unit="um").heights.shape == (200, 4)
+
+
+def test_a_force_in_grams_is_their_weight(tmp_path):
+    place = np.tile(np.r_[np.linspace(-1.0, 1.0, 30), np.linspace(1.0, -1.0, 30)], 3)
+    log = read_friction_log(_file(tmp_path, "displacement [um],friction force [g]", place, np.sign(place)))
+    assert np.abs(log.shear_force).max() == pytest.approx(9.80665e-3, rel=1e-12)
