@@ -9,8 +9,8 @@ from winkler.fitting.curves.directions import found_directions
 from winkler.io.curves import read_curve, read_curves
 from winkler.io.logs.log_tables import read_friction_log
 from winkler.io.swapped_columns import signs
-from winkler.io.tables.relaxation_table import read_relaxation
-from winkler.io.tables.table_cells import named
+from winkler.io.tables.relaxation_table import read_dynamic, read_relaxation
+from winkler.io.tables.table_cells import cells_of, named
 from winkler.io.topography_file import read_topography
 from winkler.values.errors import InvalidInput
 
@@ -189,3 +189,22 @@ def test_a_force_in_grams_is_their_weight(tmp_path):
     place = np.tile(np.r_[np.linspace(-1.0, 1.0, 30), np.linspace(1.0, -1.0, 30)], 3)
     log = read_friction_log(_file(tmp_path, "displacement [um],friction force [g]", place, np.sign(place)))
     assert np.abs(log.shear_force).max() == pytest.approx(9.80665e-3, rel=1e-12)
+
+
+def test_a_rheometer_in_japanese_groups_thousands_in_quotes(tmp_path):
+    rows = [f'{n},{60 * n},25,{0.5 * n},"1,900,000",{2e6 + n},{1e5 + n},"1,000"' for n in range(1, 12)]
+    head = "測定点数,時間,温度,角周波数,複素弾性率,貯蔵弾性率,損失弾性率,複素粘度\n"
+    head += ",[s],[°C],[1/s],[Pa],[Pa],[Pa],[Pa・s]\n"
+    (tmp_path / "sweep.csv").write_text(head + "\n".join(rows) + "\n", encoding="utf-8")
+    data = read_dynamic(tmp_path / "sweep.csv")
+    np.testing.assert_allclose(data.angular_frequency, 0.5 * np.arange(1, 12), rtol=1e-12)
+    np.testing.assert_allclose(data.storage_shear, 2e6 + np.arange(1, 12), rtol=1e-12)
+    assert cells_of('"x","1,5",2', ",") == ["x", "1,5", "2"]
+    assert cells_of('"a","b"', ",") == ["a", "b"]
+
+
+def test_many_columns_of_one_name_are_counted(tmp_path):
+    names = ",".join(["f [Hz]", "G' [Pa]", "G'' [Pa]"] + ["f [Hz]"] * 9)
+    (tmp_path / "wide.csv").write_text(names + "\n" + "\n".join([",".join("1" * 12)] * 9) + "\n")
+    with pytest.raises(InvalidInput, match=r"column 4\) and 'f \[Hz\]' \(column 5\) and 7 more may each be"):
+        read_dynamic(tmp_path / "wide.csv")

@@ -41,6 +41,8 @@ GRAMS = ("g", "kg")
 COMMENT_MARKS = "#% \t"
 MOST_BETWEEN = 3
 """Most rows between the names and their units: empty, or such as "Waveform"."""
+MOST_ALIKE = 3
+"""Most columns of one name that a message lists."""
 LONGEST_UNIT = 12
 MOSTLY = 0.6
 """Least share of numbers in a row of them."""
@@ -137,7 +139,8 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
             ]
             for column, places in zip(columns, candidates, strict=True):
                 if len(places) > 1:
-                    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places)
+                    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places[:MOST_ALIKE])
+                    listed += f" and {len(places) - MOST_ALIKE} more" if len(places) > MOST_ALIKE else ""
                     counted = ", ".join(
                         f"{one.word} = {all_of[0] + 1}" for one, all_of in zip(columns, candidates, strict=True)
                     )

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import CELL_LETTERS
@@ -36,6 +36,8 @@ LONGEST_MISSPELT = 4
 """A word of so many letters that is no unit is a noun: units that users misspell are shorter."""
 DEVICE = re.compile(r"[^\W\d]\w++\.(?=[^\W\d]{2})")
 """A device before the name of its channel, as in "DAQ.Fx (N)"."""
+QUOTED, HIDDEN = re.compile(r'"[+-]?\d[\d,;.]{0,40}"'), "\x00"
+"""A number in quotes, and what stands for a separator in it."""
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 """A symbol in brackets behind a name, as in "Position (z), mm"."""
 
@@ -43,9 +45,20 @@ SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 def cells_of(line: str, separator: str | None) -> list[str]:
     """Return the cells of a line; without a separator those between spaces."""
     if separator is not None:
-        return [_unquoted(cell.strip(" \t")) for cell in line.split(separator)]
+        return [_unquoted(cell.strip(" \t")) for cell in _cut(line, separator)]
     # a unit in brackets belongs to the name before it
     return NAME_WITH_UNIT.findall(line) if "[" in line or "(" in line else line.split()
+
+
+def _cut(line: str, separator: str) -> list[str]:
+    """Return a line cut at its separators; one between digits in quotes, as in "1,900", groups thousands."""
+    if '"' not in line:
+        return line.split(separator)
+    return [cell.replace(HIDDEN, separator) for cell in QUOTED.sub(_hide(separator), line).split(separator)]
+
+
+def _hide(separator: str) -> Callable[[re.Match[str]], str]:
+    return lambda quoted: quoted[0].replace(separator, HIDDEN)
 
 
 def _unquoted(cell: str) -> str:
