@@ -30,6 +30,7 @@ POSITION_NAMES = (
     "corsa standard",
     "allongement",
     "位移",
+    "変位",
 )
 """Travel of a machine whose cantilever bends."""
 DEPTH_NAMES = (
@@ -53,6 +54,9 @@ DEPTH_NAMES = (
     "压入深度",
     "压痕深度",
     "深度",
+    "押込み深さ",
+    "押し込み深さ",
+    "深さ",
 )
 """Travel of the tip."""
 FORCE_NAMES = (
@@ -82,6 +86,8 @@ FORCE_NAMES = (
     "forza standard",
     "载荷",
     "力",
+    "荷重",
+    "試験力",
 )
 TIME_NAMES = (
     *(
@@ -96,7 +102,7 @@ TIME_NAMES = (
         "temps",
         "temps d'essai",
     ),
-    *("tiempo", "tiempo de ensayo", "tempo", "tempo di prova", "时间"),
+    *("tiempo", "tiempo de ensayo", "tempo", "tempo di prova", "时间", "時間"),
 )
 STIFFNESS_NAMES = (
     "stiffness",

@@ -129,11 +129,11 @@ def reader(what: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """
 
     def decorated(read: Callable[P, R]) -> Callable[P, R]:
-        place = list(inspect.signature(read).parameters).index("path")
+        signature = inspect.signature(read)
 
         @functools.wraps(read)
         def wrapped(*args: P.args, **kwargs: P.kwargs) -> R:
-            path = kwargs.get("path", args[place] if place < len(args) else "")
+            path = signature.bind(*args, **kwargs).arguments["path"]  # a wrong call is no fault of the file
             with sentence_of(path, f"{what} cannot be read from it", "check the file, or save it anew"):
                 return read(*args, **kwargs)
 

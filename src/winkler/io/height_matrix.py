@@ -18,10 +18,14 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.values.units import quantity
 
-__all__ = ["MapContents", "array_map", "point_map", "points_on_grid", "refuse_many", "text_map"]
+__all__ = ["MapContents", "array_map", "point_map", "points_on_grid", "refuse_many", "refuse_table", "text_map"]
 
 LEAST_ROWS = 4
 """Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
+MOST_COLUMNS, SLENDER = 8, 8
+"""Most columns of a table without names that might be a map, and its least rows over columns."""
+ONE_WAY = 0.9
+"""Least share of the steps of a column that goes one way."""
 POINT_CELLS = 3
 """Cells of a point x, y, z."""
 SAME_PLACE = 1e-5
@@ -98,6 +102,24 @@ def text_map(path: Path) -> MapContents:
             if word in stated:
                 lengths[axis] = quantity(stated[word], unit, what=f"{path}, '# {word}'")
     return MapContents(heights, lengths, unit)
+
+
+def refuse_table(path: Path, heights: Array) -> None:
+    """Refuse a table without names: few long columns, the first of which goes one way, as a time or a frequency does.
+
+    Between tests that stand below each other it may turn.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    steps = np.diff(heights[:, 0])
+    long = heights.shape[1] <= MOST_COLUMNS and len(heights) >= SLENDER * heights.shape[1]
+    if long and max(np.mean(steps > 0.0), np.mean(steps < 0.0)) >= ONE_WAY:
+        raise InvalidInput(
+            f"{path}: its {heights.shape[1]} columns stand without a header above them, and the first goes one way, as "
+            "in a table, which is no map; write their names and units in a line above."
+        )
 
 
 def point_map(path: Path, points: Array) -> MapContents:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from winkler.io.foreign import in_file, reader
-from winkler.io.height_matrix import MapContents, array_map, point_map, text_map
+from winkler.io.height_matrix import MapContents, array_map, point_map, refuse_table, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.maps.simple_field import is_simple_field, simple_field_map
 from winkler.io.maps.triangle_mesh import mesh_map
@@ -101,6 +101,8 @@ def read_topography(
             contents = text_map(file)
         except InvalidInput as reason:
             contents = _other_text(file, reason)
+        else:
+            refuse_table(file, contents.heights)
     else:
         contents = instrument_map(file, channel)
     if not isinstance(unit, str):

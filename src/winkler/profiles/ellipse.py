@@ -120,9 +120,9 @@ class CurvedBodies:
         bends = _curvatures(first, second, angle)[:2]
         if not min(bends) > ROUNDING * max(abs(1.0 / radius) for radius in (*first, *second)):
             raise InvalidInput(
-                f"CurvedBodies.of: bodies of the radii {first} m and {second} m do not touch in a point, because a "
-                "hollow is as narrow as the body in it, or both are straight; give a hollow wider than the body in it, "
-                "and cylinders that touch along a line to LineFoundation."
+                f"CurvedBodies.of: bodies of the radii {first} m and {second} m do not touch in a point. A hollow is "
+                "as narrow as the body in it, or both are straight; give a hollow wider than the body in it, and "
+                "cylinders that touch along a line to LineFoundation."
             )
         return cls(1.0 / bends[0], 1.0 / bends[1])
 

@@ -7,7 +7,12 @@ import pytest
 
 from winkler.fitting.curves.directions import found_directions
 from winkler.io.curves import read_curve, read_curves
+from winkler.io.logs.log_tables import read_friction_log
 from winkler.io.swapped_columns import signs
+from winkler.io.tables.relaxation_table import read_dynamic, read_relaxation
+from winkler.io.tables.table_cells import cells_of, named
+from winkler.io.topography_file import read_topography
+from winkler.values.errors import InvalidInput
 
 TRAVEL = np.linspace(0.0, 2000.0, 401)
 FORCE = np.maximum(TRAVEL - 1000.0, 0.0) ** 1.5 / 1000.0
@@ -145,3 +150,61 @@ def test_sheets_of_other_languages_with_a_table_beside_the_test(tmp_path):
     assert [curve.force.max() for curve in curves] == pytest.approx([FORCE.max(), 2.0 * FORCE.max()])
     assert curves[0].position == pytest.approx(1e-6 * TRAVEL)
     assert curves[0].time[-1] == pytest.approx(40.0)
+
+
+def test_a_noun_behind_a_name_is_no_unit(tmp_path):
+    """A shear stress over time, its unit a row below, was read as a shear modulus that relaxes."""
+    (tmp_path / "flow.csv").write_text(
+        "Time,Gap,Normal Stress,Shear Stress\n[s],[mm],[Pa],[Pa]\n"
+        + "".join(f"{t},1,3,{5 * t}\n" for t in range(1, 30))
+    )
+    with pytest.raises(InvalidInput, match=r"the header has no shear modulus \(.*there are 'Time', 'Gap'"):
+        read_relaxation(tmp_path / "flow.csv")
+    assert named("Shear Stress", ("shear",)) == (False, "")
+    assert named("Load mNn", ("load",)) == (True, "mNn")
+    assert named("Kraft Newton", ("kraft",)) == (True, "Newton")
+
+
+def test_a_device_before_a_channel_is_not_its_name(tmp_path):
+    """A tribometer writes each name behind that of the device that measured it."""
+    place = np.concatenate([np.linspace(-1.0, 1.0, 30), np.linspace(1.0, -1.0, 30)])
+    rows = _file(tmp_path, "DAQ.Displacement (um),DAQ.Fx (N)", np.tile(place, 3), np.sign(np.tile(place, 3)))
+    assert read_friction_log(rows).displacement.max() == pytest.approx(1e-6, rel=1e-12)
+
+
+def test_a_table_without_names_is_no_map(tmp_path):
+    """Time, strain, rate and stress of a rheometer asked for the unit of their heights."""
+    time = np.linspace(0.0, 1.0, 200)
+    rows = np.stack([time, np.sin(time), np.cos(time), np.sin(time + 0.3)], axis=1)
+    np.savetxt(tmp_path / "bare.txt", rows)
+    with pytest.raises(TypeError, match="positional"):  # was a fault of the file
+        read_topography(tmp_path / "bare.txt", "um")
+    with pytest.raises(InvalidInput, match="its 4 columns stand without a header above them"):
+        read_topography(tmp_path / "bare.txt", lengths=(1e-6, 1e-6), unit="um")
+    np.savetxt(tmp_path / "strip.txt", rows * rows[::-1, :1] + np.cos(40.0 * rows))
+    assert read_topography(tmp_path / "strip.txt", lengths=(1e-6, 1e-6), unit="um").heights.shape == (200, 4)
+
+
+def test_a_force_in_grams_is_their_weight(tmp_path):
+    place = np.tile(np.r_[np.linspace(-1.0, 1.0, 30), np.linspace(1.0, -1.0, 30)], 3)
+    log = read_friction_log(_file(tmp_path, "displacement [um],friction force [g]", place, np.sign(place)))
+    assert np.abs(log.shear_force).max() == pytest.approx(9.80665e-3, rel=1e-12)
+
+
+def test_a_rheometer_in_japanese_groups_thousands_in_quotes(tmp_path):
+    rows = [f'{n},{60 * n},25,{0.5 * n},"1,900,000",{2e6 + n},{1e5 + n},"1,000"' for n in range(1, 12)]
+    head = "測定点数,時間,温度,角周波数,複素弾性率,貯蔵弾性率,損失弾性率,複素粘度\n"
+    head += ",[s],[°C],[1/s],[Pa],[Pa],[Pa],[Pa・s]\n"
+    (tmp_path / "sweep.csv").write_text(head + "\n".join(rows) + "\n", encoding="utf-8")
+    data = read_dynamic(tmp_path / "sweep.csv")
+    np.testing.assert_allclose(data.angular_frequency, 0.5 * np.arange(1, 12), rtol=1e-12)
+    np.testing.assert_allclose(data.storage_shear, 2e6 + np.arange(1, 12), rtol=1e-12)
+    assert cells_of('"x","1,5",2', ",") == ["x", "1,5", "2"]
+    assert cells_of('"a","b"', ",") == ["a", "b"]
+
+
+def test_many_columns_of_one_name_are_counted(tmp_path):
+    names = ",".join(["f [Hz]", "G' [Pa]", "G'' [Pa]"] + ["f [Hz]"] * 9)
+    (tmp_path / "wide.csv").write_text(names + "\n" + "\n".join([",".join("1" * 12)] * 9) + "\n")
+    with pytest.raises(InvalidInput, match=r"column 4\) and 'f \[Hz\]' \(column 5\) and 7 more may each be"):
+        read_dynamic(tmp_path / "wide.csv")

@@ -87,7 +87,7 @@ def test_a_core_that_shrinks_ends_where_it_sticks_as_it_bears_alone():
 @pytest.mark.slow
 def test_a_core_that_grows_ends_between_the_stated_radii():
     limit = limiting(HARD)
-    (note,) = (note for note in limit.validity if "kernels of the layers the core" in note.statement)
+    (note,) = (note for note in limit.validity if "kernels of the layers the stick zone" in note.statement)
     assert note.standing is wk.Standing.APPROXIMATE
     worn = fretting(HARD, cycles=np.array([0.0, 2e7])).solve()
     assert limit.stick_radius < worn.stick_radius[1] < 4.2e-5

@@ -36,9 +36,13 @@ PER_CENT = "%"
 """Unit of a part that stands in per cent or as a plain number, and must say which: as "-" where it is the number."""
 PER_SECOND = ("1/s", "s-1", "s^-1")
 """Units in which an angular frequency is written too: its name says that it counts radians."""
+GRAMS = ("g", "kg")
+"""Units in which some instruments write a force: its weight, gf and kgf."""
 COMMENT_MARKS = "#% \t"
 MOST_BETWEEN = 3
 """Most rows between the names and their units: empty, or such as "Waveform"."""
+MOST_ALIKE = 3
+"""Most columns of one name that a message lists."""
 LONGEST_UNIT = 12
 MOSTLY = 0.6
 """Least share of numbers in a row of them."""
@@ -135,7 +139,8 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
             ]
             for column, places in zip(columns, candidates, strict=True):
                 if len(places) > 1:
-                    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places)
+                    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places[:MOST_ALIKE])
+                    listed += f" and {len(places) - MOST_ALIKE} more" if len(places) > MOST_ALIKE else ""
                     counted = ", ".join(
                         f"{one.word} = {all_of[0] + 1}" for one, all_of in zip(columns, candidates, strict=True)
                     )
@@ -266,6 +271,10 @@ def _with_units(
     )
     plain = tuple(
         "rad/s" if column.word.startswith("angular") and unit in PER_SECOND else unit
+        for column, unit in zip(columns, plain, strict=True)
+    )
+    plain = tuple(
+        f"{unit}f" if column.unit == "N" and unit in GRAMS else unit
         for column, unit in zip(columns, plain, strict=True)
     )
     for column, unit in zip(columns, plain, strict=True):

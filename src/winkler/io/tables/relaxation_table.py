@@ -25,20 +25,24 @@ __all__ = ["read_creep", "read_dynamic", "read_relaxation"]
 
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
-TIME = Column("time", ("time", "t", "step time", "test time", "zeit", "temps", "时间"), "s", "s", "step time")
-FREQUENCY = Column("frequency", ("frequency", "f", "freq", "freq.", "frequenz", "fréquence", "frecuencia"), "Hz")
+TIME = Column("time", ("time", "t", "step time", "test time", "zeit", "temps", "时间", "時間"), "s", "s", "step time")
+FREQUENCY = Column(
+    "frequency", ("frequency", "f", "freq", "freq.", "frequenz", "fréquence", "frecuencia", "频率", "周波数"), "Hz"
+)
 FREQUENCY_IN_RADIANS = Column(FREQUENCY.word, FREQUENCY.names, "rad/s")
 ANGULAR = Column(
     "angular frequency",
     (
         "angular_frequency", "angular frequency", "omega", "w", "ω", "ang. freq.", "ang. freq", "ang. frequency",
-        "kreisfrequenz",
+        "kreisfrequenz", "角频率", "角周波数",
     ),
     "rad/s",
 )  # fmt: skip
 SHEAR_MODULUS = Column(
     "shear modulus",
-    ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation", "relaxation modulus"), "Pa", "kPa"
+    ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation", "relaxation modulus", "松弛模量"),
+    "Pa",
+    "kPa",
 )  # fmt: skip
 YOUNG_MODULUS = Column("Young's modulus", ("young", "e", "e(t)", "young's modulus", "tensile modulus"), "Pa", "kPa")
 SHEAR_COMPLIANCE = Column(
@@ -60,6 +64,8 @@ SHEAR_STORAGE = Column(
         "speichermodul",
         "shear modulus (elastic component)",
         "module de conservation",
+        "储能模量",
+        "貯蔵弾性率",
     ),
     "Pa",
     "kPa",
@@ -78,6 +84,8 @@ SHEAR_LOSS = Column(
         "verlustmodul",
         "shear modulus (viscous component)",
         "module de perte",
+        "损耗模量",
+        "損失弾性率",
     ),
     "Pa",
     "kPa",
@@ -92,7 +100,9 @@ TENSILE_LOSS = Column(
     "loss modulus in tension", ("tensile_loss", "e''", 'e"', "epp", "e_loss", "tensile loss modulus"), "Pa", "MPa"
 )
 LOSS_FACTOR = Column(
-    "loss factor", ("tan delta", "tan_delta", "tan(delta)", "tan δ", "tan(δ)", "tanδ", "tand", "loss factor"), ""
+    "loss factor",
+    ("tan delta", "tan_delta", "tan(delta)", "tan δ", "tan(δ)", "tanδ", "tand", "loss factor", "损耗因子", "損失正接"),
+    "",
 )
 SHEAR_COMPLEX = Column(
     "complex modulus in shear", ("g*", "|g*|", "complex modulus", "complex shear modulus"), "Pa", "kPa"

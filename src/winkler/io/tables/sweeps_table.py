@@ -29,7 +29,7 @@ __all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
 
 RELAXED_MODULI = RELAXATION_HEADERS[:2]
 """Columns of a modulus; strain and stress are read of one test."""
-TEMPERATURE = Column("temperature", ("temperature", "temp", "temp.", "t_c", "temperatur"), "K", "degC")
+TEMPERATURE = Column("temperature", ("temperature", "temp", "temp.", "t_c", "temperatur", "温度"), "K", "degC")
 TEMPERATURE_OR_T = Column(TEMPERATURE.word, (*TEMPERATURE.names, "t"), "K", "degC")
 """Where there is no time, T is the temperature."""
 LEAST_RANGE, SAME_FREQUENCY = 1.0, 1e-6

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import CELL_LETTERS
@@ -32,6 +32,12 @@ PREFIXES = {"nano": "n", "micro": "u", "milli": "m", "kilo": "k", "mega": "M", "
 """Words before a unit in such names: ``load_micro_N``."""
 BEHIND_WORDS = ("in", "en")
 """Words before a unit, as in ``f in Hz``."""
+LONGEST_MISSPELT = 4
+"""A word of so many letters that is no unit is a noun: units that users misspell are shorter."""
+DEVICE = re.compile(r"[^\W\d]\w++\.(?=[^\W\d]{2})")
+"""A device before the name of its channel, as in "DAQ.Fx (N)"."""
+QUOTED, HIDDEN = re.compile(r'"[+-]?\d[\d,;.]{0,40}"'), "\x00"
+"""A number in quotes, and what stands for a separator in it."""
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 """A symbol in brackets behind a name, as in "Position (z), mm"."""
 
@@ -39,9 +45,20 @@ SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")
 def cells_of(line: str, separator: str | None) -> list[str]:
     """Return the cells of a line; without a separator those between spaces."""
     if separator is not None:
-        return [_unquoted(cell.strip(" \t")) for cell in line.split(separator)]
+        return [_unquoted(cell.strip(" \t")) for cell in _cut(line, separator)]
     # a unit in brackets belongs to the name before it
     return NAME_WITH_UNIT.findall(line) if "[" in line or "(" in line else line.split()
+
+
+def _cut(line: str, separator: str) -> list[str]:
+    """Return a line cut at its separators; one between digits in quotes, as in "1,900", groups thousands."""
+    if '"' not in line:
+        return line.split(separator)
+    return [cell.replace(HIDDEN, separator) for cell in QUOTED.sub(_hide(separator), line).split(separator)]
+
+
+def _hide(separator: str) -> Callable[[re.Match[str]], str]:
+    return lambda quoted: quoted[0].replace(separator, HIDDEN)
 
 
 def _unquoted(cell: str) -> str:
@@ -106,8 +123,10 @@ def _plain_readings(cell: str) -> tuple[tuple[str, str], ...]:
     """Return how a cell may be name and unit, names as `_plain` has them; one header is asked for many quantities."""
     if len(cell) > CELL_LETTERS or DEVIATION.search(cell):
         return ()
-    # the whole cell first, before "Storage Modulus" is a storage in a unit of "Modulus"
-    return ((_plain(cell), ""), *((_plain(name), unit.strip(" -")) for name, unit in _readings(cell)))
+    # the whole cell first, before "Storage N" is a storage in newton
+    whole = ((_plain(cell), ""), *((_plain(name), unit.strip(" -")) for name, unit in _readings(cell)))
+    device = DEVICE.match(cell)
+    return (*whole, *_plain_readings(cell[device.end() :])) if device else whole
 
 
 @functools.lru_cache(maxsize=256)
@@ -170,5 +189,16 @@ def _readings(cell: str) -> Iterator[tuple[str, str]]:
         yield words[0], words[2]
     yield from _joined(cell)
     words = cell.split(None, 2)
-    if len(words) == 2:
+    if len(words) == 2 and not _is_noun(words[1]):
         yield words[0], words[1]
+
+
+def _is_noun(word: str) -> bool:
+    """Return whether a second word names a quantity, as in "Shear Stress", and is no unit, not even a misspelt one."""
+    if len(word) < LONGEST_MISSPELT or not word.isalpha():
+        return False
+    try:
+        scale(word, word)
+    except InvalidInput:
+        return True
+    return False

@@ -201,8 +201,8 @@ class AdhesiveShearSolution(PerLoad[Q]):
                 Assumption.ADHESION,
                 Standing.APPROXIMATE,
                 "Normal and tangential parts of the energy that is released are added and averaged around the edge, "
-                "whatever the share of the modes; a real contact becomes oval, slips near its edge, and often parts at "
-                "a greater shear force than this.",
+                "whatever the share of the modes. A real contact becomes oval and slips near its edge. It often "
+                "separates at a greater shear force than this.",
                 SAVKOOR,
             ),
         )

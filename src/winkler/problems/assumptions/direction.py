@@ -51,18 +51,18 @@ def _directional_note(bed: DirectionalBed) -> Note:
     """Return what springs behind a contact of any outline leave out, and how far that leads if it was measured."""
     measured = bed.shift_error > 0.0 or bed.loss_error > 0.0
     error = (
-        f"shifts differ by up to {_per_cent(bed.shift_error)} % of the greatest, losses by up to "
-        f"{_per_cent(bed.loss_error)} % of the greatest, from boundary elements in a loop of 0.9 of what friction "
-        "bears, held at the greatest depth (losses thrice as much at most where it changed)"
+        "Reference: boundary elements in a loop of 0.9 of the sliding friction at the greatest depth. Shifts differ "
+        f"by up to {_per_cent(bed.shift_error)} % of the greatest, losses by up to {_per_cent(bed.loss_error)} %. "
+        "Where the depth changes losses differ by at most three times as much"
         if measured
-        else "how far that leads, ReducedFriction measures"
+        else "ReducedFriction measures the error of that"
     )
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
         f"The shear is along x, with {bed.ratios_along[-1]:.4g} of the normal stiffness at the greatest depth "
-        f"({bed.ratios_across[-1]:.4g} along y), of the contact without slip by boundary elements. What slips is taken "
-        f"to leave a contact of less depth (Ciavarella, Jaeger), with tractions along the shear alone: {error}.",
+        f"({bed.ratios_across[-1]:.4g} along y), of the contact without slip by boundary elements. The traction is "
+        f"assumed to follow from contacts of lesser depth (Ciavarella, Jaeger), along the shear alone. {error}.",
         JAEGER,
     )
 

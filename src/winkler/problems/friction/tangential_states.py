@@ -147,8 +147,8 @@ def _deviation_notes(poisson: float, name: str) -> list[Note]:
     if angle < LEAST_ANGLE:
         return []
     statement = (
-        f"Slip is taken to be parallel to the shear force; with {name} {poisson:.3g} it deviates by up to about "
-        f"{angle:.2g} degrees, whose effect on forces is of second order in that angle."
+        f"Slip is assumed parallel to the shear force. With {name} {poisson:.3g} it deviates by up to about "
+        f"{angle:.2g} degrees. The effect on forces is of second order in that angle."
     )
     return [Note(Assumption.SLIP, Standing.ASYMPTOTIC, statement, JOHNSON)]
 

@@ -229,8 +229,8 @@ class TransientHeatingSolution:
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
-            f"Both bodies are taken at rest against the contact; if one of them moves at the whole speed "
-            f"(Pe = {0.5 * max(waves) * radius:.3g}), its last temperatures are up to {excess:.2g} % too high.",
+            "Both bodies are assumed at rest relative to the contact. If one of them moves at the whole speed (Pe = "
+            f"{0.5 * max(waves) * radius:.3g}), its last temperatures are up to {excess:.2g} % too high.",
             "own quadrature of the moving source",
         )
 

@@ -152,7 +152,7 @@ def _sharing(
     return Note(
         Assumption.CONDUCTION,
         Standing.APPROXIMATE,
-        f"One share of the heat for the whole contact makes the {equal} temperatures of both bodies equal, but not "
-        f"those at every point; the {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",
+        f"One heat partition for the whole contact makes the {equal} temperatures of both bodies equal, but not "
+        f"those at every point. The {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",
         BLOK,
     )

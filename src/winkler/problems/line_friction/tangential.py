@@ -165,9 +165,9 @@ class LineTangential:
         sums = most == 0.0 or (self.method is not Method.ELEMENTS and has_closed_form(bed, self.path))
         if self.method is Method.EXACT and not sums:
             raise OutsideValidity(
-                f"LineTangential: the method {Method.EXACT} adds up earlier contacts, which holds on similar bodies, "
-                "and beside a bulk stress under a steady force on a cylinder of which no edge slips back while the "
-                f"stress is in phase with the shear force: give the method {Method.ELEMENTS}."
+                f"LineTangential: the method {Method.EXACT} adds up earlier contacts, which holds on similar bodies. "
+                "Beside a bulk stress it holds under a steady force on a cylinder, while the stress is in phase with "
+                f"the shear force and no edge slips back. Give the method {Method.ELEMENTS}."
             )
         columns = [row.tolist() for row in (forces, widths, self.path.along, self.path.bulk)]
         points = zip(*columns, strict=True)

@@ -62,9 +62,9 @@ def strip_note(strip: RolledStrip, slope: float) -> Note:
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
-        f"Coulomb friction, steady rolling in plane strain on {strip.slip.size} elements: the creepage is within "
-        f"{part:.2g} % of itself, or of that without a force where all sticks if that is greater. Under a prescribed "
-        f"creepage the force is within {part:.2g} % of what friction bears. {lost}",
+        f"Coulomb friction, steady rolling in plane strain on {strip.slip.size} elements. The error of the creepage "
+        f"is within {part:.2g} % of it, or of the creepage at full stick without a force if that is greater. Under a "
+        f"prescribed creepage the force is within {part:.2g} % of what friction bears. {lost}",
         "closed form where all sticks; random strips compared with finer elements",
     )
 

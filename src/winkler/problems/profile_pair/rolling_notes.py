@@ -62,7 +62,7 @@ def pair_rolling_notes(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
             f"Exact theory of rolling, {named(friction)} in each pixel, to {misfit:.1g} of what friction would lose "
-            "if all slipped; the rigid slip follows the radii of both bodies across the patch.",
+            "if all slipped. The rigid slip follows the radii of both bodies across the patch.",
             KALKER,
         ),
         Note(

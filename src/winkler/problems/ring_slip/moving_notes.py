@@ -13,19 +13,19 @@ from winkler.values.validity import Assumption, Note, Standing
 __all__ = ["IN_CYCLES", "IN_IMPACTS", "moving_ring_notes"]
 
 OUTER_RINGS = (
-    "Rings that slide are taken to lie outside of those that stick; under a changing normal load some slide inside of "
-    "others. Compared with rings that slide each by itself, "
+    "Rings that slide are assumed to lie outside of those that stick. Under a changing normal load some slide inside "
+    "of others. Reference: rings that slide independently of each other, "
 )
 IN_IMPACTS = (
-    "for a/h from 0.3 to 10, a ball's velocity along the surface after an impact was off by up to 3.5 % of the "
-    "coefficient times the velocity of approach on a base a hundred times softer than the layer, by 2.8 % on one ten "
-    "times softer, by 0.2 % on stiffer ones; losses by up to half as many per cent of that times the momentum of the "
-    "motion along the surface."
+    "a/h from 0.3 to 10. The greatest errors of a ball's velocity along the surface after an impact, over the "
+    "coefficient times the velocity of approach, are: 3.5 % (base a hundred times softer than the layer), 2.8 % (ten "
+    "times softer), 0.2 % (stiffer). Losses have errors of up to half as many per cent of that times the momentum "
+    "along the surface."
 )
 IN_CYCLES = (
-    "for a/h from 1 to 10, losses of a cycle were off by up to 0.055 of mu F_N A_x on a base a hundred times softer "
-    "than the layer (motions in phase seem to lose nothing), by up to 0.012 on one ten times softer, and by 0.002 on "
-    "one ten times stiffer."
+    "a/h from 1 to 10. The greatest errors of the loss of a cycle, over mu F_N A_x, are: 0.055 (base a hundred times "
+    "softer than the layer, where motions in phase appear lossless), 0.012 (ten times softer), 0.002 (ten times "
+    "stiffer)."
 )
 RINGS_NOTE = Note(
     Assumption.RESOLUTION,

@@ -29,10 +29,10 @@ def push_note(bed: Bed, radius: float) -> Note:
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
-        "Tractions point along the motion and depend on the distance from the axis alone, and displacements are means "
-        f"over each ring (Cattaneo and Mindlin); a stuck contact is softer than without that assumption, {softer}. "
-        "Within it normal and shear kernels are those of the layers or the grading, and every ring bears its own "
-        "pressure times the coefficient.",
+        "Tractions point along the motion and depend on the distance from the axis alone; displacements are means "
+        "over each ring (Cattaneo and Mindlin). Without slip the contact is softer than without that assumption, "
+        f"{softer}. Within it normal and shear kernels are those of the layers or the grading, and every ring bears "
+        "its own pressure times the coefficient.",
         "k_x with tractions of both directions, from flat punches on waves along and across the motion",
     )
 

@@ -34,9 +34,9 @@ def twisted_layer_notes(bed: Bed, radius: float, bound: TwistBound) -> Iterator[
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 f"Layer {slides[0]} slides without friction, so that the twist stays in the layers down to it, which "
-                "are held far from the contact. If they are held at a radius R that is large against the thickness "
-                "and the contact, angles without slip are smaller by less than (a/R)^2 of them; a sheet that nothing "
-                "holds turns with the contact.",
+                "are held far from the contact. Let them be fixed at a radius R that is large against the thickness "
+                "and the contact. Angles without slip are then smaller by less than (a/R)^2 of them. A sheet that is "
+                "not fixed turns with the contact.",
                 "u_theta = M_z / (4 pi r sum of G h) in a sheet",
             )
     if offers(medium, GradedInDepth) and radius > 0.0:

@@ -78,9 +78,9 @@ class Kalker:
         part = departure(bed.gap, radius)
         one, both = ball_distances(rolling_pair(bed.medium).poisson)
         statement, source = (
-            "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his does, and up "
-            f"to sliding it stays within {one:.2g} of mu F_N of the exact theory under longitudinal or lateral "
-            f"creepage alone, within {both:.2g} under both.",
+            "The springs' stiffness is calibrated by Kalker's coefficients, which give the initial slope of the "
+            f"creep force. Up to sliding the force stays within {one:.2g} of mu F_N of the exact theory under "
+            f"longitudinal or lateral creepage alone, within {both:.2g} under both.",
             MEASURED_BY,
         )
         if part > HERTZIAN_DEPARTURE:

@@ -28,13 +28,13 @@ POLACH = "O. Polach, Wear 258 (2005) 992-1000, doi:10.1016/j.wear.2004.03.046"
 FIRST_DIGITS = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The moment under spin has no coefficient of its own in the springs: it begins up to 27 per cent too low on "
-    "ellipses of 1 : 5 to 2 : 1.",
+    "The springs have no separate coefficient for the moment under spin. Its initial slope is up to 27 per cent too "
+    "low on ellipses of 1 : 5 to 2 : 1.",
     "compared with CONTACT's coefficients of ellipses",
 )
 THEORY = (
-    "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a parabolic "
-    "bound; "
+    "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a "
+    "parabolic bound. "
 )
 
 
@@ -53,14 +53,15 @@ def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[No
     spun = bool(np.any(np.asarray(creepage.spin) != 0.0))
     both = bool(np.any(np.multiply(creepage.longitudinal, creepage.lateral) != 0.0))
     if known is None:
-        statement = f"{THEORY}on an ellipse of a/b = {ratio:.3g} creep forces were not compared with the exact theory."
+        statement = f"{THEORY}On an ellipse of a/b = {ratio:.3g} creep forces were not compared with the exact theory."
         return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY),)
-    under = "with spin" if spun else "under both creepages" if both else "under longitudinal or lateral creepage alone"
+    under = "With spin" if spun else "Under both creepages" if both else "Under longitudinal or lateral creepage alone"
     distance = known.spun if spun else known.both if both else known.one
     turned = known.spun_moment if spun else known.moment
     statement = (
-        f"{THEORY}{under} the force stays within {distance:.2g} of mu F_N, and the moment within {turned:.2g} of "
-        "mu F_N sqrt(a b), of the exact theory (the greatest distances beside this ellipse and this Poisson's ratio)."
+        f"{THEORY}{under} the force stays within {distance:.2g} of mu F_N of the exact theory. The moment stays "
+        f"within {turned:.2g} of mu F_N sqrt(a b). These are the greatest distances near this ellipse and this "
+        "Poisson's ratio."
     )
     first = Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY)
     return (first, FIRST_DIGITS) if spun else (first,)

@@ -207,9 +207,9 @@ class RoughIndentationSolution(RoughSolution[Q]):
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "The line has no true area of contact; the area given here is Persson's, under the pressures of the "
-                "smooth body, up to a third too small and less where roughness spreads the pressures of small loads. A "
-                "SurfaceContact computes it.",
+                "The springs have no true area of contact. The area given here is Persson's, under the pressures of "
+                "the smooth body. It is up to a third too small, and less where roughness spreads the pressures of "
+                "small loads. A SurfaceContact computes it.",
                 POPOV,
             ),
         )

@@ -222,10 +222,10 @@ class ReductionSolution:
             Note(
                 Assumption.RESOLUTION,
                 standing_left(self.misfit, Standing.ASYMPTOTIC),
-                f"Springs under a height map, from {self.depth.size} contacts by boundary elements; their forces "
-                f"differ by at most {self.misfit:.1g} of the greatest one, since between contacts force curves that "
-                "bend upwards have no other force. Stiffness, and with it conductance, is less certain: it was within "
-                "4 per cent on rough maps at a tolerance of 1e-3, worse at light loads.",
+                f"Springs under a height map, from {self.depth.size} contacts by boundary elements. Between them "
+                f"forces err by at most {self.misfit:.1g} of the greatest one, by bounds on a convex force curve. "
+                "Stiffness, and with it conductance, is less certain: it was within 4 per cent on rough maps at a "
+                "tolerance of 1e-3, worse at light loads.",
                 BARBER,
             ),
             *self.bed.notes[1:],

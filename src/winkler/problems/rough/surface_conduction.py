@@ -262,8 +262,8 @@ class SurfaceConductionSolution(PerLoad[Q]):
             "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
             "same flat raised by its height; of a curved map they are wide."
             if stated.in_proportion
-            else "Through platings and between elastic layers conductance is not in proportion to stiffness: the "
-            "current is solved pixel by pixel, lines tell no resistance, and full contact is the only bound. A round "
+            else "Through platings and between elastic layers conductance is not in proportion to stiffness. The "
+            "current is solved pixel by pixel; springs give no resistance. Full contact is the only bound. A round "
             "spot of n pixels across resists by about 0.5 / n more than the disc of its area."
         )
         bounds = Note(

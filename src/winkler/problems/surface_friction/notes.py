@@ -26,9 +26,9 @@ IDA = "Y. Ida, J. Geophys. Res. 77 (1972) 3796-3805, doi:10.1029/JB077i020p03796
 UNCOUPLED_LAYERS = Note(
     Assumption.UNCOUPLED,
     Standing.APPROXIMATE,
-    "Tractions along layers also move their surface across, and pressures move it along, even if the other body is "
-    "alike; both are left out (Goodman), which changes shear forces and tractions by terms of the order of mu, and the "
-    "stiffness without slip by less.",
+    "Tractions along layers also displace their surface normally, and pressures displace it tangentially, even if "
+    "the other body is equal. Both are left out (Goodman). This changes shear forces and tractions by terms of the "
+    "order of mu, and the stiffness without slip by less.",
     GOODMAN,
 )
 STEADY_RATIO = 1e-9

@@ -222,10 +222,10 @@ class SlidingResistanceSolution(PerLoad[Q]):
 APPROXIMATE = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "A contact that slides is not one of revolution. For every body of revolution the line of springs resists twice "
-    "as much as the body at low speed and as much at high speed; shear_force takes the difference out as if the "
-    "pressure were one of revolution. Against pressures computed in three dimensions it is too high at the peak: by "
-    "a tenth for a solid that is twice as stiff when glassy as when relaxed. It is too high by a third if ten times, "
-    "by a half if a hundred times, and by less away from the peak.",
+    "A contact that slides is not one of revolution. For every body of revolution the springs give twice the "
+    "resistance at low speed and the right one at high speed. shear_force corrects this as if the pressure were one "
+    "of revolution. Against pressures computed in three dimensions it is too high at the peak: by a tenth for a "
+    "solid that is twice as stiff when glassy as when relaxed. It is too high by a third if ten times, by a half if "
+    "a hundred times, and by less away from the peak.",
     "energy of the moving pressure, compared with the half-space's hereditary integral on a grid",
 )

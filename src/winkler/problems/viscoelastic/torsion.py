@@ -76,9 +76,9 @@ def dragged_twist_notes(bed: Bed, states: Sequence[DraggedTwist]) -> tuple[Note,
     time, depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("time", "depth", "radius"))
     nested = all(state.nested for state in states)
     statement = (
-        "Torsion of a round contact and its normal load do not act on each other, and all relaxes by one function of "
-        "time: for small rotations the springs give the three-dimensional solution itself, as long as what slides is "
-        "an outer ring, which it "
+        "Torsion of a round contact and its normal load do not act on each other, and everything relaxes by one "
+        "function of time. For small rotations the springs give the three-dimensional solution itself, as long as "
+        "the slip zone is an outer ring. This "
         + ("is at every point of the path" if nested else "is not at every point of the path")
         + f". Sliding is decided spring by spring at the end of every step; {states[-1].position.size} springs."
     )

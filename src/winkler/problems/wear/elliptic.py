@@ -318,7 +318,7 @@ class EllipticWearSolution:
             lost, share = f", and the first one {thinned:.2g} of its uppermost layer", max(share, thinned)
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
         why = (
-            f"{whose} is used all the time; both bodies have lost {self.worn_share:.2g} of the approach in the "
+            f"{whose} is used throughout. Both bodies have lost {self.worn_share:.2g} of the approach in the "
             f"middle{lost}"
         )
         effect = (

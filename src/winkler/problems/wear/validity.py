@@ -74,8 +74,8 @@ def slip_note(bed: Bed) -> Note:
 SLIDES_EVERYWHERE = Note(
     Assumption.WEAR,
     Standing.APPROXIMATE,
-    "Every point of the contact slides the whole distance: so does a body that stays in contact; on one that is rubbed "
-    "along a track of many contact lengths the wear is spread, and is not counted.",
+    "Every point of the contact slides the whole distance, as on a body that stays in contact. Wear of the other "
+    "body is spread along a track of many contact lengths, and is not included.",
     "assumption of gross sliding",
 )
 
@@ -85,8 +85,8 @@ def core_note(source: str) -> Note:
     return Note(
         Assumption.WEAR,
         Standing.EXACT,
-        "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the core, "
-        "where a real one yields or cracks.",
+        "The limiting profile does not depend on the law of wear. The pressure is infinite at the edge of the stick "
+        "zone, where a real one yields or cracks.",
         source,
     )
 
@@ -140,15 +140,15 @@ def moved_core_note(first: float, alone: float, follow: str) -> Note:
     """
     grows = alone > first * (1.0 + SAME_CORE)
     fate = (
-        f"grows while its surroundings wear, to less than {alone:.4g} m; how far depends on the law of wear, and the "
-        f"one before wear was taken: follow it with {follow}."
+        f"grows while its surroundings wear, to less than {alone:.4g} m. How far depends on the law of wear; the "
+        f"stick zone before wear was used. {follow} computes its growth."
         if grows
         else f"shrinks while its surroundings wear, to {min(first, alone):.4g} m, where it sticks as it bears alone."
     )
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE if grows else Standing.EXACT,
-        f"With the normal and shear kernels of the layers the core has {first:.4g} m before wear, and {fate}",
+        f"With the normal and shear kernels of the layers the stick zone has {first:.4g} m before wear. It {fate}",
         "what a spring on layers bears before it slides depends on the pressure outside of it",
     )
 
