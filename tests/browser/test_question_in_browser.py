@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+
 import pytest
 
 from winkler.web.form.front_examples import FRONT_EXAMPLES
@@ -193,7 +195,7 @@ def test_a_file_a_text_and_a_report_keep_whose_numbers_they_are(fresh, tmp_path)
     page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
     app_page.settled()
     sentence = "Not yours, but an example's: curvature radius 10 mm"
-    assert sentence in app_page.taken("report").decode()
+    assert sentence in html.unescape(app_page.taken("report").decode())
     study = tmp_path / "study.toml"
     study.write_bytes(app_page.taken("study"))
     page.get_by_text("The study as text").click()

@@ -176,16 +176,16 @@ def carried(
     transfer.restore()
     dropped = list(transfer.dropped(form.part_of(old)))
     left = {key: one for key, one in aside.items() if key not in transfer.taken_aside}
-    for path in transfer.taken_aside:  # also from inside a part
-        key = path.partition(".")[0]
-        if key in left and key != path:
-            inside = {key: copy.deepcopy(left[key].content)}
-            form.drop(inside, path)
-            left[key] = PutAside(inside[key], left[key].assumed)
+    for key in [key for key in left if any(taken.startswith(f"{key}.") for taken in transfer.taken_aside)]:
+        for path, piece in _inside({key: left.pop(key)}):  # a part of which something was taken is none any more
+            if not any(f"{path}.".startswith(f"{one}.") or one.startswith(path) for one in transfer.taken_aside):
+                left.setdefault(_aside_key(path, piece.content), piece)
     given = [(path, name) for path, name in dropped if not transfer.is_assumed(path, form.at(old, path))]
     for path in (*(path for path, _ in given), *transfer.replaced):
         for at in (path, *transfer.loads_inside(path)):
-            left[_aside_key(at, form.at(old, at))] = transfer.put_aside(at)
+            key = _aside_key(at, form.at(old, at))
+            is_stand_in = key in left and f"{at}.kind" in transfer.came
+            left[key] = transfer.with_given(left[key], at) if is_stand_in else transfer.put_aside(at)
     names = tuple(dict.fromkeys(name for _, name in given))
     still, fresh, with_it = transfer.not_given()
     return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left, still, fresh, with_it)
@@ -225,14 +225,20 @@ class _Transfer:
         came: Collection[str],
     ) -> None:
         self.old, self.new, self.is_sound, self.assumed = old, new, is_sound, assumed
+        self.put_aside_before = frozenset(aside)
         self.aside, self.aside_at = dict(aside), {key: key for key in aside}
-        for path, one in _parts_inside(aside):
-            self.aside.setdefault(path.rpartition(".")[2], one)
-            self.aside_at.setdefault(path.rpartition(".")[2], path)
+        for path, one in _inside(aside):
+            name = _aside_key(path, one.content)
+            self.aside.setdefault(name, one)
+            self.aside_at.setdefault(name, path)
         self.came = {path for path in came if self.is_assumed(path, form.at(old, path))}
         self.replaced: list[str] = []
         self.sources: dict[str, str | PutAside] = {}
-        self.places = list(_places(old["problem"], "problem"))
+        self.places = [
+            (path, content)
+            for path, content in _places(old["problem"], "problem")
+            if not path.rpartition(".")[0].rpartition(".")[2].isdecimal() or not self.is_assumed(path, content)
+        ]  # of the steps of a path the loads that somebody gave
         self.used: set[str] = set()
         self.kept: list[str] = []
         self.taken_aside: set[str] = set()
@@ -331,14 +337,9 @@ class _Transfer:
         given = [one for one in free if not self.is_assumed(*one)]
         aside = next((self.aside[name] for name in names if name in self.aside), None)
         if aside is not None and all(f"{one}.kind" in self.came for one, _ in given):
-            content = copy.deepcopy(aside.content)
-            for one, other in given:  # a part of another kind, with numbers that were given since
-                content |= {
-                    name: inside
-                    for name, inside in other.items()
-                    if name in content and not self.is_assumed(f"{one}.{name}", inside)
-                }
-            return [("", content), *given, *(one for one in free if one not in given)]
+            for one, _ in given:
+                aside = self.with_given(aside, one)
+            return [("", copy.deepcopy(aside.content)), *given, *(one for one in free if one not in given)]
         return [*given, *(one for one in free if one not in given)]
 
     def _is_used(self, path: str) -> bool:
@@ -371,6 +372,15 @@ class _Transfer:
             if not self._is_used(at) and not self.is_assumed(at, content)
         ]
         return loads[:1]
+
+    def with_given(self, aside: PutAside, path: str) -> PutAside:
+        """Return a part with the numbers that somebody gave while a part of another kind stood in for it."""
+        numbers = {
+            name: inside
+            for name, inside in form.at(self.old, path).items()
+            if name in aside.content and not self.is_assumed(f"{path}.{name}", inside)
+        }
+        return PutAside(aside.content | numbers, aside.assumed)
 
     def put_aside(self, path: str) -> PutAside:
         """Return what stood at a path of the study before, without what came with a question alone."""
@@ -415,7 +425,8 @@ class _Transfer:
         else:
             found = next(name for name in (key, *_names(key)) if name in self.aside)
             self.sources[place] = self.aside[found]
-            self.taken_aside.add(self.aside_at[found])
+            if found in self.put_aside_before or isinstance(content, dict | list):  # a part stays, for all its numbers
+                self.taken_aside.add(self.aside_at[found])
         self.kept.append(_said(path or key, content))
 
 
@@ -433,13 +444,14 @@ def _places(content: Any, path: str) -> Iterator[tuple[str, Any]]:
                 yield from ((f"{path}.{key}.{place}.{name}", step[name]) for name in LOADS if name in step)
 
 
-def _parts_inside(aside: Mapping[str, PutAside]) -> Iterator[tuple[str, PutAside]]:
-    """Yield path and content of the parts inside those that were put aside, unless nobody has given them."""
+def _inside(aside: Mapping[str, PutAside]) -> Iterator[tuple[str, PutAside]]:
+    """Yield path and content of what is inside the parts that were put aside, unless nobody has given it."""
     for key, one in aside.items():
         for path, content in _places(one.content, key):
             start = path[len(key) :]
-            assumed = {at[len(start) :]: item for at, item in one.assumed.items() if at.startswith(f"{start}.")}
-            if isinstance(content, dict) and leaves(content, "") != assumed:
+            inside = {at[len(start) :]: item for at, item in one.assumed.items() if at.startswith(start)}
+            assumed = {at: item for at, item in inside.items() if at[:1] in ("", ".")}
+            if leaves(content, "") != assumed:
                 yield path, PutAside(content, assumed)
 
 
@@ -449,7 +461,9 @@ def _names(key: str) -> tuple[str, ...]:
 
 
 def _is_required(part: dict[str, Any], key: str) -> bool:
-    return key == "kind" or any(one.name == key and one.required for one in keys_of(str(part.get("kind"))))
+    """Return whether a part cannot do without a key; a range, which is no kind, can do without none."""
+    kind = str(part.get("kind"))
+    return key == "kind" or kind not in kinds() or any(one.name == key and one.required for one in keys_of(kind))
 
 
 def _aside_key(path: str, content: Any) -> str:
