@@ -106,7 +106,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     assert "Fitted numbers" in report
     assert main(["fit", str(tmp_path / "study.toml"), "--output", str(tmp_path / "by_command")]) == 0
     by_command = (tmp_path / "by_command" / "report.html").read_text(encoding="utf-8")
-    assert '<p class="since assumed">Not yours, but an example&#x27;s: curvature radius 5 um' in report
+    assert '<p class="since assumed">Not yours, but an example&#x27;s: curvature radius 5\xa0um' in report
     assert GIVEN.sub("", OWN.sub("", report)) == GIVEN.sub("", OWN.sub("", by_command))
     with zipfile.ZipFile(io.BytesIO(app_page.taken("png"))) as pack:
         assert pack.namelist() == ["curve_1.png", "measured_1.png", "noise.png"]
