@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import html
+
 import pytest
 
 from winkler.web.form.front_examples import FRONT_EXAMPLES
 
 pytestmark = pytest.mark.browser
 
-FORCE = "problem.load.force"
+FORCE, FIRST = "problem.load.force", "problem.bed.medium.first"
 OTHER_SENTENCE = """before => {
   const one = document.querySelector('.head .sought-line');
   return document.querySelector('.answer-side').dataset.state === 'wrong' || (one && one.innerText !== before);
@@ -155,3 +157,70 @@ def test_a_kind_is_found_by_its_name_or_by_words(fresh):
     page.wait_for_function(FIRST_SHOWN, arg="seal")
     page.keyboard.press("Enter")
     page.locator('[data-choice="problem"]', has_text="seal").wait_for()
+
+
+def test_no_question_changes_what_was_typed_or_chosen(fresh):
+    """Two balls of steel are no ball and a rigid plate; what was typed comes back, what an example lent goes."""
+    app_page = fresh()
+    page, young, strength = app_page.page, f"{FIRST}.young", f"{FIRST}.strength"
+    app_page.choose("problem", "yield_onset")
+    page.locator(".head .sought-line", has_text="55.8").wait_for(timeout=60_000)
+    assert page.locator('[data-choice="problem.bed.medium.second"]').inner_text() == "elastic"
+    app_page.settled()
+    app_page.type(young, "70 GPa")
+    page.locator(f'.entry:not(.assumed):has(input[data-path="{young}"])').wait_for()
+    app_page.busy()
+    app_page.settled()
+    for question in ("line_rolling", "viscoelastic_indentation", "indentation"):
+        before = page.locator(".head .sought-line").inner_text()
+        app_page.choose("problem", question)
+        page.wait_for_function(OTHER_SENTENCE, arg=before, timeout=60_000)
+        app_page.settled()
+    assert page.locator(f'input[data-path="{young}"]').input_value() == "70 GPa"
+    assert page.locator(f'input[data-path="{strength}"]').input_value() == ""
+    assert page.locator(f'.entry.assumed:has(input[data-path="{young}"])').count() == 0
+    app_page.choose("problem.bed.profile", "cone")
+    app_page.busy()
+    app_page.settled()
+    app_page.choose("problem.bed.profile", "sphere")
+    page.locator('input[data-path="problem.bed.profile.curvature_radius"]').wait_for()
+    app_page.settled()
+    app_page.shot("nothing_changed")
+
+
+def test_a_file_a_text_and_a_report_keep_whose_numbers_they_are(fresh, tmp_path):
+    app_page = fresh()
+    page = app_page.page
+    app_page.type(FORCE, "40 N")
+    page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
+    app_page.settled()
+    sentence = "Not yours, but an example's: curvature radius 10 mm"
+    assert sentence in html.unescape(app_page.taken("report").decode()).replace("\xa0", " ")
+    study = tmp_path / "study.toml"
+    study.write_bytes(app_page.taken("study"))
+    page.get_by_text("The study as text").click()
+    area = page.get_by_role("textbox", name="The study as text")
+    area.fill(area.input_value().replace("10 mm", "8 mm"))
+    page.get_by_role("button", name="Use this text").click()
+    page.locator(".head p.assumed", has_text="Not yours, but an example's: Young's modulus 210 GPa").wait_for()
+    app_page.settled()
+    other = fresh()
+    other.page.locator('input[type="file"]').first.set_input_files(study)
+    other.page.locator(".head .sought-line", has_text="under a force of 40 N").wait_for(timeout=30_000)
+    assert sentence in other.page.locator(".head p.assumed").inner_text().replace("\xa0", " ")
+    assert other.page.locator(f'.entry.assumed:has(input[data-path="{FORCE}"])').count() == 0
+
+
+def test_a_range_that_the_page_proposes_is_marked_until_it_is_changed(fresh):
+    app_page = fresh()
+    page = app_page.page
+    page.locator('[data-fold="sweep"]').click()
+    app_page.pick("sweep", "load › force")
+    page.locator(".head p.assumed", has_text="force from 50 N to 200 N").wait_for(timeout=60_000)
+    app_page.settled()
+    frame = page.locator('.part:has(> div input[data-path="sweep.problem.load.force.from"])')
+    assert "assumed" in (frame.last.get_attribute("class") or "")
+    app_page.shot("range_proposed")
+    app_page.type("sweep.problem.load.force.from", "20 N")
+    page.locator('.part.free:not(.assumed) input[data-path="sweep.problem.load.force.from"]').wait_for()
+    page.wait_for_function("!document.querySelector('.head p.assumed').innerText.includes('from 50 N')")

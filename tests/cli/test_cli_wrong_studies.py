@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import tomllib
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import pytest
 from winkler.cli import main
 from winkler.study.json_schema import json_schema
 from winkler.study.language.catalogue import CATALOGUE
+from winkler.values.errors import listed
 
 BASE = """title = "Ball"
 
@@ -188,8 +190,9 @@ def test_wrong_study(case, tmp_path, monkeypatch, capsys):
     (tmp_path / "table.csv").write_text("a,b\n1,2\n", encoding="utf-8")
     code = main(["run", "wrong.toml", "--output", "made/answer"])
     message = capsys.readouterr()
-    sentence = case["sentence"].replace("{profiles}", ", ".join(CATALOGUE["profile"]))
-    sentence = sentence.replace("{problems}", ", ".join(CATALOGUE["problem"]))
+    given = re.search(r"kind is '?(\w+)|$", case["sentence"])[1] or ""
+    sentence = case["sentence"].replace("{profiles}", listed(given, CATALOGUE["profile"]))
+    sentence = sentence.replace("{problems}", listed(given, CATALOGUE["problem"]))
     assert message.err == "winkler: " + "\n".join(f"wrong.toml: {line}" for line in sentence.split("\n")) + "\n"
     assert message.out == ""
     assert code == 2

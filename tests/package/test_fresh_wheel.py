@@ -38,6 +38,7 @@ MODULES = {
     "export": "ziglang",
     "nanoindentation": "openpyxl",
     "topography": "SurfaceTopography",
+    "video": "imageio_ffmpeg",
     "widget": "anywidget",
     "xlsx": "openpyxl",
 }

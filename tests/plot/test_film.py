@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import importlib.util
 import io
 import json
+import sys
 
+import matplotlib
 import numpy as np
 import pytest
 import tomli_w
@@ -64,6 +67,47 @@ def test_a_film_is_an_animated_picture(swung):
         assert picture.info["duration"] == 250
 
 
+PROGRAM = """#!{python}
+import sys
+sys.argv[1:] == ["-version"] or open(sys.argv[-1], "wb").write(sys.stdin.buffer.read())
+"""
+"""In place of ffmpeg: what it was given goes into the file as it is."""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script is no program there")
+def test_a_video_gives_all_frames_to_the_program(swung, tmp_path, monkeypatch):
+    program = tmp_path / "ffmpeg"
+    program.write_text(PROGRAM.format(python=sys.executable))
+    program.chmod(0o755)
+    monkeypatch.setitem(matplotlib.rcParams, "animation.ffmpeg_path", str(program))
+    one, two = (film(swung.gathered(list(swung.steps())[1:end]), form="mp4") for end in (2, 3))
+    assert len(two) == 2 * len(one)
+    pixels = np.frombuffer(two, np.uint8).reshape(2, -1, 4)
+    assert (pixels[..., 3] == 255).all()
+    assert (pixels[0] != pixels[1]).any()
+
+
+def test_a_video_without_its_program_says_what_to_install(swung, monkeypatch):
+    monkeypatch.setitem(matplotlib.rcParams, "animation.ffmpeg_path", "no such program")
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    solution = swung.gathered(list(swung.steps())[:2])
+    with pytest.raises(wk.InvalidInput, match=r"^film: an \.mp4 is written by the program ffmpeg, .*imageio-ffmpeg"):
+        film(solution, form="mp4")
+    with pytest.raises(wk.InvalidInput, match="the form 'avi' is not known; give one of gif, mp4"):
+        film(solution, form="avi")
+
+
+@pytest.mark.skipif(importlib.util.find_spec("imageio_ffmpeg") is None, reason="imageio-ffmpeg is not installed")
+def test_a_video_is_read_back(swung, tmp_path, monkeypatch):
+    import imageio_ffmpeg
+
+    monkeypatch.setitem(matplotlib.rcParams, "animation.ffmpeg_path", "no such program")
+    made = tmp_path / "made.mp4"
+    made.write_bytes(film(swung.gathered(list(swung.steps())[1:4]), per_second=4, form="mp4"))
+    count, seconds = imageio_ffmpeg.count_frames_and_secs(str(made))
+    assert (count, seconds) == (3, 0.75)
+
+
 def test_what_has_no_film_is_refused(swung):
     with pytest.raises(wk.InvalidInput, match=r"^film: int has no frames; give a solution of SurfaceTangential, .*\.$"):
         film(3)
@@ -114,7 +158,7 @@ def test_the_command_writes_a_film(tmp_path, capsys):
     with Image.open(made) as picture:
         assert picture.n_frames == 6
     assert main(["draw", str(study), "--part", "film", "--output", str(tmp_path / "rolls.png")]) == 2
-    assert "does not end like a film; give .gif." in capsys.readouterr().err
+    assert "does not end like a film; give .gif or .mp4." in capsys.readouterr().err
 
 
 def example_frames(kind, monkeypatch):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+
 import pytest
 import tomli_w
 
@@ -65,6 +67,43 @@ def test_unknown_paths_of_an_address_are_nothing(entered, tmp_path):
     text = with_assumed(tomli_w.dumps(entered.table), ["problem.load", "problem.x.0.9", "..", FORCE])
     entered.load(taken(text, tmp_path), assumed_in(text))
     assert set(entered.still_assumed) == {FORCE}
+
+
+def test_an_edited_text_makes_only_its_changes_the_users(entered):
+    table = copy.deepcopy(entered.table)
+    form.put(table, f"{FIRST}.young", "70 GPa")
+    before = entered.still_assumed
+    entered.load_edited(table)
+    assert entered.still_assumed.keys() == before.keys() - {f"{FIRST}.young"}
+
+
+def test_the_number_of_an_example_is_the_users_once_he_typed_it(entered):
+    number = form.at(entered.table, FORCE)
+    entered.change(FORCE, "12 N", "one number")
+    entered.change(FORCE, number, "one number")
+    assert not entered.is_assumed(FORCE)
+
+
+def test_numbers_of_a_named_material_are_the_materials(entered):
+    entered.choose(FIRST, "named_elastic")
+    assert entered.is_assumed(f"{FIRST}.name")
+    entered.change(f"{FIRST}.name", "tungsten", "text")
+    assert not entered.is_assumed(f"{FIRST}.name")
+    entered.choose(FIRST, "elastic")
+    assert form.at(entered.table, FIRST) == {"kind": "elastic", "young": "411 GPa", "poisson": 0.28}
+    assert not entered.is_assumed(f"{FIRST}.young")
+
+
+def test_a_range_that_nobody_has_given_is_said_and_goes_with_the_link(entered, tmp_path):
+    entered.vary(FORCE)
+    assert entered.is_assumed(f"sweep.{FORCE}")
+    assert "force from 50 N to 200 N" in entered.assumed_sentence
+    other = StudyForm(lambda: None, lambda: None)
+    text = with_assumed(tomli_w.dumps(entered.table), entered.still_assumed)
+    other.load(taken(text, tmp_path), assumed_in(text))
+    assert other.still_assumed == entered.still_assumed
+    entered.vary_over(FORCE, "even", {"from": "10 N", "to": "200 N", "count": "5"}, anew=False)
+    assert not entered.is_assumed(f"sweep.{FORCE}")
 
 
 @pytest.mark.parametrize("kind", CATALOGUE["problem"])

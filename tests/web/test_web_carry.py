@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import copy
+
 import pytest
 import tomli_w
 
+from winkler.study.chapters.contents import CHAPTERS
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import parse_study
 from winkler.web.form import form
+from winkler.web.form.carry import leaves
+from winkler.web.form.front_examples import FRONT_EXAMPLES
 from winkler.web.form.study_form import StudyForm
 
 PROFILE, FIRST, LOAD = "problem.bed.profile", "problem.bed.medium.first", "problem.load"
+QUESTIONS = [kind for chapter in CHAPTERS for kind in chapter.answers]
 RUBBER = {"kind": "elastic", "young": "3 MPa", "poisson": 0.49}
 TIP = {"kind": "sphere", "curvature_radius": "7 mm"}
 
@@ -38,6 +44,124 @@ def test_no_question_changes_the_bodies_of_the_first_page(question):
     assert bodies(study) == before
     study.choose("problem", "indentation")
     assert bodies(study) == before
+
+
+@pytest.fixture
+def typed():
+    """The first page with two bodies, a radius and a force that somebody has typed."""
+    study = StudyForm(lambda: None, lambda: None)
+    for path, text in (
+        (f"{FIRST}.young", "70 GPa"),
+        ("problem.bed.medium.second.young", "71 GPa"),
+        (f"{PROFILE}.curvature_radius", "7 mm"),
+        (f"{LOAD}.force", "33 N"),
+    ):
+        study.change(path, text, "one number")
+    return study
+
+
+def through(study, *questions):
+    """Ask other questions and the first one again; return what differs, and whose number has changed its owner."""
+    before, assumed = copy.deepcopy(study.table["problem"]), study.still_assumed
+    for question in (*questions, before["kind"]):
+        study.choose("problem", question)
+    now, was = leaves(study.table["problem"]), leaves(before)
+    changed = {path for path in now.keys() | was.keys() if now.get(path) != was.get(path)}
+    return changed | (study.still_assumed.keys() ^ assumed.keys())
+
+
+@pytest.mark.few(24)
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_every_question_gives_back_what_was_typed(typed, question):
+    assert through(typed, question) == set()
+
+
+@pytest.mark.few(8)
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_two_questions_give_back_what_was_typed(typed, question):
+    other = QUESTIONS[(7 * QUESTIONS.index(question) + 31) % len(QUESTIONS)]
+    assert through(typed, question, other) == set()
+
+
+@pytest.mark.parametrize("question", ["map_stress", "elastic_plastic_particle"])
+def test_a_solid_is_the_body_below(typed, question):
+    typed.choose("problem", question)
+    assert form.at(typed.table, "problem.solid.young") == "70 GPa"
+    assert "problem.solid.young" not in typed.assumed
+
+
+def test_a_strength_that_came_with_a_question_goes_with_it(typed):
+    """Typed it is the user's, and stays."""
+    for question in ("yield_onset", "line_yield_onset", "indentation"):
+        typed.choose("problem", question)
+    assert "strength" not in form.at(typed.table, FIRST)
+    typed.choose("problem", "yield_onset")
+    typed.change(f"{FIRST}.strength", "650 MPa", "one number")
+    typed.choose("problem", "indentation")
+    assert form.at(typed.table, FIRST)["strength"] == "650 MPa"
+    assert not typed.is_assumed(f"{FIRST}.strength")
+
+
+def test_a_part_of_another_kind_gives_way_to_the_former_one(typed):
+    """Of a sphere a line keeps the radius, in a parabola; what is typed there goes back into the sphere."""
+    typed.choose("problem", "line_rolling")
+    assert form.at(typed.table, PROFILE) == {"kind": "paraboloid", "curvature_radius": "7 mm"}
+    typed.change(f"{PROFILE}.curvature_radius", "9 mm", "one number")
+    typed.choose("problem", "indentation")
+    assert form.at(typed.table, PROFILE) == {"kind": "sphere", "curvature_radius": "9 mm"}
+
+
+def test_a_new_load_goes_to_the_former_path(typed):
+    """The path comes back, but with the force of today; what nobody has given of it is still nobody's."""
+    typed.choose("problem", "tangential")
+    typed.change("problem.path.steps.2.lateral.shift", "0.7 um", "one number")
+    typed.choose("problem", "indentation")
+    assert form.at(typed.table, f"{LOAD}.force") == "33 N"
+    typed.change(f"{LOAD}.force", "40 N", "one number")
+    typed.choose("problem", "tangential")
+    assert form.at(typed.table, "problem.path.steps.0.normal.force") == "40 N"
+    assert form.at(typed.table, "problem.path.steps.2.lateral.shift") == "0.7 um"
+    assert not typed.is_assumed("problem.path.steps.2.lateral.shift")
+    assert typed.is_assumed("problem.path.steps.2.cycles")
+
+
+def test_an_example_begins_anew(typed):
+    """What was put aside of one study does not come into an example that is taken later."""
+    typed.choose("problem", "elliptic_indentation")
+    typed.begin_with(FRONT_EXAMPLES[-1].table)
+    typed.choose("problem", "indentation")
+    assert form.at(typed.table, PROFILE) != {"kind": "sphere", "curvature_radius": "7 mm"}
+
+
+def test_another_kind_of_a_part_gives_back_the_former_one(typed):
+    for path, kind, former in ((PROFILE, "cone", "sphere"), ("problem.bed.medium", "coated_half_space", "half_space")):
+        before = copy.deepcopy(typed.content(path))
+        assumed = typed.still_assumed.keys() - {f"{path}.kind"}
+        typed.choose(path, kind)
+        assert typed.content(path) != before
+        typed.choose(path, former)
+        assert typed.content(path) == before
+        assert typed.still_assumed.keys() == assumed
+    second = copy.deepcopy(typed.content("problem.bed.medium.second"))
+    typed.choose("problem.bed.medium.second", "")
+    typed.choose("problem.bed.medium.second", "elastic")
+    assert typed.content("problem.bed.medium.second") == second
+
+
+def test_each_task_has_its_own_numbers(typed):
+    """Nothing that was put aside of a problem comes into the model of a curve."""
+    before, assumed = copy.deepcopy(typed.table), typed.still_assumed
+    typed.choose("problem", "elliptic_indentation")
+    typed.switch_task("fit")
+    assert typed.still_assumed == leaves(typed.table["problem"])
+    assert "curvature radius 5 um" in typed.assumed_sentence
+    assert "Young" not in typed.assumed_sentence  # free: the curve decides
+    typed.choose("problem", "adhesive_indentation")
+    assert typed.is_assumed(f"{PROFILE}.curvature_radius")
+    typed.switch_task("solve")
+    typed.choose("problem", "indentation")
+    assert typed.table["problem"] == before["problem"]
+    assert typed.still_assumed == assumed
 
 
 def test_numbers_of_the_example_are_said():

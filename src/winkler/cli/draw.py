@@ -25,7 +25,7 @@ PARTS = {
     "medium": "a coated or graded solid from its surface down, and the stiffness of its springs",
     "stress": "the stress below the surface; needs [fields] with r and z",
     "curve": "force, radius and stiffness over the depth, of a load that is a list",
-    "film": "what moves, as an animated .gif: the body, its springs, what sticks or slides, the pressure",
+    "film": "what moves, as an animated .gif or an .mp4: the body, its springs, what sticks or slides, the pressure",
 }
 
 
@@ -34,7 +34,9 @@ def draw(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", help="The picture: .png, .svg or .pdf, of a film .gif; NAME-PART.png if not given."
+            "--output",
+            "-o",
+            help="The picture: .png, .svg or .pdf, of a film .gif or .mp4; NAME-PART.png if not given.",
         ),
     ] = None,
     part: Annotated[
@@ -84,15 +86,16 @@ def draw(
 
 def _write_film(study: Path, settings: list[str] | None, point: int, path: Path, overwrite: bool) -> None:
     from winkler.io.whole_file import write_whole
-    from winkler.plot.animation import animated
+    from winkler.plot.animation import FILMS, animated
     from winkler.study.language.reading import read_study
     from winkler.values.errors import InvalidInput
     from winkler.web.pictures.frames import frames_of
 
-    if path.suffix.lower() != ".gif":
-        raise InvalidInput(f"draw: '{path}' does not end like a film; give .gif.")
+    form = path.suffix.lower().removeprefix(".")
+    if form not in FILMS:
+        raise InvalidInput(f"draw: '{path}' does not end like a film; give .{' or .'.join(FILMS)}.")
     refuse_existing(path, overwrite, "draw: ")
-    write_whole({path: animated(frames_of(_solved(read_study(study, settings=settings or ()), point)))})
+    write_whole({path: animated(frames_of(_solved(read_study(study, settings=settings or ()), point)), form=form)})
     write_line(f"Written {path}")
 
 

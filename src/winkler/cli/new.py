@@ -72,13 +72,13 @@ def new(
     from winkler.study.language.catalogue import CATALOGUE
     from winkler.study.language.reading import parse_study
     from winkler.study.language.template import template
-    from winkler.values.errors import InvalidInput, WinklerError
+    from winkler.values.errors import InvalidInput, WinklerError, listed
 
     problem = " ".join(words or ("indentation",))
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
         names = [kind for group in (slot, *ALSO.get(slot, ())) for kind in CATALOGUE[group]]
         if name and name not in names:
-            raise InvalidInput(f"{slot}: '{name}' is not known{_meant(name, names)}; there are {', '.join(names)}.")
+            raise InvalidInput(f"{slot}: '{name}' is not known{_meant(name, names)}; there are {listed(name, names)}.")
     path = output or Path(f"{problem}.toml")
     refuse_existing(path, overwrite)
     text = template(problem, file=path.stem, profile=profile, medium=medium, bed=bed, load=load)

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Self
 
 from winkler.values.synonyms import SYNONYMS
@@ -30,6 +30,7 @@ __all__ = [
     "NotConverged",
     "OutsideValidity",
     "WinklerError",
+    "listed",
     "mistake_in",
     "mistyped",
     "nearest",
@@ -40,6 +41,8 @@ LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
 MISTYPED = 0.8
 """Least similarity, by difflib, of a misspelt word to the known one."""
+MOST_LISTED, NEAREST = 12, 4
+"""Names that a sentence lists; of more it names so many."""
 ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
 """In the ``repr`` of an object that has none of its own."""
 
@@ -157,6 +160,20 @@ def mistyped(word: str, known: Iterable[str]) -> list[str]:
     names = list(known)
     swapped = [name for name in names if sorted(name) == sorted(word)]
     return swapped or difflib.get_close_matches(word, names, cutoff=MISTYPED)
+
+
+def listed(word: str, names: Collection[str]) -> str:
+    """Return names for a sentence: of many only the nearest few to a word, and where all are listed.
+
+    Examples
+    --------
+    >>> listed("forse", ["depth", "force"])
+    'depth, force'
+    """
+    if len(names) <= MOST_LISTED:
+        return ", ".join(names)
+    near = difflib.get_close_matches(word, names, n=NEAREST) or [*names][:NEAREST]
+    return f"{', '.join(near)} and {len(names) - len(near)} more, which `winkler show` lists"
 
 
 def suggest(word: str, known: Iterable[str]) -> str:

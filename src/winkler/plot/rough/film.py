@@ -24,8 +24,8 @@ def has_film(item: Any) -> bool:
     return len(getattr(item, "frames", ())) > 0
 
 
-def film(item: Any, *, per_second: float = PER_SECOND) -> bytes:
-    """Return the history of a sheared or rolling height map as an animated GIF.
+def film(item: Any, *, per_second: float = PER_SECOND, form: str = "gif") -> bytes:
+    """Return the history of a sheared or rolling height map as an animated GIF or an MP4 video.
 
     Parameters
     ----------
@@ -33,6 +33,8 @@ def film(item: Any, *, per_second: float = PER_SECOND) -> bytes:
         With frames of its states.
     per_second : float, optional
         States shown in a second.
+    form : str, optional
+        ``gif``, or ``mp4``, which the program ffmpeg writes.
 
     Returns
     -------
@@ -42,14 +44,14 @@ def film(item: Any, *, per_second: float = PER_SECOND) -> bytes:
     Raises
     ------
     InvalidInput
-        If the solution has no frames, or nothing is shown in a second.
+        If the solution has no frames, nothing is shown in a second, or no program writes videos.
     """
     if not has_film(item):
         raise InvalidInput(
             f"film: {type(item).__name__} has no frames; give a solution of SurfaceTangential, SurfaceRolling or "
             "SurfaceRollingStart."
         )
-    return animated((film_sheet(item, frame.index) for frame in item.frames), per_second=per_second)
+    return animated((film_sheet(item, frame.index) for frame in item.frames), per_second=per_second, form=form)
 
 
 def film_sheet(item: Any, index: int) -> Sheet:

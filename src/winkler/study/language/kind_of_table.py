@@ -7,7 +7,7 @@ from typing import Any, NoReturn
 
 from winkler.study.language.catalogue import REFUSED, kinds, slot_of
 from winkler.study.language.quantities import WHERE, wrong
-from winkler.values.errors import suggest
+from winkler.values.errors import listed, suggest
 
 __all__ = ["either_file_or", "refuse_kind", "value_text"]
 
@@ -17,20 +17,20 @@ def refuse_kind(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
     if not isinstance(raw, Mapping):
         wrong(f'{WHERE} is {value_text(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
     if "kind" not in raw:
-        add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
+        add = f"one of {listed('', allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
         wrong(f"{WHERE} has no kind; add kind, {add}.")
     tag = raw["kind"]
     if not isinstance(tag, str):
-        wrong(f"{WHERE}.kind is {value_text(tag)}, not text; allowed are {', '.join(allowed)}.")
+        wrong(f"{WHERE}.kind is {value_text(tag)}, not text; allowed are {listed(str(tag), allowed)}.")
     if tag in REFUSED:
         try:
             REFUSED[tag].cls(1.0)
         except ValueError as refusal:
             wrong(f"{WHERE}.kind is '{tag}': {refusal}")
     if tag in kinds():
-        here = f"allowed here are {', '.join(allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
+        here = f"allowed here are {listed(tag, allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
         wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; {here}.")
-    wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
+    wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {listed(tag, allowed)}.")
 
 
 def value_text(given: Any) -> str:

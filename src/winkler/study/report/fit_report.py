@@ -98,13 +98,13 @@ def _stem(free: Free) -> str:
     return free.key.removeprefix("problem.").replace(".", "_")
 
 
-def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> str:
-    """Return the report as one HTML page with its figures, drawn if left out."""
+def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None, *, assumed: str = "") -> str:
+    """Return the report as one HTML page with its figures, drawn if left out; `assumed` says what nobody has given."""
     study = outcome.study
     shown = figures_of(outcome) if shown is None else shown
     title = safe(study.title or outcome.provenance.source or "Fits")
     body = [
-        f"<header><h1>{title}</h1>{counts(outcome)}</header>",
+        f"<header><h1>{title}</h1>{counts(outcome)}{parts.assumed_line(assumed)}</header>",
         answers(outcome),
         further_section(outcome),
         batch_section("All curves", outcome.batch, outcome.doubts, CSV) if len(outcome.results) > 1 else "",

@@ -46,7 +46,7 @@ def report_files(outcome: Outcome) -> dict[str, bytes]:
     return parts.page_files(outcome, figures_of(outcome), page)
 
 
-def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str:
+def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None, *, assumed: str = "") -> str:
     """Return the report as one HTML page.
 
     Parameters
@@ -55,6 +55,8 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
         The outcome of a study.
     shown
         Its figures; drawn if left out.
+    assumed
+        Which numbers of the study nobody has given, in a sentence; empty if none.
     """
     study = outcome.study
     title = safe(study.title or outcome.provenance.source or "A study")
@@ -62,7 +64,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str
     notes = outcome.validity
     answers = [one for one in pictures if not one.of_method]
     body = [
-        f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}</header>",
+        f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}{parts.assumed_line(assumed)}</header>",
         question_section(outcome),
         section("At a glance", parts.figure_elements((*answers, *pictures)[:1])) if pictures else "",
         answer_section(outcome),

@@ -36,7 +36,7 @@ PLAIN = {
 }
 """End of a path -> plain words beside the name of the place."""
 NUMBERS = "numbers below"
-ASSUMED = "Of an example: nobody has given this number."
+ASSUMED = "Of an example: nobody has given this."
 
 
 class FormFields:
@@ -71,7 +71,8 @@ class FormFields:
         for child in part.children:
             match child:
                 case FormEntry() if part.kind.startswith(NAMED) and child.label == "name":
-                    draw_material(self, part.kind, child)
+                    with self.marked(child.path, ui.element("div").classes("entry wide")):
+                        draw_material(self, part.kind, child)
                 case FormEntry():
                     self.entry(child)
                 case Slot():
@@ -153,7 +154,7 @@ class FormFields:
         if is_range(typed(entry.text, entry.takes)):
             self._range(entry)
             return
-        with ui.element("div").classes("entry") as self.frames[entry.path]:
+        with self.marked(entry.path, ui.element("div").classes("entry")):
             field = LiveInput(value=entry.text, placeholder="" if entry.required else "left out")
             menu = UnitMenu(entry, field, self.actions)
             unit = "" if menu.button else entry.unit
@@ -168,7 +169,6 @@ class FormFields:
             if not entry.required:
                 field.props("stack-label")
             self.inputs[entry.path] = field
-            self._mark(entry.path)
             if not slides:
                 field.on_value_change(lambda event: self._give(entry, menu.completed(str(event.value or ""))))
                 return
@@ -179,20 +179,20 @@ class FormFields:
         """Draw a key that takes one of a few words."""
         words = entry.takes.removeprefix(CHOICE).split(", ")
         names = {word: word for word in words} if entry.required else {"": NONE, **{word: word for word in words}}
-        with ui.element("div").classes("entry wide"):
+        with self.marked(entry.path, ui.element("div").classes("entry wide")):
             pick = ui.select(names, value=entry.text if entry.text in names else None, label=entry.label)
             pick.props("outlined dense options-dense hide-hint hide-bottom-space no-error-icon").props["hint"] = (
                 entry.hint
             )
             pick.props["data-choice"] = entry.path
-            pick.on_value_change(lambda event: self.actions.change(entry.path, str(event.value or ""), entry.takes))
+            pick.on_value_change(lambda event: self._give(entry, str(event.value or "")))
             self.inputs[entry.path] = pick
 
     def _range(self, entry: FormEntry) -> None:
         """Draw a key that holds a range."""
         content = typed(entry.text, entry.takes)
         texts = {"from": "", "to": "", "count": "", **range_texts(content)}
-        with ui.element("section").classes("part free"):
+        with self.marked(entry.path, ui.element("section").classes("part free")):
             one = functools.partial(self.actions.give_one, entry.path)
             self.line(entry.path, entry.label, entry.word, "one value in place of the range of", one)
             draw_range_boxes(
@@ -200,9 +200,14 @@ class FormFields:
                 entry.path,
                 entry.label,
                 (spacing_of(content), SPACINGS, texts),
-                lambda spacing, given, anew: self.actions.give_range(entry, spacing, given, anew=anew),
+                functools.partial(self._give_range, entry),
                 lambda: range_texts(self.actions.content(entry.path)),
             )
+
+    def _give_range(self, entry: FormEntry, spacing: str, texts: dict[str, str], anew: bool) -> None:
+        self.actions.give_range(entry, spacing, texts, anew=anew)
+        if not anew:
+            self.mark(entry.path)
 
     def _slider(self, entry: FormEntry, field: Any) -> Any:
         """Return a slider beside a number, hidden if the content has none."""
@@ -238,9 +243,15 @@ class FormFields:
     def _give(self, entry: FormEntry, text: str) -> None:
         """Set the content of a key, which is the user's from now on."""
         self.actions.change(entry.path, text, entry.takes)
-        self._mark(entry.path)
+        self.mark(entry.path)
 
-    def _mark(self, path: str) -> None:
+    def marked(self, path: str, frame: ui.element) -> ui.element:
+        """Return a frame that is marked as long as what stands at its path is an example's."""
+        self.frames[path] = frame
+        self.mark(path)
+        return frame
+
+    def mark(self, path: str) -> None:
         """Show around a field whether its number is an example's; the field itself is left alone while one types."""
         frame, is_assumed = self.frames[path], self.actions.is_assumed(path)
         if is_assumed != ("title" in frame.props):

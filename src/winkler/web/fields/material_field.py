@@ -40,6 +40,10 @@ class MaterialForm(Protocol):
 
     inputs: dict[str, Any]
 
+    def mark(self, path: str) -> None:
+        """Show whether what stands at a path is an example's."""
+        ...
+
 
 def draw_material(fields: MaterialForm, kind: str, entry: FormEntry) -> None:
     """Draw the menu of the materials that can be a body of a kind, and the numbers of the chosen one."""
@@ -55,6 +59,7 @@ def draw_material(fields: MaterialForm, kind: str, entry: FormEntry) -> None:
         if event.value:
             lines.set_content(_lines(kind, event.value))
             fields.actions.change(entry.path, event.value, entry.takes)
+            fields.mark(entry.path)
 
     choice.on_value_change(chosen)
 

@@ -34,15 +34,21 @@ def draw_sweep(fields: FormFields, entered: StudyForm) -> None:
 
 
 def _row(fields: FormFields, entered: StudyForm, row: VariedNumber) -> None:
-    with ui.element("section").classes("part free"):
-        path = f"sweep.{row.key}"
+    path = f"sweep.{row.key}"
+
+    def give(spacing: str, texts: dict[str, str], anew: bool) -> None:
+        entered.vary_over(row.key, spacing, texts, anew=anew)
+        if not anew:
+            fields.mark(path)
+
+    with fields.marked(path, ui.element("section").classes("part free")):
         fields.line(path, row.label, row.entry.word, "do not vary", lambda: entered.hold_constant(row.key))
         draw_range_boxes(
             fields,
             path,
             row.label,
             (row.spacing, {spacing: SPACINGS[spacing] for spacing in row.spacings}, row.texts),
-            lambda spacing, texts, anew: entered.vary_over(row.key, spacing, texts, anew=anew),
+            give,
             lambda: range_texts(entered.table["sweep"][row.key]),
         )
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import re
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from winkler.plot.series import name_in_words
@@ -11,7 +13,6 @@ from winkler.study.language.catalogue import kind_of, kinds
 from winkler.study.language.explain import completed, example_study, keys_of, summary
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
 from winkler.values.vocabulary import Word
-from winkler.web.form.materials_menu import NAMED, material_numbers
 from winkler.web.form.typed import field_text
 
 __all__ = [
@@ -204,15 +205,20 @@ def drop(table: dict[str, Any], path: str) -> None:
         del holder[key]
 
 
-def choose_kind(table: dict[str, Any], path: str, kind: str) -> None:
+def choose_kind(table: dict[str, Any], path: str, kind: str, known: Mapping[str, Any] = MappingProxyType({})) -> None:
     """Set a kind at a path, with the numbers of an example; keys shared with the previous kind keep their content.
 
-    A body with a name becomes one with the numbers of that material.
+    Parameters
+    ----------
+    table, path
+        The study, and where in it.
+    kind
+        The kind; its example's numbers are taken.
+    known
+        Numbers that come before those of the example.
     """
     before = at(table, path)
-    new = completed({"kind": kind})
-    if isinstance(before, dict) and before.get("kind") == f"{NAMED}{kind}":
-        new |= material_numbers(kind, str(before.get("name")))
+    new = dict(known) if known.get("kind") == kind else completed({"kind": kind}) | dict(known)
     if isinstance(before, dict) and before.get("kind") in kinds():
         old = {key.name: key for key in keys_of(str(before["kind"]))}
         for key in keys_of(kind):

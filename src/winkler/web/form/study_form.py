@@ -11,15 +11,17 @@ from typing import Any
 from winkler.study.language.explain import completed
 from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form, measurement_form, sweep_form
-from winkler.web.form.carry import carried, is_sound, leaves, named_numbers
+from winkler.web.form.carry import PutAside, carried, content_at, content_leaves, is_sound, leaves, named_numbers
 from winkler.web.form.form import FormEntry
 from winkler.web.form.front_examples import first_table
-from winkler.web.form.ranges import range_content
+from winkler.web.form.materials_menu import NAMED, material_numbers
+from winkler.web.form.ranges import is_range, range_content
 from winkler.web.form.sample_curve import SAMPLE, sample_of
 from winkler.web.form.typed import typed
 
 __all__ = ["TASKS", "StudyForm"]
 
+NOTHING = PutAside({}, {})
 UNITS = "fit.units."
 """Beginning of the keys of units of columns."""
 TASKS = {"solve": "Solve a problem", "fit": "Fit a curve"}
@@ -43,11 +45,15 @@ class StudyForm:
         self.changed, self.solve, self.folder = changed, solve, folder or Path()
         self.carried_remark = ""
         """What stayed when the question changed, and what did not."""
-        self._aside: dict[str, Any] = {}
+        self._aside: dict[str, PutAside] = {}
+        self._came: frozenset[str] = frozenset()
+        self._parts: dict[tuple[str, str], PutAside] = {}
+        """Path and kind -> the part of that kind that another one has replaced."""
         self.table: dict[str, Any] = first_table()
         self.assumed: dict[str, Any] = leaves(self.table["problem"])
         """Path -> content of what nobody has given: what an example says."""
         self.other_table: dict[str, Any] = fit_form.initial_table(FITTED[0])
+        self._of_other = (leaves(self.other_table["problem"]), *self._put_aside())
         self.target = ""
         """Path for which the next upload is meant."""
 
@@ -59,16 +65,33 @@ class StudyForm:
     def switch_task(self, task: str) -> None:
         """Switch to the other task, and keep the study of this one."""
         if task in TASKS and task != self.task:
-            self.table, self.other_table, self.carried_remark = self.other_table, self.table, ""
+            self._switch()
+            self.carried_remark = ""
             self.changed()
+
+    def _switch(self) -> None:
+        """Exchange the studies of both tasks, with what was assumed and put aside."""
+        self.table, self.other_table = self.other_table, self.table
+        before = (self.assumed, self._aside, self._came, self._parts)
+        (self.assumed, self._aside, self._came, self._parts), self._of_other = self._of_other, before
+
+    @staticmethod
+    def _put_aside() -> tuple[dict[str, PutAside], frozenset[str], dict[tuple[str, str], PutAside]]:
+        """Return what is put aside of a study that nobody has changed."""
+        return {}, frozenset(), {}
 
     def load(self, table: dict[str, Any], assumed: Collection[str] = ()) -> None:
         """Replace the whole study; `assumed` are the paths of what nobody has given."""
         if ("fit" in table) != ("fit" in self.table):
-            self.other_table = self.table
+            self._switch()
         self.table, self.carried_remark = table, ""
-        self.assumed = {path: content for path, content in leaves(table["problem"]).items() if path in assumed}
+        self.assumed = {path: content for path, content in content_leaves(table).items() if path in assumed}
         self.changed()
+
+    def load_edited(self, table: dict[str, Any]) -> None:
+        """Replace the study by an edited one: what nobody has given, and is as before, is still nobody's."""
+        before = self.still_assumed if ("fit" in table) == ("fit" in self.table) else {}
+        self.load(table, [path for path, content in before.items() if content_at(table, path) == content])
 
     def take_example(self) -> None:
         """Replace the study by the example of its problem."""
@@ -76,11 +99,12 @@ class StudyForm:
 
     def begin_with(self, example: dict[str, Any]) -> None:
         """Replace the study by an example, of which nobody has given a number."""
+        self._aside, self._came, self._parts = self._put_aside()
         self.load(example, leaves(example["problem"]))
 
     def is_assumed(self, path: str) -> bool:
         """Return whether a key holds what an example says, and nobody has given."""
-        return path in self.assumed and self.assumed[path] == form.at(self.table, path)
+        return path in self.assumed and self.assumed[path] == content_at(self.table, path)
 
     @property
     def still_assumed(self) -> dict[str, Any]:
@@ -90,13 +114,15 @@ class StudyForm:
     @property
     def assumed_sentence(self) -> str:
         """Which numbers are an example's, in a sentence; empty if none is."""
-        named = named_numbers(self.still_assumed)
+        started = form.at(self.table, "fit.free") or {}  # of which the curve decides
+        named = named_numbers({path: one for path, one in self.still_assumed.items() if path not in started})
         return f"Not yours, but an example's: {named}." if named else ""
 
-    def _of_an_example(self, path: str, before: dict[str, Any]) -> None:
-        """Remember what came with a kind that was chosen: its numbers, not itself."""
+    def _of_an_example(self, path: str, before: dict[str, Any], known: PutAside = NOTHING) -> None:
+        """Remember what came with a kind that was chosen: its numbers, not itself, nor what was known of them."""
+        given = {one: content for one, content in leaves(known.content, path).items() if one not in known.assumed}
         came = leaves(form.at(self.table, path), path)
-        self.assumed |= {one: content for one, content in came.items() if before.get(one) != content}
+        self.assumed |= {one: item for one, item in came.items() if item not in (before.get(one), given.get(one))}
         self.assumed.pop(f"{path}.kind", None)
 
     def _example(self, kind: str) -> dict[str, Any]:
@@ -112,8 +138,8 @@ class StudyForm:
         before, after = self.table, self._example(kind)
         checked = is_sound(after, self.folder)  # not without a curve
         sound = lambda table: not checked or is_sound(table, self.folder)  # noqa: E731
-        carry = carried(before, after, self._aside, sound, self.assumed)
-        self.table, self._aside, self.assumed = carry.table, carry.aside, carry.assumed
+        carry = carried(before, after, self._aside, sound, self.assumed, self._came)
+        self.table, self._aside, self.assumed, self._came = carry.table, carry.aside, carry.assumed, carry.came
         sentence = carry.sentence
         usual = self._example(str(before["problem"]["kind"]))["title"]
         if before.get("title", usual) != usual:  # one's own
@@ -141,14 +167,30 @@ class StudyForm:
         self.carried_remark = ""
         if path == "problem":
             self._ask(kind)
-        elif kind:
-            before = leaves(self.table["problem"])
-            form.choose_kind(self.table, path, kind)
-            self._of_an_example(path, before)
         else:
-            form.drop(self.table, path)
+            self._choose_part(path, kind)
         self._drop_missing_keys()
         self.changed()
+
+    def _choose_part(self, path: str, kind: str) -> None:
+        """Put the former part of a kind to a path, or that of an example; an empty kind removes the part."""
+        before, part = leaves(self.table["problem"]), form.at(self.table, path)
+        known = self._known(path, kind, part) if kind else NOTHING
+        if isinstance(part, dict):
+            not_given = {one: item for one, item in leaves(part, path).items() if self.is_assumed(one)}
+            self._parts[path, str(part.get("kind"))] = PutAside(copy.deepcopy(part), not_given)
+        if not kind:
+            form.drop(self.table, path)
+            return
+        form.choose_kind(self.table, path, kind, copy.deepcopy(known.content))
+        self._of_an_example(path, before, known)
+
+    def _known(self, path: str, kind: str, part: Any) -> PutAside:
+        """Return the numbers of a part that are not an example's: those of a named material, or of its last time."""
+        is_named = isinstance(part, dict) and part.get("kind") == f"{NAMED}{kind}"
+        if is_named and not (self.is_assumed(f"{path}.name") and (path, kind) in self._parts):
+            return PutAside(material_numbers(kind, str(part.get("name"))), {})
+        return self._parts.get((path, kind), NOTHING)
 
     def _drop_missing_keys(self) -> None:
         """Remove free and varied keys that are no longer in the problem."""
@@ -167,6 +209,7 @@ class StudyForm:
         content = typed(text, takes) if text.strip() else None
         if content == form.at(self.table, path):
             return
+        self.assumed.pop(path, None)
         if path.startswith(UNITS):
             self.table["fit"].setdefault("units", {})
         if content is None:
@@ -179,9 +222,11 @@ class StudyForm:
 
     def give_range(self, entry: FormEntry, spacing: str, texts: dict[str, str], *, anew: bool) -> None:
         """Set the range of a key that may hold several numbers; `anew` if this needs other fields."""
-        content = range_content(entry, spacing, texts)
-        if content != form.at(self.table, entry.path):
+        content, before = range_content(entry, spacing, texts), form.at(self.table, entry.path)
+        if content != before:
             form.put(self.table, entry.path, content)
+            if not is_range(before) and is_range(content):
+                self.assumed |= leaves(content, entry.path)  # twice and half of the number
             (self.changed if anew else self.solve)()
 
     def give_one(self, path: str) -> None:
@@ -251,6 +296,7 @@ class StudyForm:
     def vary(self, key: str) -> None:
         """Vary one more number."""
         sweep_form.add(self.table, key)
+        self.assumed[f"sweep.{key}"] = copy.deepcopy(self.table["sweep"][key])
         self.changed()
 
     def hold_constant(self, key: str) -> None:

@@ -109,7 +109,7 @@ class Page:
                 ui.html("The study", sanitize=False, tag="h2").classes("spoken")
                 self.question = Question(self.entered)
                 self.parts = ui.element("div").classes("form")
-                self.text = AsText(lambda: self.entered.table, self.take_text)
+                self.text = AsText(lambda: self.entered.table, self.take_text, self.edit_text)
             with ui.element("section").classes("answer-side").props('aria-label="The answer"') as right:
                 self.front: Front = Front(self.entered.begin_with)
                 self.result = self.stopping.result = Result(self.show_moment, self.stopping.by_hand, right)
@@ -151,14 +151,21 @@ class Page:
         self.text.open(text)
 
     def take_text(self, text: str) -> str:
-        """Take a study from its text; return its mistakes."""
+        """Take another study from its text; return its mistakes."""
+        return self._take_text(text, lambda table: self.entered.load(table, assumed_in(text)))
+
+    def edit_text(self, text: str) -> str:
+        """Take the study from its edited text; return its mistakes."""
+        return self._take_text(text, self.entered.load_edited)
+
+    def _take_text(self, text: str, take: Callable[[dict[str, Any]], None]) -> str:
         try:
             table = taken(text, self.uploads.folder)
             if "fit" not in table:  # a missing curve is reported beside its field
                 self.uploads.check(table)
         except WinklerError as error:
             return str(error)
-        self.entered.load(table)
+        take(table)
         return ""
 
     def restore(self, text: str) -> str:
@@ -198,9 +205,9 @@ class Page:
         if self.result.answer is None:
             ui.notify("There are no results to save: correct the marked fields first.", type="warning")
         elif what == "study":
-            self.files.take_study(self.result.answer.text)
+            self.files.take_study(with_assumed(self.result.answer.text, self.entered.still_assumed))
         else:
-            self.requests.export(lambda number: Export(number, what))
+            self.requests.export(lambda number: Export(number, what, self.entered.assumed_sentence))
             self.result.state("busy")
 
     def inspect(self, name: str) -> None:

@@ -7,7 +7,8 @@ from typing import Any
 
 from nicegui import ui
 
-from winkler.study.report.markup import safe, with_fixed_units
+from winkler.study.report.markup import safe
+from winkler.study.report.page_parts import assumed_line
 from winkler.web.page.live import LiveHtml
 from winkler.web.page.picture import Card, PictureLoader, caption
 from winkler.web.page.pinned import PinnedAnswer
@@ -120,8 +121,7 @@ class Result:
         for part in (self.head, self.curves, self.grid, self.drawn, *self.tail):
             part.classes(remove="stale")
         badge = f'<p class="standing-line">{answer.trust}</p>'
-        given = f'<p class="since assumed">{with_fixed_units(assumed)}</p>' if assumed else ""
-        self.head.set_content(badge + answer.doubt + answer.answers + given)
+        self.head.set_content(badge + answer.doubt + answer.answers + assumed_line(assumed))
         self.curves.set_content(answer.curves)
         self._clear_sheets()
         self.place.classes(**{"add" if answer.points > 1 else "remove": "swept"})

@@ -17,7 +17,7 @@ from winkler.web.pictures.replies import File
 __all__ = ["exported"]
 
 
-def exported(outcome: Outcome | FitOutcome, what: str) -> File:
+def exported(outcome: Outcome | FitOutcome, what: str, assumed: str = "") -> File:
     """Return results as a file.
 
     Parameters
@@ -26,6 +26,8 @@ def exported(outcome: Outcome | FitOutcome, what: str) -> File:
         Outcome of a study.
     what
         ``csv``, ``netcdf``, ``png`` or ``report``.
+    assumed
+        Which numbers of the study nobody has given, in a sentence for the report; empty if none.
 
     Raises
     ------
@@ -33,7 +35,7 @@ def exported(outcome: Outcome | FitOutcome, what: str) -> File:
         If there is no NetCDF file, as its library cannot be loaded.
     """
     if what == "report":
-        page = fit_report.page(outcome) if isinstance(outcome, FitOutcome) else report.page(outcome)
+        page = (fit_report if isinstance(outcome, FitOutcome) else report).page(outcome, assumed=assumed)
         return File(REPORT, page.encode("utf-8"))
     if what == "png":
         return _packed(figure_files(_figures(outcome), ("png",)))

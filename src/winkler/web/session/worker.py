@@ -58,6 +58,8 @@ class Export(NamedTuple):
     number: int
     what: str
     """``csv``, ``netcdf``, ``png`` or ``report``."""
+    assumed: str = ""
+    """Which numbers of the study nobody has given; the report says it."""
 
 
 class Inspect(NamedTuple):
@@ -182,7 +184,7 @@ class _WorkerState:
                 case Look():
                     yield from self._pictures(request.moment, still=True)
                 case Export():
-                    yield self._file(request.what)
+                    yield self._file(request.what, request.assumed)
                 case Inspect():
                     yield self._inspected(request)
                 case Halt():
@@ -307,13 +309,13 @@ class _WorkerState:
         shown = bool(text) and "indentation" not in parsed(text, STUDY)
         return InspectedFile(request.name, page, text, shown)
 
-    def _file(self, what: str) -> File:
+    def _file(self, what: str, assumed: str) -> File:
         from winkler.values.errors import InvalidInput
         from winkler.web.session.export import exported
 
         if self.outcome is None:
             raise InvalidInput("there are no results to save; correct the study first.")
-        return exported(self.outcome, what)
+        return exported(self.outcome, what, assumed)
 
 
 def beside_the_curve(sentence: str) -> str:
