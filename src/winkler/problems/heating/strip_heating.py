@@ -56,7 +56,7 @@ class StripHeating(RubbingPlatedBodies, PerLoad[Q]):
     def _columns(self, heated: HeatedLine, heat_per_length: Array) -> list[Q]:
         """Return heat, share, Peclet numbers, greatest and mean temperatures; the heat is of their common shape."""
         owner, rates = type(self).__name__, [np.broadcast_to(each, heat_per_length.shape) for each in self._speeds]
-        peclets = peclet_numbers(owner, heated.half_width, rates, self._bodies)
+        peclets = peclet_numbers(owner, [heated.half_width] * 2, rates, self._bodies)
         table = shared_strip_temperatures(owner, heated, self._bodies, self.partition, rates)
         return [shaped(each) for each in (heat_per_length, table[0], *peclets, *(table[1:] * heat_per_length))]
 
