@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Hashable
 from typing import Protocol
 
 from winkler.numerics.fields.band_source import BandPeak, BandSource
@@ -13,7 +14,7 @@ from winkler.values.value import value
 __all__ = ["Source", "ThickBand", "ThickBody"]
 
 
-class Source(Protocol):
+class Source(Hashable, Protocol):
     """Where 1 W enters the surface of a body that moves past it at an angle: lambda T of a thick one."""
 
     def half_length(self, angle: float) -> float:

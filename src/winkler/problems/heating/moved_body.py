@@ -15,7 +15,7 @@ from winkler.numerics.fields.stacked_source import StackedSource
 from winkler.numerics.fields.thick_body import Source, ThickBand, ThickBody
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["HeatBody", "diffusivities", "moved_body", "moved_under_band", "top"]
+__all__ = ["HeatBody", "diffusivities", "moved_body", "moved_under_band", "top", "warmed"]
 
 HeatBody = ThermalConductor | Plated
 """A thick body of one conductor, or a plated one."""
@@ -69,6 +69,14 @@ def moved_body(source: Source, body: HeatBody, speed: float, direction: float) -
             "conductors are implemented; give thick conductors, or a homogeneous medium."
         )
     return StackedSource(source, stack, speed, direction)
+
+
+def warmed(source: Source, body: HeatBody, speed: float, direction: float) -> tuple[float, float]:
+    """Return the greatest and the mean temperature [K/W] of a body that moves past a source of 1 W."""
+    if isinstance(source, LineSource):  # alike to all sides
+        speed, direction = abs(speed), 0.0
+    moved = moved_body(source, body, speed, direction)
+    return moved.peak.height, moved.mean
 
 
 def moved_under_band(source: BandSource, body: HeatBody, speed: float) -> ThickBand | StackedBand:

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.laws.heat import HeatPartition
-from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.heating.estimates import first_share, idle_share, shared
-from winkler.problems.heating.heat_source import HeatedContact, PointSource, heat_sources
-from winkler.problems.heating.moved_body import HeatBody, moved_body
+from winkler.problems.heating.moved_body import HeatBody
 
 __all__ = ["SharedHeat"]
 
@@ -26,53 +24,47 @@ class SharedHeat(NamedTuple):
 
     Parameters
     ----------
-    contact
-        Of all loads.
+    sources
+        Where 1 W, or 1 W per length, enters under each load; None where there is no contact.
+    loads
+        Shape of the loads.
     bodies
         What they conduct.
     partition
         How they share the heat.
     speeds
-        Of both bodies [m/s], of one shape to which the loads of the contact broadcast.
+        Of both bodies [m/s], of one shape to which the loads broadcast.
     directions
         Angles of their velocities to x [rad].
     """
 
-    contact: HeatedContact
+    sources: Sequence[Any]
+    loads: tuple[int, ...]
     bodies: tuple[HeatBody, HeatBody]
     partition: HeatPartition
     speeds: Sequence[Quantity]
-    directions: tuple[float, float]
+    directions: tuple[float, float] = (0.0, 0.0)
 
-    def over_all(self, asked: Callable[[PointSource | None, list[Motion]], Sequence[float]], rows: int) -> Array:
-        """Return so many rows of numbers, (rows, ...), from source and motions at every load and speed."""
-        shape, sources = np.shape(self.speeds[0]), heat_sources(self.contact)
-        loads = np.shape(self.contact.depth)
-        which = np.broadcast_to(np.arange(math.prod(loads)).reshape(loads), shape)
-        table = np.zeros((rows, *shape))
-        for place in np.ndindex(shape):
-            pace = (float(np.asarray(speed)[place]) for speed in self.speeds)
-            table[(slice(None), *place)] = asked(sources[which[place]], list(zip(pace, self.directions, strict=True)))
-        return table
-
-    def temperatures(self) -> Array:
+    def temperatures(self, warmed: Callable[[Any, HeatBody, float, float], tuple[float, float]]) -> Array:
         """Return the share of the first body [-], and temperatures of both for 1 W in all [K/W], (5, ...).
 
         Share; greatest of the first, of the second; mean of the first, of the second.
+
+        Parameters
+        ----------
+        warmed : Callable
+            Source, body, speed and direction to the greatest and the mean temperature of 1 W [K/W].
         """
-        return self.over_all(self._shares, 5)
 
-    def _shares(self, source: PointSource | None, motions: list[Motion]) -> Sequence[float]:
-        if source is None:
-            return idle_share(self.partition, self.bodies), 0.0, 0.0, 0.0, 0.0
-        if isinstance(source, LineSource):  # alike to all sides
-            motions = [(abs(speed), 0.0) for speed, _ in motions]
-        moved = [moved_body(source, body, *motion) for body, motion in zip(self.bodies, motions, strict=True)]
-        peaks, means = [each.peak.height for each in moved], [each.mean for each in moved]
-        share = first_share(self.partition, peaks, means)
-        return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
+        def both(source: Any, motions: list[Motion]) -> Sequence[float]:
+            pairs = [warmed(source, body, *motion) for body, motion in zip(self.bodies, motions, strict=True)]
+            peaks, means = zip(*pairs, strict=True)
+            share = first_share(self.partition, peaks, means)
+            return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
 
-    def estimated(self, per_watt: Callable[[PointSource, HeatBody, float, float], float]) -> Array:
+        return self._over_all(both, (idle_share(self.partition, self.bodies), 0.0, 0.0, 0.0, 0.0))
+
+    def estimated(self, per_watt: Callable[[Any, HeatBody, float, float], float]) -> Array:
         """Return an estimate of the greatest temperature of the contact per watt [K/W], zero without contact.
 
         Parameters
@@ -81,11 +73,21 @@ class SharedHeat(NamedTuple):
             Source, body, speed and direction to the greatest temperature of 1 W [K/W].
         """
 
-        def both(source: PointSource | None, motions: list[Motion]) -> Sequence[float]:
-            if source is None:
-                return [0.0]
+        def both(source: Any, motions: list[Motion]) -> Sequence[float]:
             pairs = zip(self.bodies, motions, strict=True)
             alone = [np.asarray(per_watt(source, body, *motion)) for body, motion in pairs]
-            return [float(shared(alone[0], alone[1], self.partition))]
+            with np.errstate(divide="ignore"):
+                return [float(shared(alone[0], alone[1], self.partition))]
 
-        return np.asarray(self.over_all(both, 1)[0])
+        return np.asarray(self._over_all(both, (0.0,))[0])
+
+    def _over_all(self, asked: Callable[[Any, list[Motion]], Sequence[float]], apart: Sequence[float]) -> Array:
+        """Return rows of numbers, (rows, ...), from source and motions at every load and speed; `apart` without one."""
+        shape = np.shape(self.speeds[0])
+        which = np.broadcast_to(np.arange(math.prod(self.loads)).reshape(self.loads), shape)
+        table = np.zeros((len(apart), *shape))
+        for place in np.ndindex(shape):
+            pace = (float(np.asarray(speed)[place]) for speed in self.speeds)
+            source, motions = self.sources[int(which[place])], list(zip(pace, self.directions, strict=True))
+            table[(slice(None), *place)] = apart if source is None else asked(source, motions)
+        return table

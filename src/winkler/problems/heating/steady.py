@@ -30,7 +30,7 @@ from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
 from winkler.problems.heating.heat_source import PointSource, half_lengths, heat_sources
 from winkler.problems.heating.heated_body import HeatedBody, Turn, sliding_line
 from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers, refuse_contact
-from winkler.problems.heating.moved_body import HeatBody
+from winkler.problems.heating.moved_body import HeatBody, warmed
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
 from winkler.problems.heating.sharing import SharedHeat
 from winkler.problems.heating.validity import heating_notes, sliding_contact_notes
@@ -155,7 +155,8 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
         speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
         shape = np.broadcast_shapes(np.shape(contact.depth), *(each.shape for each in speeds))
         rates = [np.broadcast_to(each, shape) for each in speeds]
-        return SharedHeat(contact, self._bodies, self.partition, rates, self._directions)
+        loads, sources = np.shape(contact.depth), heat_sources(contact)
+        return SharedHeat(sources, loads, self._bodies, self.partition, rates, self._directions)
 
     def solve(self) -> FrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
@@ -180,7 +181,7 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
         between = self.first_direction - self.second_direction
         sliding = np.hypot(first * math.cos(between) - second, first * math.sin(between))
         released = self.law.coefficient * np.broadcast_to(contact.force, np.shape(first)) * sliding
-        table = heat.temperatures()
+        table = heat.temperatures(warmed)
         columns: list[Q] = [shaped(each) for each in (released, table[0], *peclets, *(table[1:] * released))]
         return FrictionHeatingSolution(self, contact, *columns)
 
