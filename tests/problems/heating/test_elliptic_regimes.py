@@ -75,9 +75,9 @@ def test_a_plated_ellipse_is_warmed_by_a_double_fourier_integral(radii, speed, a
     point, mean = plated_less_coat(axes, (warmest.x, warmest.y), speed, angle, thickness)
     bare, wave = EllipticSource(*axes), speed / COAT.diffusivity
     under = bare.surface(wave, np.array([warmest.x]), np.array([warmest.y]), angle)[0] / COAT.conductivity
-    assert found.first_max_temperature == pytest.approx(found.heat_rate * (under + point), rel=2e-6)
+    assert found.first_max_temperature == pytest.approx(found.heat_rate * (under + point), rel=2e-8)
     average = bare.mean(wave, angle) / COAT.conductivity
-    assert found.first_mean_temperature == pytest.approx(found.heat_rate * (average + mean), rel=2e-6)
+    assert found.first_mean_temperature == pytest.approx(found.heat_rate * (average + mean), rel=2e-8)
     rng = np.random.default_rng(3)
     reach, turn = np.sqrt(rng.random(60)), 2.0 * np.pi * rng.random(60)
     around = found.first.temperature(axes[0] * reach * np.cos(turn), axes[1] * reach * np.sin(turn))
@@ -99,7 +99,7 @@ def test_a_plated_ellipse_of_equal_curvatures_is_the_plated_ball():
         places = warmest.x * np.array([1.0, -2.0, 4.0]), warmest.y * np.array([1.0, -2.0, 4.0])
         turned = math.cos(0.8 - angle), math.sin(0.8 - angle)
         there = places[0] * turned[0] - places[1] * turned[1], places[0] * turned[1] + places[1] * turned[0]
-        assert circle.first.temperature(*there) == pytest.approx(round_one.first.temperature(*places), rel=2e-6)
+        assert circle.first.temperature(*there) == pytest.approx(round_one.first.temperature(*places), rel=1e-7)
 
 
 def test_pixels_take_no_platings():
