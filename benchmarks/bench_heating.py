@@ -70,7 +70,9 @@ def bench_line_speeds(benchmark, below, steel_on_steel):
     """Flash and mean temperatures of two discs in line contact, at fifty speeds."""
     bed = wk.LineFoundation(wk.Paraboloid(10e-3), steel_on_steel)
     speeds = np.geomspace(0.1, 10.0, 50)
-    problem = wk.LineFrictionHeating(bed, wk.Coulomb(0.1), wk.LineForce(100e3), PAIR, 2.0 * speeds, speeds)
+    problem = wk.LineFrictionHeating(
+        wk.LineIndentation(bed, wk.LineForce(100e3)), wk.Coulomb(0.1), PAIR, 2.0 * speeds, speeds
+    )
     found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
     assert np.all(np.diff(found.flash_temperature) > 0.0)
     below(3.0, "flash temperatures of two discs at 50 speeds")

@@ -25,8 +25,8 @@ def rubbed(first, speed, second=BASE, bed=BALL, **more):
 
 def rolled(first, speed=2.0, **more):
     pair = wk.HeatConductors(first, BASE)
-    bed, load = ROLLER, wk.HalfWidth(A)
-    return wk.LineFrictionHeating(bed, wk.Coulomb(0.3), load, pair, first_speed=speed, second_speed=1.0, **more).solve()
+    disc = wk.LineIndentation(ROLLER, wk.HalfWidth(A))
+    return wk.LineFrictionHeating(disc, wk.Coulomb(0.3), pair, first_speed=speed, second_speed=1.0, **more).solve()
 
 
 def composed(cuts):

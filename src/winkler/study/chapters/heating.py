@@ -148,9 +148,12 @@ HEATING = Chapter(
             says={
                 "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
             },
-            bed=ROLLER,
+            contact={
+                "kind": "line_indentation",
+                "bed": ROLLER,
+                "load": {"kind": "line_force", "force_per_length": "400 N/mm"},
+            },
             law={"kind": "coulomb", "coefficient": 0.05},
-            load={"kind": "line_force", "force_per_length": "400 N/mm"},
             conductors=STEELS,
             first_speed="6 m/s",
             second_speed="4 m/s",

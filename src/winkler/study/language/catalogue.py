@@ -80,6 +80,7 @@ FORMER_PARTS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "friction_heating": ("contact", "indentation", ("bed", "load", "bodies", "medium")),
     "elliptic_friction_heating": ("contact", "elliptic_indentation", ("bodies", "medium", "load")),
     "transient_heating": ("contact", "indentation", ("bed", "load")),
+    "line_friction_heating": ("contact", "line_indentation", ("bed", "load")),
 }
 """Kinds of version 0.2 some of whose keys stand in a table of their own today: its key, its kind, and what it holds."""
 
