@@ -19,7 +19,7 @@ SPEEDS = np.geomspace(0.01, 10.0, 200)
 
 def rubbing(medium: wk.HalfSpace, load: wk.Force, speed: float | np.ndarray) -> wk.FrictionHeating:
     bed = wk.Foundation(wk.Paraboloid(10e-3), medium)
-    return wk.FrictionHeating(bed, wk.Coulomb(0.3), load, PAIR, first_speed=speed)
+    return wk.FrictionHeating(wk.Indentation(bed, load), wk.Coulomb(0.3), PAIR, first_speed=speed)
 
 
 def bench_one_speed(benchmark, below, steel_on_steel):
@@ -49,7 +49,7 @@ def bench_a_hundred_loads(benchmark, below, steel_on_steel):
 def bench_map(benchmark, below, steel_on_steel):
     """The surface of the moving body at 2,000 places."""
     body = rubbing(steel_on_steel, wk.Force(20.0), 1.0).solve().first
-    a = body.pressed.radius
+    a = body.half_length
     x, y = np.meshgrid(np.linspace(-2.0, 4.0, 80) * a, np.linspace(0.0, 2.0, 25) * a)
     found = benchmark.pedantic(lambda: body.temperature(x, y), rounds=5, warmup_rounds=1)
     assert np.all(found >= 0.0)
@@ -60,7 +60,7 @@ def bench_beginning(benchmark, below, steel_on_steel):
     """A contact that warms up, at a hundred times."""
     bed = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel)
     time = np.geomspace(1e-5, 1.0, 100)
-    problem = wk.TransientHeating(bed, wk.Coulomb(0.3), wk.Force(20.0), PAIR, speed=0.01, time=time)
+    problem = wk.TransientHeating(wk.Indentation(bed, wk.Force(20.0)), wk.Coulomb(0.3), PAIR, speed=0.01, time=time)
     found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
     assert np.all(np.diff(found.flash_temperature) > 0.0)
     below(0.3, "a ball that warms up, at 100 times")
@@ -70,7 +70,9 @@ def bench_line_speeds(benchmark, below, steel_on_steel):
     """Flash and mean temperatures of two discs in line contact, at fifty speeds."""
     bed = wk.LineFoundation(wk.Paraboloid(10e-3), steel_on_steel)
     speeds = np.geomspace(0.1, 10.0, 50)
-    problem = wk.LineFrictionHeating(bed, wk.Coulomb(0.1), wk.LineForce(100e3), PAIR, 2.0 * speeds, speeds)
+    problem = wk.LineFrictionHeating(
+        wk.LineIndentation(bed, wk.LineForce(100e3)), wk.Coulomb(0.1), PAIR, 2.0 * speeds, speeds
+    )
     found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
     assert np.all(np.diff(found.flash_temperature) > 0.0)
     below(3.0, "flash temperatures of two discs at 50 speeds")
@@ -79,15 +81,8 @@ def bench_line_speeds(benchmark, below, steel_on_steel):
 def bench_ellipse_speeds(benchmark, below, steel_on_steel):
     """The same of an ellipse that slides askew."""
     speeds = np.geomspace(0.1, 10.0, 50)
-    problem = wk.EllipticFrictionHeating(
-        wk.CurvedBodies(40e-3, 5e-3),
-        steel_on_steel,
-        wk.Coulomb(0.1),
-        wk.Force(20.0),
-        PAIR,
-        first_speed=speeds,
-        first_direction=0.5,
-    )
+    contact = wk.EllipticIndentation(wk.CurvedBodies(40e-3, 5e-3), steel_on_steel, wk.Force(20.0))
+    problem = wk.FrictionHeating(contact, wk.Coulomb(0.1), PAIR, first_speed=speeds, first_direction=0.5)
     found = benchmark.pedantic(problem.solve, rounds=5, warmup_rounds=1)
     assert np.all(np.diff(found.flash_temperature) > 0.0)
     below(3.0, "flash temperatures of an ellipse at 50 speeds")

@@ -25,13 +25,12 @@ conductor = wk.ThermalConductor(conductivity=45.0, diffusivity=12e-6)
 pair = wk.HeatConductors(conductor, conductor)
 crowned = wk.CurvedBodies(longitudinal_curvature_radius=8e-3, lateral_curvature_radius=200e-3)
 law, load = wk.Coulomb(0.1), wk.Force(300.0)
+pressed = wk.EllipticIndentation(crowned, medium, load)
 
 
 def slid(direction, speed=5.0):
     """Return the solution of the disc that moves in a direction [rad]."""
-    return wk.EllipticFrictionHeating(
-        crowned, medium, law, load, pair, first_speed=speed, first_direction=direction
-    ).solve()
+    return wk.FrictionHeating(pressed, law, pair, first_speed=speed, first_direction=direction).solve()
 
 
 skew = slid(np.radians(30.0))
@@ -50,7 +49,8 @@ degrees = np.linspace(0.0, 90.0, 19)
 flash = [slid(np.radians(each)).flash_temperature for each in degrees]
 rested = [slid(np.radians(each), 0.01).flash_temperature * 500.0 for each in degrees]
 equal = wk.Foundation(wk.Paraboloid(crowned.equivalent_radius), medium)
-round_flash = wk.FrictionHeating(equal, law, load, pair, first_speed=5.0).solve().flash_temperature
+ball = wk.Indentation(equal, load)
+round_flash = wk.FrictionHeating(ball, law, pair, first_speed=5.0).solve().flash_temperature
 print(f"short axis {flash[0]:.0f} K, long axis {flash[-1]:.0f} K, round contact {round_flash:.0f} K")
 assert flash[0] < round_flash < flash[-1]
 assert np.ptp(rested) < 0.01 * rested[0]

@@ -24,7 +24,8 @@ plate = wk.ThermalConductor(conductivity=45.0, diffusivity=12e-6)
 ball = wk.ThermalConductor(conductivity=1.0, diffusivity=0.5e-6)
 pair = wk.HeatConductors(first=plate, second=ball)
 time = np.geomspace(1e-6, 10.0, 57)
-start = wk.TransientHeating(bed, wk.Coulomb(0.5), wk.Force(10.0), pair, speed=2e-3, time=time).solve()
+pressed = wk.Indentation(bed, wk.Force(10.0))
+start = wk.TransientHeating(pressed, wk.Coulomb(0.5), pair, speed=2e-3, time=time).solve()
 settling = start.contact.radius**2 / plate.diffusivity
 print(f"{start.heat_rate * 1e3:.1f} mW on a radius of {start.contact.radius * 1e6:.0f} um: in the end")
 print(f"{start.stationary_temperature:.3f} K, of which half is reached after")
@@ -52,7 +53,7 @@ plt.show()
 # With one body alone the early law is that of a plane, :math:`T = 2q\sqrt{\kappa t/\pi}/\lambda`.
 
 alone = wk.TransientHeating(
-    bed, wk.Coulomb(0.5), wk.Force(10.0), pair, speed=2e-3, time=[1e-4 * settling], partition=wk.FixedShare(1.0)
+    pressed, wk.Coulomb(0.5), pair, speed=2e-3, time=[1e-4 * settling], partition=wk.FixedShare(1.0)
 ).solve()
 flux = 0.5 * 2e-3 * wk.restore(alone.contact, 0.0).pressure
 assert np.isclose(alone.flash_temperature[0], 2.0 * flux * np.sqrt(12e-6 * 1e-4 * settling / np.pi) / 45.0, rtol=1e-3)

@@ -40,7 +40,8 @@ def teeth(s):
     radii = arms + np.array([s, -s])
     bed = wk.LineFoundation(wk.Paraboloid(curvature_radius=1.0 / np.sum(1.0 / radii)), pair)
     first, second = turning * radii
-    return wk.LineFrictionHeating(bed, FRICTION, LOAD, conductors, first_speed=first, second_speed=second)
+    pressed = wk.LineIndentation(bed, LOAD)
+    return wk.LineFrictionHeating(pressed, FRICTION, conductors, first_speed=first, second_speed=second)
 
 
 end = teeth(6e-3).solve()

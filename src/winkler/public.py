@@ -167,7 +167,6 @@ from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
 from winkler.problems.heating.band_heating import BandHeating, BandHeatingSolution
-from winkler.problems.heating.elliptic_heating import EllipticFrictionHeating, EllipticFrictionHeatingSolution
 from winkler.problems.heating.fretting import FrettingHeat, FrettingHeatSolution
 from winkler.problems.heating.line_heating import LineFrictionHeating, LineFrictionHeatingSolution
 from winkler.problems.heating.steady import FrictionHeating, FrictionHeatingSolution
@@ -332,8 +331,8 @@ __all__ = [
     "DentLimit", "DentLimitSolution", "Depth", "DepthGradedHalfSpace", "DepthScaling", "DepthSeries",
     "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData", "DynamicSweeps", "Elastic",
     "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation", "EllipticFrictionHeating",
-    "EllipticFrictionHeatingSolution", "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear",
+    "ElectricalConductors", "Ellipsoid", "EllipticFields", "EllipticFoundation",
+    "EllipticIndentation", "EllipticPartOnset", "EllipticSolution", "EllipticWear",
     "EllipticWearSolution", "EllipticYieldOnset", "EllipticYieldOnsetSolution", "EqualMaximum", "EqualMean",
     "Equilibrium", "EquilibriumCurve", "EventKind", "ExponentialAttraction", "ExponentialGrading",
     "ExponentialSlipWeakening", "ExportedLaw", "FallingFriction", "Fit", "FitState", "FixedShare", "FlatPunch",

@@ -136,7 +136,7 @@ def test_what_needs_a_disc_is_refused():
         lambda: wk.PullOff(bed, wk.ShortRange(0.1)),
         lambda: wk.AdhesiveIndentation(bed, wk.ShortRange(0.1), wk.Force(0.0)),
         lambda: wk.SlidingWear(bed, wk.Archard(1e-14), wk.Force(10.0), 10.0),
-        lambda: wk.FrictionHeating(bed, wk.Coulomb(0.1), wk.Force(10.0), wk.HeatConductors(heat, heat), 1.0),
+        lambda: wk.FrictionHeating(contact.problem, wk.Coulomb(0.1), wk.HeatConductors(heat, heat), 1.0),
         lambda: wk.FrettingHeat(wk.Tangential(bed, wk.Coulomb(0.1), path), 10.0, wk.HeatConductors(heat, heat)),
         lambda: wk.restore(contact, 0.0),
         lambda: wk.restore(contact, 0.0, 1e-4),

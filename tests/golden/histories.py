@@ -212,7 +212,9 @@ def line(problem: Problem, medium: str, control: str, seed: int) -> Any:
         wk.LineConstriction: lambda: problem(
             bed, wk.ElectricalConductors(copper, copper), loads[control], 30.0 * width, 50.0 * width
         ),
-        wk.LineFrictionHeating: lambda: problem(bed, law, loads[control], wk.HeatConductors(steel, steel), *speeds),
+        wk.LineFrictionHeating: lambda: problem(
+            wk.LineIndentation(bed, loads[control]), law, wk.HeatConductors(steel, steel), *speeds
+        ),
         wk.LineRollingResistance: lambda: problem(cylinder, width_load, width * np.array([1e-2, 1.0, 1e2])),
         wk.LineViscoelasticIndentation: lambda: problem(
             bed, wk.LineForcePath(np.arange(float(POINTS)), force * world.shares(POINTS)), count=100

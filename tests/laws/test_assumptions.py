@@ -132,7 +132,7 @@ def narrower_than_the_free_path():
 def hotter_than_any_solid():
     steel = wk.ThermalConductor(45.0, 12e-6)
     bed, pair = wk.Foundation(wk.Sphere(1e-2), LIKE), wk.HeatConductors(steel, steel)
-    return wk.FrictionHeating(bed, COULOMB, wk.Force(1e3), pair, first_speed=300.0).solve().validity
+    return wk.FrictionHeating(wk.Indentation(bed, wk.Force(1e3)), COULOMB, pair, first_speed=300.0).solve().validity
 
 
 def energy_from_nowhere():

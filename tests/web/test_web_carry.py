@@ -32,8 +32,9 @@ def entered():
 
 
 def bodies(study):
-    medium = form.at(study.table, "problem.bed.medium")
-    return form.at(study.table, PROFILE), *({**medium[body], "strength": ""} for body in ("first", "second"))
+    bed = form.at(study.table, "problem.bed") or form.at(study.table, "problem.contact.bed")
+    medium = bed["medium"]
+    return bed["profile"], *({**medium[body], "strength": ""} for body in ("first", "second"))
 
 
 @pytest.mark.parametrize("question", ["yield_onset", "tangential", "friction_heating", "constriction", "impact"])
@@ -187,9 +188,10 @@ def test_what_was_put_aside_comes_back_before_numbers_of_examples():
 
 def test_bodies_and_load_stay(entered):
     entered.choose("problem", "friction_heating")
-    assert form.at(entered.table, PROFILE) == TIP
-    assert form.at(entered.table, FIRST) == RUBBER
-    assert form.at(entered.table, LOAD) == {"kind": "force", "force": "2 N"}
+    contact = form.at(entered.table, "problem.contact")
+    assert contact["bed"]["profile"] == TIP
+    assert contact["bed"]["medium"]["first"] == RUBBER
+    assert contact["load"] == {"kind": "force", "force": "2 N"}
     assert entered.carried_remark == (
         "Kept: shape and bodies, load (force 2 N). Of the example: coefficient 0.3, conductivity 45 W/(m K), "
         "diffusivity 12 mm^2/s, first speed 1 m/s."

@@ -25,6 +25,10 @@ BODIES = (RADIUS, FORCE, YOUNG, POISSON, COEFFICIENT)
 BETWEEN_ALIKE = (
     "Coulomb's friction between smooth bodies of one material, so that pressure and friction do not act on each other"
 )
+HELD = """
+[problem.contact]
+kind = "indentation"
+"""
 ONTO_PATH = """
 [problem.path]
 kind = "path"
@@ -141,7 +145,7 @@ HEATING = Calculator(
     "Steady sliding of smooth, thick bodies, whose greatest temperatures are alike (Blok); their own warming up, and "
     "changes of their material with it, come on top.",
     "chapters/heating.html",
-    "first_speed = {speed}\n" + BALL + ALIKE + FRICTION + PRESSED + """
+    "first_speed = {speed}\n" + HELD + (BALL + ALIKE + PRESSED).replace("problem", "problem.contact") + FRICTION + """
 [problem.conductors]
 kind = "heat_conductors"
 first = { kind = "thermal_conductor", conductivity = {conductivity}, diffusivity = {diffusivity} }

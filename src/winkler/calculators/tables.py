@@ -121,6 +121,7 @@ def _heated() -> dict[str, Array]:
     """Return the greatest temperature, times radius and conductivity, per watt, over log(1 + Pe)."""
     from winkler.media.conduction.conductors import HeatConductors
     from winkler.problems.heating.steady import FrictionHeating
+    from winkler.problems.normal.indentation import Indentation
 
     body, radius = ThermalConductor(1.0, 1.0), float(hertz()[1])
     conductors = HeatConductors(body, body)
@@ -129,7 +130,8 @@ def _heated() -> dict[str, Array]:
         speed = 2.0 * math.expm1(logarithm) / radius
         if speed == 0.0:
             speed = 1e-13
-        one = FrictionHeating(_bed(), Coulomb(FRICTION), Force(FORCE), conductors, first_speed=speed).solve()
+        ball = Indentation(_bed(), Force(FORCE))
+        one = FrictionHeating(ball, Coulomb(FRICTION), conductors, first_speed=speed).solve()
         into = float(one.first_share) * float(one.heat_rate)
         return float(one.first_max_temperature) * radius / into
 

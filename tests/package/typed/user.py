@@ -81,7 +81,7 @@ print(mean, held.half_width.max(), traction, creeps.max(), rolled.contact.radius
 worn = wk.SlidingWear(bed, wk.Archard(1e-14), wk.Force(1.0), np.array([0.0, 1.0]), count=40).solve()
 assert_type(worn.states[1].worn_volume, float)
 pair = wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6))
-warm = wk.FrictionHeating(bed, wk.Coulomb(0.3), wk.Force(10.0), pair, first_speed=0.2).solve()
+warm = wk.FrictionHeating(wk.Indentation(bed, wk.Force(10.0)), wk.Coulomb(0.3), pair, first_speed=0.2).solve()
 hottest: float = warm.flash_temperature + warm.first_share
 speeds = np.array([0.1, 0.2])
 band = wk.BandHeating(1e-4, 1e6, pair, first_speed=speeds, second_speed=-speeds).solve()

@@ -9,8 +9,7 @@ from scipy.special import ellipkm1
 
 import winkler as wk
 from winkler.numerics.fields.band_source import FAST, BandSource
-from winkler.numerics.fields.elliptic_source import EllipticSource
-from winkler.problems.heating.elliptic_sharing import FAST_HEIGHT
+from winkler.numerics.fields.elliptic_source import FAST_HEIGHT, EllipticSource
 from winkler.problems.heating.heat_source import heat_source
 
 STEEL, BRASS = wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(110.0, 34e-6)
@@ -22,9 +21,9 @@ HERTZ_BAND = BandSource(1.0, (), lambda angle: 2.0 / np.pi * np.cos(angle) ** 2)
 
 
 def slid(bodies=SLENDER, load=LOAD, first=2.0, second=0.0, conductors=(STEEL, STEEL), **more):
-    return wk.EllipticFrictionHeating(
-        bodies, PAIR, LAW, load, wk.HeatConductors(*conductors), first_speed=first, second_speed=second, **more
-    ).solve()
+    contact = wk.EllipticIndentation(bodies, PAIR, load)
+    pair = wk.HeatConductors(*conductors)
+    return wk.FrictionHeating(contact, LAW, pair, first_speed=first, second_speed=second, **more).solve()
 
 
 def summed(source, wave, angle, x, y, count=240):
@@ -48,9 +47,9 @@ def test_an_ellipse_is_a_sum_of_point_sources(axes, wave, angle):
     source = EllipticSource(*axes)
     for part_x, part_y in ((0.0, 0.0), (0.5, -0.3), (-0.6, 0.7)):
         x, y = part_x * axes[0], part_y * axes[1]
-        found = source.surface(wave, angle, np.array([x, -x]), np.array([y, -y]))
+        found = source.surface(wave, np.array([x, -x]), np.array([y, -y]), angle)
         assert found[0] == pytest.approx(summed(source, wave, angle, x, y), rel=1e-11)
-        assert found[1] == pytest.approx(source.surface(-wave, angle, np.array([x]), np.array([y]))[0], rel=1e-13)
+        assert found[1] == pytest.approx(source.surface(-wave, np.array([x]), np.array([y]), angle)[0], rel=1e-13)
 
 
 @pytest.mark.few(2)
@@ -66,14 +65,14 @@ def test_beside_the_ellipse(x, y):
         return flux * np.exp(-0.5 * wave * (distance - ahead)) / (2.0 * np.pi * distance)
 
     wanted = dblquad(point, 0.0, 2.0 * np.pi, 0.0, 1.0, epsabs=1e-9)[0]
-    assert source.surface(wave, angle, np.array([x]), np.array([y]))[0] == pytest.approx(wanted, rel=1e-7)
+    assert source.surface(wave, np.array([x]), np.array([y]), angle)[0] == pytest.approx(wanted, rel=1e-7)
 
 
 @pytest.mark.parametrize("wave", [0.0, 0.02, 2.0, 20.0])
 def test_a_circle_is_a_ball(wave):
     """To the digits that the sum over directions of a round contact has."""
     contact = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(ELASTIC)), wk.Radius(1.0)).solve()
-    ball, circle = heat_source(contact.pressed).source, EllipticSource(1.0, 1.0)
+    ball, circle = heat_source(contact.pressed), EllipticSource(1.0, 1.0)
     top = circle.peak(wave, 0.7)
     assert top.height == pytest.approx(ball.peak(wave).height, rel=1e-8)
     assert top.y == pytest.approx(top.x * math.tan(0.7), abs=1e-9)
@@ -115,7 +114,7 @@ def test_the_mean_is_that_of_the_temperatures(wave):
     source, (node, weight) = EllipticSource(3.0, 1.0), np.polynomial.legendre.leggauss(24)
     radius, turn = 0.5 * (node + 1.0), 2.0 * np.pi * (np.arange(96) + 0.5) / 96
     x, y = 3.0 * radius[:, None] * np.cos(turn), radius[:, None] * np.sin(turn)
-    mean = np.sum(source.surface(wave, 0.5, x, y) * (radius * weight)[:, None]) / 96
+    mean = np.sum(source.surface(wave, x, y, 0.5) * (radius * weight)[:, None]) / 96
     assert source.mean(wave, 0.5) == pytest.approx(mean, rel=1e-5)
 
 
@@ -125,9 +124,9 @@ def test_no_place_is_warmer():
     for wave, angle, ratio in ((1.0, 0.4, 3.0), (30.0, 1.2, 0.2), (2000.0, 0.9, 10.0)):
         source = EllipticSource(1.0, ratio)
         top = source.peak(wave, angle)
-        assert np.max(source.surface(wave, angle, radius * np.cos(turn), ratio * radius * np.sin(turn))) <= top.height
+        assert np.max(source.surface(wave, radius * np.cos(turn), ratio * radius * np.sin(turn), angle)) <= top.height
         near = top.x + 1e-4 * np.array([0.0, 1.0, -1.0]), top.y + 1e-4 * ratio * np.array([0.0, 0.0, 0.0])
-        heights = source.surface(wave, angle, *near)
+        heights = source.surface(wave, *near, angle)
         assert heights[0] == pytest.approx(top.height, rel=1e-13)
         assert heights[0] > max(heights[1:])
 
@@ -136,11 +135,10 @@ def test_a_wheel_that_slides_on_a_rail():
     """CONTACT's example: its own closed form (fast motion) is 150.3 K; judged to 2 % as its notes say."""
     steel = wk.Elastic(2.0 * 1.28 * 82e9, 0.28)
     conductor = wk.ThermalConductor.of(50.0, 7850.0, 450.0)
-    wheel = wk.EllipticFrictionHeating(
-        wk.CurvedBodies(1.0 / (2.0 * 1.015), 1.0 / (2.0 * 0.4215)),
-        wk.HalfSpace.between(steel, steel),
+    bodies = wk.CurvedBodies(1.0 / (2.0 * 1.015), 1.0 / (2.0 * 0.4215))
+    wheel = wk.FrictionHeating(
+        wk.EllipticIndentation(bodies, wk.HalfSpace.between(steel, steel), wk.Force(100e3)),
         wk.Coulomb(0.3),
-        wk.Force(100e3),
         wk.HeatConductors(conductor, conductor),
         first_speed=-30.5,
         second_speed=-29.5,
@@ -159,7 +157,7 @@ def test_a_published_estimate_along_both_axes():
     bodies, all_in = wk.CurvedBodies(10e-3, 400e-3), {"partition": wk.FixedShare(1.0)}
     equal = wk.Foundation(wk.Paraboloid(bodies.equivalent_radius), PAIR)
     pair, load = wk.HeatConductors(STEEL, STEEL), wk.Force(100.0)
-    ball = wk.FrictionHeating(equal, LAW, load, pair, first_speed=4.0, **all_in).solve()
+    ball = wk.FrictionHeating(wk.Indentation(equal, load), LAW, pair, first_speed=4.0, **all_in).solve()
     for direction, kelvin in ((0.0, 510.0), (np.pi / 2, 1310.0)):
         slides = slid(bodies, load, 4.0, first_direction=direction, **all_in)
         assert 575.0 * slides.flash_temperature / ball.flash_temperature == pytest.approx(kelvin, rel=2e-3)
@@ -180,7 +178,7 @@ def test_the_bodies_share_the_heat():
 def test_an_ellipse_of_equal_curvatures_is_the_ball_of_friction_heating():
     circle = slid(wk.CurvedBodies(5e-3, 5e-3), first_direction=1.0)
     bed = wk.Foundation(wk.Paraboloid(5e-3), PAIR)
-    ball = wk.FrictionHeating(bed, LAW, LOAD, wk.HeatConductors(STEEL, STEEL), first_speed=2.0).solve()
+    ball = wk.FrictionHeating(wk.Indentation(bed, LOAD), LAW, wk.HeatConductors(STEEL, STEEL), first_speed=2.0).solve()
     names = ("first_share", "flash_temperature", "stationary_temperature", "first_mean_temperature", "overestimate")
     for name in names:
         assert getattr(circle, name) == pytest.approx(getattr(ball, name), rel=1e-7)
@@ -216,13 +214,13 @@ def test_radii_of_each_body():
     found, expected = (slid(bodies=each, first_direction=0.4) for each in (pair, pair.together))
     assert found.flash_temperature == expected.flash_temperature > 0.0
     assert found.fast_temperature == expected.fast_temperature
-    assert found.at(()).problem.bodies == pair
+    assert found.at(()).problem.contact.bodies == pair
 
 
 def test_places_are_finite_numbers():
     body = slid().first
     for place in (np.nan, [0.0, np.inf], "left"):
-        with pytest.raises(wk.InvalidInput, match="HeatedEllipse: x"):
+        with pytest.raises(wk.InvalidInput, match="HeatedBody: x"):
             body.temperature(place)
     with pytest.raises(wk.InvalidInput, match=r"do not broadcast \(x \(2,\), y \(3,\)\)"):
         body.temperature([0.0, 1e-5], [0.0, 1e-5, 2e-5])
@@ -238,18 +236,8 @@ def test_yield_counts_the_direction_of_sliding(direction):
     pair = wk.HeatConductors(STEEL, STEEL)
     for factor, standing in ((0.999, wk.Standing.EXACT), (1.001, wk.Standing.OUTSIDE)):
         for speed in (-1.0, np.array([0.0, 2.0])):
-            notes = (
-                wk.EllipticFrictionHeating(
-                    bodies,
-                    medium,
-                    wk.Coulomb(0.35),
-                    wk.Force(factor * onset),
-                    pair,
-                    first_speed=speed,
-                    first_direction=direction,
-                )
-                .solve()
-                .validity
-            )
+            contact = wk.EllipticIndentation(bodies, medium, wk.Force(factor * onset))
+            slides = wk.FrictionHeating(contact, wk.Coulomb(0.35), pair, first_speed=speed, first_direction=direction)
+            notes = slides.solve().validity
             found = next(note for note in notes if note.assumption is wk.Assumption.ELASTIC)
             assert found.standing is standing

@@ -19,7 +19,8 @@ RADIUS = 1e-4
 
 
 def rubbing(bed=BALL, load=None, conductors=PAIR, **others):
-    return wk.FrictionHeating(bed, wk.Coulomb(0.3), load or wk.Radius(RADIUS), conductors, **others).solve()
+    contact = wk.Indentation(bed, load or wk.Radius(RADIUS))
+    return wk.FrictionHeating(contact, wk.Coulomb(0.3), conductors, **others).solve()
 
 
 def speed_at(peclet, body=IRON, radius=RADIUS):
@@ -147,7 +148,7 @@ def test_without_contact_a_fixed_share_stays_and_others_are_those_of_bodies_at_r
         apart = rubbing(load=wk.Depth(-1e-6), first_speed=1.0, partition=partition)
         assert apart.first_share == pytest.approx(wanted, rel=1e-12)
         assert apart.flash_temperature == 0.0
-        begins = wk.TransientHeating(BALL, wk.Coulomb(0.3), wk.Depth(-1e-6), PAIR, 1.0, np.ones(1), partition).solve()
+        begins = wk.TransientHeating(apart.problem.contact, wk.Coulomb(0.3), PAIR, 1.0, np.ones(1), partition).solve()
         assert begins.first_share == pytest.approx(wanted, rel=1e-12)
 
 
@@ -191,17 +192,17 @@ def test_scaling():
 
 def test_only_a_steady_body_at_rest_needs_no_diffusivity():
     unknown = wk.ThermalConductor(conductivity=COPPER.conductivity)
-    bed, law, load, pair = BALL, wk.Coulomb(0.3), wk.Radius(RADIUS), wk.HeatConductors(IRON, unknown)
-    assert wk.FrictionHeating(bed, law, load, pair, first_speed=1.0).solve().flash_temperature == pytest.approx(
-        wk.FrictionHeating(bed, law, load, PAIR, first_speed=1.0).solve().flash_temperature, rel=1e-15
+    law, contact, pair = wk.Coulomb(0.3), wk.Indentation(BALL, wk.Radius(RADIUS)), wk.HeatConductors(IRON, unknown)
+    assert wk.FrictionHeating(contact, law, pair, first_speed=1.0).solve().flash_temperature == pytest.approx(
+        wk.FrictionHeating(contact, law, PAIR, first_speed=1.0).solve().flash_temperature, rel=1e-15
     )
     plated = wk.HeatConductors(IRON, wk.Plated(COPPER, 1e-6, unknown))
     path = wk.Path.oscillation(force=100.0, amplitude=1e-6, cycles=2)
     for make in (
-        lambda: wk.FrictionHeating(bed, law, load, pair, first_speed=0.0, second_speed=np.array([0.0, 1.0])),
-        lambda: wk.FrictionHeating(bed, law, load, plated, first_speed=0.0, second_speed=1.0),
-        lambda: wk.TransientHeating(bed, law, load, pair, speed=1.0, time=[1.0]),
-        lambda: wk.FrettingHeat(wk.Tangential(bed, law, path), 100.0, pair),
+        lambda: wk.FrictionHeating(contact, law, pair, first_speed=0.0, second_speed=np.array([0.0, 1.0])),
+        lambda: wk.FrictionHeating(contact, law, plated, first_speed=0.0, second_speed=1.0),
+        lambda: wk.TransientHeating(contact, law, pair, speed=1.0, time=[1.0]),
+        lambda: wk.FrettingHeat(wk.Tangential(BALL, law, path), 100.0, pair),
     ):
         with pytest.raises(wk.InvalidInput, match="diffusivity of the second body is infinite, or not given"):
             make()
@@ -219,11 +220,14 @@ def test_only_a_steady_body_at_rest_needs_no_diffusivity():
         ({"first_speed": "fast"}, "finite numbers in m/s"),
         ({"first_speed": [1.0, 2.0], "second_speed": [1.0, 2.0, 3.0]}, "do not broadcast"),
         ({"partition": 0.5}, "EqualMaximum"),
-        ({"load": 3.0}, "Force, Depth or Radius"),
+        ({"contact": BALL}, "give Indentation"),
+        ({"second_direction": 1.0}, "a body at rest has no direction"),
     ],
 )
 def test_what_is_refused(change, statements):
-    given = {"bed": BALL, "law": wk.Coulomb(0.3), "load": wk.Force(1.0), "conductors": PAIR, "first_speed": 1.0}
+    given = {
+        "contact": wk.Indentation(BALL, wk.Force(1.0)), "law": wk.Coulomb(0.3), "conductors": PAIR, "first_speed": 1.0,
+    }  # fmt: skip
     with pytest.raises(wk.InvalidInput, match=statements):
         wk.FrictionHeating(**(given | change))
 
@@ -238,7 +242,8 @@ def test_a_share_lies_between_nothing_and_all():
 
 def starting(time, **others):
     given = {"conductors": PAIR, "speed": 1e-3, "load": wk.Radius(RADIUS), "bed": BALL} | others
-    return wk.TransientHeating(law=wk.Coulomb(0.3), time=time, **given).solve()
+    contact = wk.Indentation(given.pop("bed"), given.pop("load"))
+    return wk.TransientHeating(contact, wk.Coulomb(0.3), time=time, **given).solve()
 
 
 @pytest.mark.slow

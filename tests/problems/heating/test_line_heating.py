@@ -21,7 +21,8 @@ EVEN = BandSource(1.0, (), lambda angle: 0.5 * np.cos(angle))
 
 def slid(bed=ROLLER, load=LOAD, first=6.0, second=4.0, bodies=(STEEL, STEEL), **more):
     pair = wk.HeatConductors(*bodies)
-    return wk.LineFrictionHeating(bed, LAW, load, pair, first_speed=first, second_speed=second, **more).solve()
+    pressed = wk.LineIndentation(bed, load)
+    return wk.LineFrictionHeating(pressed, LAW, pair, first_speed=first, second_speed=second, **more).solve()
 
 
 def summed(flux, wave, x, edges):

@@ -18,13 +18,15 @@ GAUSS = np.polynomial.legendre.leggauss(20)
 
 def rubbed(first, speed, second=BASE, bed=BALL, **more):
     pair = wk.HeatConductors(first, second)
-    return wk.FrictionHeating(bed, wk.Coulomb(0.3), wk.Radius(A), pair, first_speed=speed, **more).solve()
+    return wk.FrictionHeating(
+        wk.Indentation(bed, wk.Radius(A)), wk.Coulomb(0.3), pair, first_speed=speed, **more
+    ).solve()
 
 
 def rolled(first, speed=2.0, **more):
     pair = wk.HeatConductors(first, BASE)
-    bed, load = ROLLER, wk.HalfWidth(A)
-    return wk.LineFrictionHeating(bed, wk.Coulomb(0.3), load, pair, first_speed=speed, second_speed=1.0, **more).solve()
+    disc = wk.LineIndentation(ROLLER, wk.HalfWidth(A))
+    return wk.LineFrictionHeating(disc, wk.Coulomb(0.3), pair, first_speed=speed, second_speed=1.0, **more).solve()
 
 
 def composed(cuts):
@@ -136,6 +138,8 @@ def test_bodies_share_the_heat_by_the_rules_of_blok_and_jaeger():
 def test_what_follows_no_platings_says_so():
     pair = wk.HeatConductors(wk.Plated(COAT, A, BASE), BASE)
     with pytest.raises(wk.InvalidInput, match="TransientHeating: the bodies are Plated and ThermalConductor"):
-        wk.TransientHeating(BALL, wk.Coulomb(0.3), wk.Radius(A), pair, speed=0.1, time=[1.0])
+        wk.TransientHeating(wk.Indentation(BALL, wk.Radius(A)), wk.Coulomb(0.3), pair, speed=0.1, time=[1.0])
     with pytest.raises(wk.InvalidInput, match="or Plated made of it"):
-        wk.FrictionHeating(BALL, wk.Coulomb(0.3), wk.Radius(A), wk.HeatConductors(BASE, wk.Rod(BASE, 1.0, 1.0)), 1.0)
+        wk.FrictionHeating(
+            wk.Indentation(BALL, wk.Radius(A)), wk.Coulomb(0.3), wk.HeatConductors(BASE, wk.Rod(BASE, 1.0, 1.0)), 1.0
+        )

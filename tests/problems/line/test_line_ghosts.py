@@ -48,7 +48,7 @@ SLIPS = numbers("half_width", "stick_half_width", "slip_shift", "dissipation_per
 
 def heated(bed):
     pair = wk.HeatConductors(STEEL, STEEL)
-    return wk.LineFrictionHeating(bed, MU, LOAD, pair, first_speed=3e-5, second_speed=1e-5).solve()
+    return wk.LineFrictionHeating(wk.LineIndentation(bed, LOAD), MU, pair, first_speed=3e-5, second_speed=1e-5).solve()
 
 
 def fretted(bed):
@@ -137,7 +137,11 @@ def test_all_problems_of_lines_are_walked():
         for name in wk.__all__
         if dataclasses.is_dataclass(kind := getattr(wk, name))
         and hasattr(kind, "solve")
-        and any(field.name == "bed" and "LineFoundation" in str(field.type) for field in dataclasses.fields(kind))
+        and any(
+            (field.name == "bed" and "LineFoundation" in str(field.type))
+            or (field.name == "contact" and str(field.type).startswith("LineIndentation["))
+            for field in dataclasses.fields(kind)
+        )
     }
     assert found == {name.split(",")[0] for name in PROBLEMS} | set(NOT_FOR_GHOSTS)
 

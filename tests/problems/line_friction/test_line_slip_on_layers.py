@@ -163,7 +163,7 @@ def test_heat_of_a_line_that_slides_on_layers(contrast, a):
     first, second = wk.ThermalConductor(2.0, 0.5), wk.ThermalConductor(1.0, 1.0)
     bed = wk.LayeredLineFoundation(CYLINDER, coating(contrast))
     found = wk.LineFrictionHeating(
-        bed, wk.Coulomb(MU), wk.LineForce(of.load), wk.HeatConductors(first, second),
+        wk.LineIndentation(bed, wk.LineForce(of.load)), wk.Coulomb(MU), wk.HeatConductors(first, second),
         first_speed=3.0 / a, second_speed=0.0, partition=wk.FixedShare(1.0),
     ).solve()  # fmt: skip
     pressure = np.polynomial.chebyshev.Chebyshev.fit(of.s / a, of.p, 40)
@@ -182,7 +182,8 @@ def test_heat_of_a_line_that_slides_on_layers(contrast, a):
         return total / (np.pi * 2.0)
 
     np.testing.assert_allclose(found.first.temperature(x), [warmed(place) for place in x], rtol=1e-6)
-    plain = dataclasses.replace(found.problem, bed=wk.LineFoundation(CYLINDER, wk.HalfSpace(solid()))).solve()
+    pressed = wk.LineIndentation(wk.LineFoundation(CYLINDER, wk.HalfSpace(solid())), wk.LineForce(of.load))
+    plain = dataclasses.replace(found.problem, contact=pressed).solve()
     assert found.flash_temperature != pytest.approx(plain.flash_temperature, rel=5e-3)
 
 
@@ -202,8 +203,9 @@ def test_current_through_a_line_on_layers_converges_on_their_strip(contrast, a):
 def test_friction_drags_a_layer_away_that_slides_on_what_lies_below_it():
     bed = wk.LayeredLineFoundation(CYLINDER, wk.SlidingFilm([wk.Layer(solid(), 1.0)], solid(0.1)))
     pair = wk.HeatConductors(wk.ThermalConductor(2.0, 0.5), wk.ThermalConductor(1.0, 1.0))
+    pressed = wk.LineIndentation(bed, wk.LineForce(0.1))
     with pytest.raises(wk.OutsideValidity, match="slides on what lies below it and bears no shear"):
-        wk.LineFrictionHeating(bed, wk.Coulomb(MU), wk.LineForce(0.1), pair, first_speed=1.0, second_speed=2.0)
+        wk.LineFrictionHeating(pressed, wk.Coulomb(MU), pair, first_speed=1.0, second_speed=2.0)
 
 
 def test_anisotropic_layers_slip_as_isotropic_ones_where_they_are_and_by_their_own_constants_elsewhere():

@@ -109,7 +109,7 @@ def test_heating_slides():
     """A body that rubs slides: what makes heat makes it yield."""
     metal = wk.ThermalConductor(50.0, 1e-5)
     rubbed = wk.FrictionHeating(
-        ball(), wk.Coulomb(0.6), wk.Force(0.6 * hertz(1.0)), wk.HeatConductors(metal, metal), 1.0
+        wk.Indentation(ball(), wk.Force(0.6 * hertz(1.0))), wk.Coulomb(0.6), wk.HeatConductors(metal, metal), 1.0
     )
     assert statement(rubbed.solve()).standing is wk.Standing.OUTSIDE
 

@@ -162,9 +162,8 @@ def test_hertz_against_one_share_for_the_whole_contact(first, second, part):
     warm = wk.SurfaceFrictionHeating(load, STEELS, first, second).solve()
     medium = elastic(82e9, 0.3)
     radius = (1e-3) ** 3 * 4.0 * medium.modulus / (3.0 * load.force)
-    rule = wk.EllipticFrictionHeating(
-        wk.CurvedBodies(radius, radius), medium, wk.Coulomb(0.2), wk.Force(load.force), STEELS, first, second
-    ).solve()
+    pressed = wk.EllipticIndentation(wk.CurvedBodies(radius, radius), medium, wk.Force(load.force))
+    rule = wk.FrictionHeating(pressed, wk.Coulomb(0.2), STEELS, first, second).solve()
     assert math.isclose(warm.heat_rate, rule.heat_rate, rel_tol=1e-12)
     assert math.isclose(warm.max_temperature, rule.flash_temperature, rel_tol=part)
     assert math.isclose(warm.first_share, rule.first_share, rel_tol=part)
@@ -184,13 +183,14 @@ def test_ellipses_on_layers_heat_by_the_pixels_of_their_pressure(young):
     pressure = pressed.pressure(x[:, None], y[None, :])
     maps = wk.SurfaceLoad(pressure, sides, x_traction=-friction * pressure)
     warm = wk.SurfaceFrictionHeating(maps, insulated, 2.0).solve()
-    once = wk.EllipticFrictionHeating(bodies, coat, wk.Coulomb(friction), load, insulated, 2.0).solve()
+    once = wk.FrictionHeating(pressed.problem, wk.Coulomb(friction), insulated, 2.0).solve()
     assert warm.heat_rate == pytest.approx(once.heat_rate, rel=2e-3)
     assert warm.max_temperature == pytest.approx(once.flash_temperature, rel=3e-3)
     place = warm.x - 0.5 * sides[0], warm.y - 0.5 * sides[1]
     assert place == pytest.approx((once.first.warmest.x, once.first.warmest.y), abs=0.6 * sides[1] / 64)
     half = wk.HalfSpace.between(solid, solid)
-    bare = wk.EllipticFrictionHeating(bodies, half, wk.Coulomb(friction), load, insulated, 2.0).solve()
+    bare = wk.EllipticIndentation(bodies, half, load)
+    bare = wk.FrictionHeating(bare, wk.Coulomb(friction), insulated, 2.0).solve()
     assert (once.flash_temperature > 1.05 * bare.flash_temperature) == (young > solid.young)
 
 

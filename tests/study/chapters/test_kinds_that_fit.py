@@ -155,8 +155,8 @@ def test_a_problem_on_a_bed_says_whether_it_needs_a_disc():
 def test_no_pair_of_curvatures_is_rubbed():
     """The case of the issue: it was taken, and ended in solve() by an AttributeError."""
     heat = wk.HeatConductors(wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(45.0, 12e-6))
-    with pytest.raises(InvalidInput, match="FrictionHeating: the bed is a CurvedBodies; give a bed, such as Found"):
-        wk.FrictionHeating(wk.CurvedBodies(1e-2, 1e-3), wk.Coulomb(0.1), wk.Force(10.0), heat, 1.0)
+    with pytest.raises(InvalidInput, match="FrictionHeating: the contact is a CurvedBodies; give Indentation"):
+        wk.FrictionHeating(wk.CurvedBodies(1e-2, 1e-3), wk.Coulomb(0.1), heat, 1.0)
 
 
 def test_what_a_written_bed_lacks_is_named():

@@ -72,11 +72,14 @@ class BandSource:
         Angles from 0 to below pi/2 at which the flux is not smooth.
     flux : Curve
         The flux times a cos(angle) [W/m], at angles of which the sine is x/a; the same on both sides.
+    sharp : bool
+        Whether the flux grows without bound towards a rim.
     """
 
     half_width: float
     joints: tuple[float, ...]
     flux: Curve
+    sharp: bool = False
 
     def surface(self, wave: float, x: Array) -> Array:
         """Return lambda T [W/m] on the surface.
@@ -99,6 +102,13 @@ class BandSource:
         forth = math.copysign(1.0, wave)
         best = warmest_of_band(lambda x: self.surface(abs(wave), x), self.half_width)
         return BandPeak(best.height, forth * best.x)
+
+    def fast(self) -> float:
+        """Return what the greatest lambda T times the root of V / kappa tends to in fast motion [W/m^(3/2)].
+
+        Infinite at a rim.
+        """
+        return math.inf if self.sharp else self.peak(FAST).height
 
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the strip [W/m]; `wave` as of `surface`, but finite."""

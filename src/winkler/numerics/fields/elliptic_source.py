@@ -19,16 +19,23 @@ greatest value.
 
 from __future__ import annotations
 
+import dataclasses
+import functools
 import math
 
 import numpy as np
 
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.round_source import line_source
+from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["EllipticSource", "PeakPlace"]
+__all__ = ["FAST_HEIGHT", "EllipticSource"]
 
+FAST_HEIGHT = 1.2346198309610955
+"""Greatest integral of sqrt(1 - s^2)/sqrt(pi (t - s)) from -1 to t, at t = 0.652: Hertz' flux in fast motion."""
 NODES = 20
 LENGTH_RATIO = 3.0
 """Ratio of the widths of consecutive pieces beside a direction in which the integrand changes fast."""
@@ -38,23 +45,6 @@ SETTLED = 1e-9
 """Step over the semi-axes at which the place of the greatest temperature is known: its height to the square of it."""
 CHUNK = 200_000
 """Directions times places that are computed at once."""
-
-
-@value
-class PeakPlace:
-    """The greatest temperature under an elliptic source, and its place.
-
-    Parameters
-    ----------
-    height : float
-        Conductivity times temperature [W/m].
-    x, y : float
-        Where [m], along and across the first semi-axis.
-    """
-
-    height: float
-    x: float
-    y: float
 
 
 @value
@@ -70,17 +60,39 @@ class EllipticSource:
     along: float
     across: float
 
-    def surface(self, wave: float, angle: float, x: Array, y: Array) -> Array:
+    @functools.cached_property
+    def ball(self) -> LineSource:
+        """The round source whose line load, stretched, is that of every direction."""
+        unit, radius = _hertz(), max(self.along, self.across)
+        return dataclasses.replace(unit, radius=radius, scale=unit.scale / radius)
+
+    def half_length(self, angle: float) -> float:
+        """Return how far the source reaches at an angle [rad] from its middle [m]."""
+        a, b = self.along, self.across
+        return a * b / math.hypot(b * math.cos(angle), a * math.sin(angle))
+
+    def half_width(self, angle: Array) -> Array:
+        """Return half the width [m] of the line loads in directions [rad]."""
+        return np.hypot(self.along * np.cos(angle), self.across * np.sin(angle))
+
+    def narrow_directions(self, angle: float) -> list[float]:
+        """Return directions near which line loads change fast, from that of the motion on, up to a quarter turn."""
+        away = (angle + (0.0 if self.along < self.across else 0.5 * math.pi)) % math.pi
+        middle, slim = min(away, math.pi - away), min(self.along, self.across) / max(self.along, self.across)
+        near = (middle + sign * gap for gap in (0.0, *_growing(slim, 0.5 * math.pi)) for sign in (-1.0, 1.0))
+        return [direction for direction in near if 0.0 < direction < 0.5 * math.pi]
+
+    def surface(self, wave: float, x: Array, y: Array, angle: float = 0.0) -> Array:
         """Return lambda T [W/m] on the surface.
 
         Parameters
         ----------
         wave : float
             V / kappa [1/m], of either sign; zero at rest.
-        angle : float
-            Direction of V [rad], from x.
         x, y : ndarray
             Places [m], of one shape.
+        angle : float
+            Direction of V [rad], from x.
         """
         flat_x, flat_y = np.ravel(np.asarray(x, dtype=float)), np.ravel(np.asarray(y, dtype=float))
         inside = (flat_x / self.along) ** 2 + (flat_y / self.across) ** 2 <= 1.0
@@ -96,7 +108,7 @@ class EllipticSource:
             result[place] = self._sums(wave, angle, theta, flat_x[[place]], flat_y[[place]])[0][0] @ share
         return result.reshape(np.shape(x))
 
-    def peak(self, wave: float, angle: float) -> PeakPlace:
+    def peak(self, wave: float, angle: float = 0.0) -> PeakTemperature:
         """Return the greatest lambda T and its place; parameters as of `surface`."""
         theta, share = self._directions(wave, angle)
         scale, place = np.array([self.along, self.across]), np.zeros(2)
@@ -107,7 +119,7 @@ class EllipticSource:
             return float(value[0] @ share)
 
         if wave == 0.0:
-            return PeakPlace(height(place), 0.0, 0.0)
+            return PeakTemperature(height(place), 0.0, 0.0)
         best = height(place)
         for _ in range(NEWTON_STEPS):
             _, slope, bend = self._sums(wave, angle, theta, *(scale * place)[:, None])
@@ -122,9 +134,13 @@ class EllipticSource:
             best, place = there, place + part * step
             if float(np.hypot(*(part * step))) < SETTLED:
                 break
-        return PeakPlace(best, float(scale[0] * place[0]), float(scale[1] * place[1]))
+        return PeakTemperature(best, float(scale[0] * place[0]), float(scale[1] * place[1]))
 
-    def mean(self, wave: float, angle: float) -> float:
+    def fast(self, angle: float = 0.0) -> float:
+        """Return what the greatest lambda T times the root of V / kappa tends to in fast motion [W m^-3/2]."""
+        return FAST_HEIGHT * 1.5 / (math.pi * self.along * self.across) * math.sqrt(self.half_length(angle))
+
+    def mean(self, wave: float, angle: float = 0.0) -> float:
         """Return the mean of lambda T over the ellipse [W/m]; parameters as of `surface`."""
         theta, share = self._directions(wave, angle)
         width, rate = self._seen(wave, angle, theta)
@@ -139,10 +155,52 @@ class EllipticSource:
         chord = 2.0 / math.pi * np.sin(turn) ** 2 * part
         return float(share @ ((load @ chord) / width))
 
+    def risen(self, length: float, x: Array, y: Array | float = 0.0) -> Array:
+        """Return lambda T [W/m] on a body at rest whose source has been on for a time; as of `LineSource.risen`."""
+        along, across = (np.ravel(place) for place in np.broadcast_arrays(x / self.along, y / self.across))
+        far, turn = np.hypot(along, across), np.arctan2(across, along)
+        found = np.empty(far.size)
+        for place, (distance, angle) in enumerate(zip(far, turn, strict=True)):
+            tangent = math.acos(1.0 / distance) if distance > 1.0 else 0.5 * math.pi
+            phi, reach, share = self._stretched({angle + sign * tangent for sign in (-1.0, 1.0)})
+            loads = _hertz().spread(length / reach, np.abs(distance * np.cos(phi - angle)))
+            found[place] = loads @ share
+        return found.reshape(np.broadcast_shapes(np.shape(x), np.shape(y)))
+
+    def risen_peak(self, length: float) -> float:
+        """Return the greatest lambda T [W/m] of `risen`, that in the middle."""
+        return float(self.risen(length, np.zeros(1))[0])
+
+    def risen_mean(self, length: float) -> float:
+        """Return the mean of lambda T over the ellipse [W/m], of `risen`."""
+        _, reach, share = self._stretched(set())
+        turn, weight = (0.5 * math.pi * part for part in gauss_legendre(NODES))
+        lengths, places = np.repeat(length / reach, NODES), np.tile(np.sin(turn), reach.size)
+        loads = _hertz().spread(lengths, places).reshape(reach.size, NODES)
+        return float(share @ (loads @ (4.0 / math.pi * np.cos(turn) ** 2 * weight)))
+
+    def _stretched(self, cuts: set[float]) -> tuple[Array, Array, Array]:
+        """Return directions phi of the ellipse stretched to a circle, h [m] in them, and weights of a mean [1/m].
+
+        There a place is seen at the part rho cos(phi - phi_0) of h, and the mean over directions is that of
+        q h^2/(a b).  Pieces grow from the direction of the longer axis, and end at the `cuts`.
+        """
+        slim = min(self.along, self.across) / max(self.along, self.across)
+        centres = [0.5 * k * math.pi for k in (range(0, 3, 2) if self.along > self.across else range(1, 2))]
+        near = (
+            centre + sign * gap for centre in centres for gap in (0.0, *_growing(slim, math.pi)) for sign in (-1, 1)
+        )
+        every = {0.0, 0.5 * math.pi, *(cut % math.pi for cut in cuts), *(cut for cut in near if 0.0 < cut < math.pi)}
+        ordered = np.array([*sorted(every), math.pi])
+        node, weight = gauss_legendre(NODES)
+        width = np.diff(ordered)[:, None]
+        phi, share = (ordered[:-1, None] + width * node).ravel(), (width * weight).ravel()
+        reach = 1.0 / np.hypot(np.cos(phi) / self.along, np.sin(phi) / self.across)
+        return phi, reach, share * reach / (2.0 * math.pi * self.along * self.across)
+
     def _seen(self, wave: float, angle: float, theta: Array) -> tuple[Array, Array]:
         """Return h [m] and b [1/m] in directions."""
-        width = np.hypot(self.along * np.cos(theta), self.across * np.sin(theta))
-        return width, np.abs(wave * np.cos(theta - angle))
+        return self.half_width(theta), np.abs(wave * np.cos(theta - angle))
 
     def _directions(self, wave: float, angle: float, place: tuple[float, float] | None = None) -> tuple[Array, Array]:
         """Return directions over half a turn, those of the motion in the middle, and weights of a mean over them.
@@ -188,6 +246,12 @@ class EllipticSource:
         if np.any(behind > 0.0):
             load = load - _lagged(0.5 * rate * width * behind, behind, part)[0]
         return load / width, forth * slope / width**2, bend / width**3
+
+
+@functools.cache
+def _hertz() -> LineSource:
+    """Return 1 W under Hertz' pressure on the disc of 1 m."""
+    return line_source(lambda x: 0.75 * (1.0 - x**2), [], 1.0)
 
 
 def _lagged(z: Array, ahead: Array, part: Array) -> tuple[Array, Array, Array]:

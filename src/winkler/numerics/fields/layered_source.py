@@ -16,8 +16,15 @@ __all__ = ["echoed_points"]
 
 
 @compiled
-def _folded(s: float, load: tuple[Array, Array, Array], marks: Array, rows: Array, rule: tuple[Array, Array]) -> float:
-    """Return the integral of q(s - z) times the echo over z; `rows` (2, panels, n) as powers."""
+def _folded(
+    s: float,
+    width: float,
+    load: tuple[Array, Array, Array],
+    marks: Array,
+    rows: Array,
+    rule: tuple[Array, Array],
+) -> float:
+    """Return the integral of q(s - z) times the echo over z, in widths; `rows` (2, panels, n) as powers."""
     joints, edges, table = load
     nodes, weights = rule
     total = 0.0
@@ -26,7 +33,7 @@ def _folded(s: float, load: tuple[Array, Array, Array], marks: Array, rows: Arra
         # z = sign d, and -1 < s - z < 1
         nearest, farthest = max(sign * s - 1.0, 0.0), sign * s + 1.0
         for p in range(marks.size - 1):
-            low, high = max(marks[p], nearest), min(marks[p + 1], farthest)
+            low, high = max(marks[p] / width, nearest), min(marks[p + 1] / width, farthest)
             while low < high:
                 end = high
                 for joint in joints[:-1]:
@@ -36,7 +43,7 @@ def _folded(s: float, load: tuple[Array, Array, Array], marks: Array, rows: Arra
                 part = 0.0
                 for n in range(nodes.size):
                     d = low + (end - low) * nodes[n]
-                    echo = panel_value(d, marks[p : p + 2], rows[side, p : p + 1])
+                    echo = panel_value(width * d, marks[p : p + 2], rows[side, p : p + 1])
                     part += weights[n] * echo * line_load(s - sign * d, joints, edges, table)
                 total += (end - low) * part
                 low = end
@@ -49,21 +56,27 @@ def echoed_points(
     y: Array,
     directions: Array,
     shares: Array,
+    widths: Array,
     load: tuple[Array, Array, Array],
     marks: Array,
     rows: Array,
     rule: tuple[Array, Array],
     result: Array,
 ) -> None:
-    """Write what the echo adds to lambda T, over the scale of q, into `result`, at x and y, (n,), in contact radii.
+    """Write what the echo adds to lambda T, over the scale of q, into `result`, at x and y, (n,), in radii of the ball.
 
-    `directions` and `shares` are nodes and weights of a rule from 0 to a quarter turn, `rows` the echo on each.
+    `directions` and `shares` are nodes and weights of a rule from 0 to a quarter turn, `rows` the echo on each, and
+    `widths`, (2, m), those of the line loads at either side of the motion.
     """
     for i in range(x.size):
         total = 0.0
         for j in range(directions.size):
             along, across = math.cos(directions[j]) * x[i], math.sin(directions[j]) * y[i]
-            part = _folded(along + across, load, marks, rows[j], rule)
-            part += part if across == 0.0 else _folded(along - across, load, marks, rows[j], rule)
+            left, right = widths[0, j], widths[1, j]
+            part = _folded((along + across) / left, left, load, marks, rows[j], rule)
+            if across == 0.0 and left == right:
+                part += part
+            else:
+                part += _folded((along - across) / right, right, load, marks, rows[j], rule)
             total += shares[j] * part
         result[i] = total / (2.0 * math.pi)

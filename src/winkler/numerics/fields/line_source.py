@@ -21,7 +21,7 @@ import numpy as np
 from winkler.numerics.fields.disc_mean import disc_mean
 from winkler.numerics.fields.moving_source import spread_loads, surface_points
 from winkler.numerics.fields.source_tables import cosine_rule, lag_table, powers, spread_table
-from winkler.numerics.fields.warmest_place import LEAST_TEMPERATURE_GAIN, PeakTemperature, warmest_place
+from winkler.numerics.fields.warmest_place import LEAST_TEMPERATURE_GAIN, PeakTemperature, turned, warmest_place
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.cosine_pieces import cosine_places, place_on
 from winkler.numerics.types import Array, Curve
@@ -35,6 +35,10 @@ TIME_NODES = 20
 ROUGH_TOLERANCE = 1e-6
 """Of the greatest line load, to which circles are compared before the warmest are computed in full."""
 CIRCLE_SAMPLES = 65
+SEARCH_CIRCLES = 33
+"""Circles on which the greatest temperature is sought where the flux does not fall from the axis on."""
+FAST_PECLET = 1e6
+"""V a / kappa at which the limit of fast sliding is taken: it is met to about 1e-6."""
 
 
 @value
@@ -51,12 +55,15 @@ class LineSource:
         Where the line load is not smooth, from 0 to 1 [a].
     curve : Panels
         q over `scale`, as a function of j + u, where x lies on the j-th piece at the part (1 - cos(pi u))/2.
+    sharp : bool
+        Whether the flux grows without bound towards the edge.
     """
 
     radius: float
     scale: float
     joints: Array
     curve: Panels
+    sharp: bool = False
 
     def load(self, x: Array) -> Array:
         """q(x) [W/m], zero outside."""
@@ -88,8 +95,25 @@ class LineSource:
         bend = np.max(-np.diff(load, 2)) * (CIRCLE_SAMPLES - 1) ** 2
         return bool(load[-1] <= LEAST_TEMPERATURE_GAIN and 2.0 * bend <= last)
 
-    def surface(self, wave: float, x: Array, y: Array) -> Array:
-        """Return lambda T [W/m] on a body that moves along x past the source.
+    @property
+    def ball(self) -> LineSource:
+        """The round source whose line load, stretched, is that of every direction: itself."""
+        return self
+
+    def half_length(self, angle: float) -> float:
+        """Return how far the source reaches at an angle [rad] from its middle [m]."""
+        return self.radius
+
+    def narrow_directions(self, angle: float) -> list[float]:
+        """Return directions near which line loads change fast, from that of the motion on, up to a quarter turn."""
+        return []
+
+    def half_width(self, angle: Array) -> Array:
+        """Return half the width [m] of the line loads in directions [rad]."""
+        return np.full(angle.shape, self.radius)
+
+    def surface(self, wave: float, x: Array, y: Array, angle: float = 0.0) -> Array:
+        """Return lambda T [W/m] on a body that moves past the source.
 
         Parameters
         ----------
@@ -97,34 +121,57 @@ class LineSource:
             V / kappa [1/m]; negative if it moves backwards.
         x, y : ndarray
             Places [m], of one shape; the source is centred at 0.
+        angle : float
+            Of the motion to x [rad].
         """
-        forth = math.copysign(1.0, wave)
-        flat, across = (np.ascontiguousarray(np.ravel(place) / self.radius) for place in (forth * x, y))
+        forth, (along, beside) = math.copysign(1.0, wave), turned(x, y, -angle)
+        flat, across = (np.ascontiguousarray(np.ravel(place) / self.radius) for place in (forth * along, beside))
         result = np.empty(flat.size)
         surface_points(flat, across, abs(wave) * self.radius, (*self.table, *lag_table(), *cosine_rule()), result)
         return np.asarray(self.scale * result.reshape(np.shape(x)))
 
-    def mean(self, wave: float) -> float:
-        """Return the mean of lambda T over the disc [W/m], on a body that moves."""
+    def mean(self, wave: float, angle: float = 0.0) -> float:
+        """Return the mean of lambda T over the disc [W/m], on a body that moves at whatever angle."""
         return disc_mean(abs(wave) * self.radius, self.joints, lambda part: self.load(self.radius * part))
 
-    def peak(self, wave: float) -> PeakTemperature:
-        """Return the greatest lambda T on a body that moves, and its place."""
+    def peak(self, wave: float, angle: float = 0.0) -> PeakTemperature:
+        """Return the greatest lambda T on a body that moves, and its place; parameters as of `surface`."""
         if wave == 0.0 and self.fading:
             return PeakTemperature(0.5 * float(self.load(np.zeros(1))[0]), 0.0, 0.0)
-        return warmest_place(functools.partial(self.surface, wave), self.radius, self.fading, rests=wave == 0.0)
+        along = functools.partial(self.surface, wave)
+        return warmest_place(along, self.radius, self.fading, rests=wave == 0.0).turned(angle)
 
-    def risen(self, length: float, r: Array) -> Array:
-        """Return lambda T [W/m] at distances r [m] on a body at rest whose source has been on for a time.
+    def fast(self, angle: float = 0.0) -> float:
+        """Return what the greatest lambda T times the root of V / kappa tends to in fast motion [W m^-3/2].
+
+        Heat then only flows into the body: behind every point of the rim the temperature grows as over a plane under
+        the flux that has passed, and the greatest on the centre line counts.  Infinite behind a sharp edge, where the
+        flux, like an inverse square root, meets that of the lag.
+        """
+        if self.sharp:
+            return math.inf
+        return self.peak(FAST_PECLET / self.radius).height * math.sqrt(FAST_PECLET / self.radius)
+
+    def risen(self, length: float, x: Array, y: Array | float = 0.0) -> Array:
+        """Return lambda T [W/m] on a body at rest whose source has been on for a time.
 
         Parameters
         ----------
         length : float
             sqrt(kappa t) [m], positive.
-        r : ndarray
-            Distances from the axis [m].
+        x, y : ndarray
+            Places [m].
         """
-        return self._around(r, lambda places: self._spread(length / self.radius, places))
+        return self._around(np.hypot(x, y), lambda places: self.spread(length / self.radius, places))
+
+    def risen_peak(self, length: float) -> float:
+        """Return the greatest lambda T [W/m] within the contact, of `risen`.
+
+        It is on the axis if the flux falls from there, else on the warmest of many circles.
+        """
+        if self.fading:
+            return float(self.risen(length, np.zeros(1))[0])
+        return self.warmest(length, self.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, SEARCH_CIRCLES)))
 
     def warmest(self, length: float, r: Array) -> float:
         """Return the greatest lambda T [W/m] on circles r [m] within the contact; `length` as in `risen`.
@@ -134,7 +181,7 @@ class LineSource:
 
         def spread(place: Array) -> Array:
             places = place_on(place, self.joints)
-            return self._spread(length / self.radius, np.ravel(places)).reshape(places.shape) / self.scale
+            return self.spread(length / self.radius, np.ravel(places)).reshape(places.shape) / self.scale
 
         table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH_TOLERANCE)
         heights = self._around(r, lambda places: self.scale * table(cosine_places(places, self.joints)))
@@ -163,11 +210,12 @@ class LineSource:
         node, weight = cosine_rule(TIME_NODES)
         low, width = self.joints[:-1, None], np.diff(self.joints)[:, None]
         places, shares = (low + width * node).ravel(), (width * weight).ravel()
-        loads = self._spread(length / self.radius, places)
+        loads = self.spread(length / self.radius, places)
         return 2.0 * float(np.sum(np.sqrt(1.0 - places**2) * loads * shares)) / math.pi
 
-    def _spread(self, length: float, s: Array) -> Array:
-        """Return q_t [W/m] at places s >= 0, in contact radii, (n,)."""
+    def spread(self, length: Array | float, s: Array) -> Array:
+        """Return q_t [W/m] at places s >= 0, (n,), both in contact radii."""
         result = np.empty(s.size)
-        spread_loads(s, length, (*self.table, *spread_table(), *cosine_rule(TIME_NODES)), result)
+        lengths = np.ascontiguousarray(np.broadcast_to(length, s.shape), dtype=float)
+        spread_loads(s, lengths, (*self.table, *spread_table(), *cosine_rule(TIME_NODES)), result)
         return self.scale * result

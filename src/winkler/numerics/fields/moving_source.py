@@ -121,12 +121,13 @@ def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
 
 
 @compiled
-def spread_loads(s: Array, length: float, source: Source, result: Array) -> None:
-    """Write q_t at places s, (n,), into `result`: at rest, on for a time, `length` is sqrt(kappa t) over a."""
+def spread_loads(s: Array, lengths: Array, source: Source, result: Array) -> None:
+    """Write q_t at places s, (n,), into `result`: at rest, on for a time, `lengths`, (n,), are sqrt(kappa t) over a."""
     joints, edges, rows, near, spreads, series, nodes, weights = source
     cuts = np.empty(MOST_CUTS)
-    scale = 1.0 / (length * math.pi**1.5)
     for i in range(s.size):
+        length = lengths[i]
+        scale = 1.0 / (length * math.pi**1.5)
         count = 2
         cuts[0] = -1.0
         cuts[1] = 1.0

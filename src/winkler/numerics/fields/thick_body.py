@@ -3,35 +3,58 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Hashable
+from typing import Protocol
 
 from winkler.numerics.fields.band_source import BandPeak, BandSource
-from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["ThickBand", "ThickBody"]
+__all__ = ["Source", "ThickBand", "ThickBody"]
+
+
+class Source(Hashable, Protocol):
+    """Where 1 W enters the surface of a body that moves past it at an angle: lambda T of a thick one."""
+
+    def half_length(self, angle: float) -> float:
+        """Return how far the source reaches at an angle [rad] from its middle [m]."""
+
+    def surface(self, wave: float, x: Array, y: Array, angle: float = 0.0) -> Array:
+        """Return lambda T [W/m] at places [m]; `wave` is V / kappa [1/m]."""
+
+    def peak(self, wave: float, angle: float = 0.0) -> PeakTemperature:
+        """Return the greatest lambda T and its place."""
+
+    def mean(self, wave: float, angle: float = 0.0) -> float:
+        """Return the mean of lambda T over the contact [W/m]."""
+
+    def fast(self, angle: float = 0.0) -> float:
+        """Return what the greatest lambda T times the root of V / kappa tends to in fast motion [W m^-3/2]."""
 
 
 @value
 class ThickBody:
-    """A thick body under a round source.
+    """A thick body under a source.
 
     Parameters
     ----------
-    source : LineSource
+    source : Source
     conductivity : float
         [W/(m K)].
     diffusivity : float
         [m^2/s].
     speed : float
         [m/s].
+    direction : float
+        Angle of the velocity to x [rad].
     """
 
-    source: LineSource
+    source: Source
     conductivity: float
     diffusivity: float
     speed: float
+    direction: float = 0.0
 
     @property
     def _wave(self) -> float:
@@ -39,18 +62,18 @@ class ThickBody:
 
     def surface(self, x: Array, y: Array) -> Array:
         """Return the temperature [K] at places [m]."""
-        return self.source.surface(self._wave, x, y) / self.conductivity
+        return self.source.surface(self._wave, x, y, self.direction) / self.conductivity
 
     @functools.cached_property
     def peak(self) -> PeakTemperature:
         """The greatest temperature [K], and its place."""
-        peak = self.source.peak(self._wave)
+        peak = self.source.peak(self._wave, self.direction)
         return PeakTemperature(peak.height / self.conductivity, peak.x, peak.y)
 
     @functools.cached_property
     def mean(self) -> float:
         """Mean temperature over the contact [K]."""
-        return self.source.mean(self._wave) / self.conductivity
+        return self.source.mean(self._wave, self.direction) / self.conductivity
 
 
 @value

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Quantity
 from winkler.values.value import value
 
-__all__ = ["LEAST_TEMPERATURE_GAIN", "PeakTemperature", "warmest_place"]
+__all__ = ["LEAST_TEMPERATURE_GAIN", "PeakTemperature", "turned", "warmest_place", "warmest_within"]
 
 FIRST_POINTS = 9
 """Places along the centre line where the greatest temperature is searched for first."""
@@ -40,6 +41,24 @@ class PeakTemperature:
     height: float
     x: float
     y: float
+
+    def turned(self, angle: float) -> PeakTemperature:
+        """Return the same of a body that moves at an angle [rad]."""
+        if angle == 0.0:
+            return self
+        return PeakTemperature(self.height, *(float(place) for place in turned(self.x, self.y, angle)))
+
+    def times(self, factor: float) -> PeakTemperature:
+        """Return the same of a source that is so many times as strong, or of a body that conducts so much less."""
+        return PeakTemperature(factor * self.height, self.x, self.y)
+
+
+def turned(x: Quantity, y: Quantity, angle: float) -> tuple[Quantity, Quantity]:
+    """Return places turned by an angle [rad]; the same numbers where it is zero."""
+    if angle == 0.0:
+        return x, y
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return x * cosine - y * sine, x * sine + y * cosine
 
 
 def warmest_place(surface: Surface, radius: float, fading: bool, rests: bool) -> PeakTemperature:
@@ -73,6 +92,34 @@ def warmest_place(surface: Surface, radius: float, fading: bool, rests: bool) ->
     return on_line
 
 
+def warmest_within(surface: Surface, axes: tuple[float, float], rests: bool) -> PeakTemperature:
+    """Return the greatest temperature within an ellipse, and its place, of a flux that falls from the middle on.
+
+    Parameters
+    ----------
+    surface : Surface
+        Temperature at places [m].
+    axes : tuple of float
+        Semi-axes along x and y [m].
+    rests : bool
+        Whether the body rests: the middle is the warmest then, as of every flux and body alike to both sides.
+    """
+
+    def stretched(x: Array, y: Array) -> Array:
+        return surface(axes[0] * x, axes[1] * y)
+
+    middle = PeakTemperature(float(stretched(np.zeros(1), np.zeros(1))[0]), 0.0, 0.0)
+    if rests:
+        return middle
+    turn = np.linspace(0.0, 2.0 * np.pi, 17)[:-1]
+    x, y = (np.outer(CIRCLE_RADII, along(turn)).ravel() for along in (np.cos, np.sin))
+    heights = stretched(x, y)
+    best = int(np.argmax(heights))
+    warm = PeakTemperature(float(heights[best]), float(x[best]), float(y[best]))
+    found = _beside(stretched, 1.0, max(middle, warm, key=_height), mirrored=False)
+    return PeakTemperature(found.height, axes[0] * found.x, axes[1] * found.y)
+
+
 def _along_centre(surface: Surface, radius: float) -> PeakTemperature:
     places = -radius * np.cos(np.linspace(0.0, np.pi, FIRST_POINTS))
     heights = surface(places, np.zeros(FIRST_POINTS))
@@ -94,11 +141,13 @@ def _along_centre(surface: Surface, radius: float) -> PeakTemperature:
     )
 
 
-def _beside(surface: Surface, radius: float, start: PeakTemperature) -> PeakTemperature:
+def _beside(surface: Surface, radius: float, start: PeakTemperature, mirrored: bool = True) -> PeakTemperature:
+    """Return the warmest place near a first one; `mirrored` if both sides of the centre line are alike."""
     x, y, step, best = start.x, start.y, 0.2 * radius, start.height
     corners = np.array([(i, j) for i in (-1.0, 0.0, 1.0) for j in (-1.0, 0.0, 1.0) if i or j])
     while step > LEAST_TEMPERATURE_GAIN**0.5 * radius:
-        near_x, near_y = x + step * corners[:, 0], np.abs(y + step * corners[:, 1])
+        near_x, near_y = x + step * corners[:, 0], y + step * corners[:, 1]
+        near_y = np.abs(near_y) if mirrored else near_y
         off = np.maximum(np.hypot(near_x, near_y) / radius, 1.0)  # what lies outside is put onto the rim
         near_x, near_y = near_x / off, near_y / off
         heights = surface(near_x, near_y)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import Any
 
 import numpy as np
 
-from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.heating.over_loads import curves_sheet, refuse_cold
@@ -28,17 +28,20 @@ from winkler.plot.panel import (
 )
 from winkler.plot.series import common_scale, middle_scale, series, with_unit
 from winkler.problems.heating.fretting import FrettingHeatSolution
+from winkler.problems.heating.heat_source import half_lengths
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.steady import FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeatingSolution
+from winkler.problems.normal.indentation import IndentationSolution
 
 __all__ = ["fretting_heat_sheet", "heating_sheet", "transient_heating_sheet"]
 
-RADII_AHEAD, RADII_BEHIND, RADII_BESIDE = 1.8, 3.2, 1.7
-"""Extent of the map in contact radii."""
-COLUMNS, ROWS, REFINEMENT = 49, 15, 4
-"""Points of the map at which the temperature is computed, and refinement of the drawing."""
-POINTS_ALONG = 121
+EXTENT, WAKE = 1.7, 1.5
+"""Half the side of the map over the semi-axes, and how much longer it is where the surface leaves the contact."""
+POINTS, REFINEMENT = 33, 4
+"""Points of the map across the contact at which the temperature is computed, and refinement of the drawing."""
+LENGTHS, POINTS_ALONG = 3.0, 121
+"""Places along the motion: how far they reach over half the contact, and their number."""
 SPEEDS, DECADES_BEYOND = 25, 1.5
 """Number of speeds of the flash temperature curve, and decades below and above the requested one."""
 LEVELS = 12
@@ -53,8 +56,7 @@ RADII_DRAWN = 2.5
 
 @without_extent(FrictionHeatingSolution)
 def heating_sheet(item: FrictionHeatingSolution) -> Sheet:
-    """Return the temperature map of the body with the higher Peclet number, the centre line of both bodies, and the
-    flash temperature over speed.
+    """Return the map of the body with the higher Peclet number, both surfaces along its motion, flash over speed.
 
     For many loads or speeds: flash temperature and heat partition over the varied quantity.
     """
@@ -68,75 +70,82 @@ def heating_sheet(item: FrictionHeatingSolution) -> Sheet:
     flash = with_unit(float(item.flash_temperature), "K")
     faster = item.first if item.first_peclet >= item.second_peclet else item.second
     panels = titled(
-        (_map_panel(faster), _wake_panel(item), _speeds_panel(item)),
-        f"surface of the {'first' if faster == item.first else 'second'} body",
-        "along the middle, contact shaded",
+        (_map_panel(faster), _along_panel(item, faster), _speeds_panel(item)),
+        f"surface of the {'first' if item.first_peclet >= item.second_peclet else 'second'} body",
+        "along its motion, contact shaded",
         "flash temperature over the speed",
     )
     return Sheet(panels, width=4.1, height=3.2, title=f"$T_\\mathrm{{flash}}$ = {flash}{heat_text}   Pe = {fastest}")
 
 
+def _forward(body: HeatedBody) -> float:
+    """Return the angle of the motion to x [rad]."""
+    return body.direction + (math.pi if body.speed < 0.0 else 0.0)
+
+
 def _map_panel(body: HeatedBody) -> Panel:
-    """Return isotherms around the contact; the wake lies at the right if the body moves forwards."""
+    """Return isotherms around the contact and in the wake, which lies where the arrow points."""
     from scipy.interpolate import RectBivariateSpline
 
-    a = body.pressed.radius
-    direction = -1.0 if body.speed < 0.0 else 1.0
-    x = np.sort(direction * np.linspace(-RADII_AHEAD, RADII_BEHIND, COLUMNS)) * a
-    y = np.linspace(0.0, RADII_BESIDE, ROWS) * a
+    assert body.source is not None  # of a contact that is heated
+    forth = np.array([math.cos(_forward(body)), math.sin(_forward(body))])
+    axes = [body.source.half_length(angle) for angle in (0.0, 0.5 * math.pi)]
+    wide, wake = EXTENT * max(axes), (WAKE if body.speed else 0.0) * body.half_length * forth
+    places = []
+    for axis, drawn_out in zip(axes, wake, strict=True):
+        half = max(EXTENT * axis, 0.6 * wide)
+        ends = min(drawn_out, 0.0) - half, max(drawn_out, 0.0) + half
+        places.append(np.linspace(*ends, round(POINTS * (ends[1] - ends[0]) / (2.0 * wide))))
+    x, y = places
     rise = body.temperature(x[:, None], y[None, :])
     fine_x, fine_y = (np.linspace(line[0], line[-1], REFINEMENT * line.size) for line in (x, y))
-    fine = np.maximum(RectBivariateSpline(x, np.concatenate([-y[:0:-1], y]), _mirror(rise))(fine_x, fine_y), 0.0)
-    along, of = series("x", fine_x), series("temperature", _mirror(fine))
+    of = series("temperature", np.maximum(RectBivariateSpline(x, y, rise)(fine_x, fine_y), 0.0))
     bar = PanelAxis("rise of temperature", of.scale)
     look: dict[str, Any] = {"levels": LEVELS, "colours": style.HEATS, "line_width": 0.4, "shrink": 0.78}
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
-    peak = np.array([body.warmest.x]), np.array([body.warmest.y])
     marks: list[Any] = [
-        Map(fine_x, np.concatenate([-fine_y[:0:-1], fine_y]), of.content.T, bar, **look),
-        Line(a * np.cos(turn), a * np.sin(turn), style.INK, width=1.1),
-        Line(*peak, style.INK, width=0.0, marker="+"),
+        Map(fine_x, fine_y, of.content.T, bar, **look),
+        Line(axes[0] * np.cos(turn), axes[1] * np.sin(turn), style.INK, width=1.1),
+        Line(np.array([body.warmest.x]), np.array([body.warmest.y]), style.INK, width=0.0, marker="+"),
     ]
     if body.speed != 0.0:
-        ends = (direction * 1.7 * a, 1.45 * a), (direction * 2.9 * a, 1.45 * a)
-        marks.append(Arrow(*ends, style.INK))
-    return Panel(tuple(marks), *plane(along.scale), equal=True, grid="")
+        long = 0.3 * wide
+        corner = np.array([0.92 * x[0] + 0.08 * x[-1], 0.1 * y[0] + 0.9 * y[-1]])
+        start = corner - np.array([min(forth[0], 0.0), max(forth[1], 0.0)]) * long
+        end = start + long * forth
+        marks.append(Arrow((float(start[0]), float(start[1])), (float(end[0]), float(end[1])), style.INK))
+    return Panel(tuple(marks), *plane(series("x", fine_x).scale), equal=True, grid="")
 
 
-def _mirror(half: Array) -> Array:
-    return np.concatenate([half[:, :0:-1], half], axis=1)
-
-
-def _wake_panel(item: FrictionHeatingSolution) -> Panel:
-    """Return the temperature of both surfaces along the middle line."""
-    a = float(item.contact.radius)
-    x = np.linspace(-RADII_BEHIND, RADII_BEHIND, POINTS_ALONG) * a
+def _along_panel(item: FrictionHeatingSolution, faster: HeatedBody) -> Panel:
+    """Return the temperature of both surfaces along the motion of the body with the higher Peclet number."""
+    length, forward = faster.half_length, _forward(faster)
+    s = np.linspace(-LENGTHS, LENGTHS, POINTS_ALONG) * length
     marks: list[Any] = []
     for body, name, colour, dash in (
         (item.first, "first", style.RED, style.DASHES[0]),
         (item.second, "second", style.BLUE, style.DASHES[1]),
     ):
         moves = f"moves, Pe = {with_unit(body.peclet, '', 3)}" if body.speed else "rests"
-        marks.append(Line(x, body.temperature(x), colour, dash=dash, name=f"{name}: {moves}"))
-    marks.append(Band(-a, a, style.MUTED, 0.12))
-    rises = [series("temperature", line.y) for line in marks[:2]]
+        rise = body.temperature(s * math.cos(forward), s * math.sin(forward))
+        marks.append(Line(s, rise, colour, dash=dash, name=f"{name}: {moves}"))
+    rises = [series("temperature", line.y) for line in marks]
     high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
-    across = PanelAxis("$x$ along the motion", series("x", x).scale)
+    marks.append(Band(-length, length, style.MUTED, 0.12))
+    across = PanelAxis("place along the motion", series("x", s).scale)
     upright = PanelAxis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
     return Panel(tuple(marks), across, upright, legend="upper left")
 
 
 def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
     """Return the flash temperature over the speed of sliding, relative to that of bodies at rest."""
-    factors = np.geomspace(10.0**-DECADES_BEYOND, 10.0**DECADES_BEYOND, SPEEDS)
-    problem = item.problem
-    curve = dataclasses.replace(
-        problem, first_speed=factors * problem.first_speed, second_speed=factors * problem.second_speed
-    ).solve()
-    sliding = abs(float(problem.first_speed) - float(problem.second_speed))
+    factors, problem = np.geomspace(10.0**-DECADES_BEYOND, 10.0**DECADES_BEYOND, SPEEDS), item.problem
+    speeds = (np.asarray(problem.first_speed), np.asarray(problem.second_speed))
+    curve = dataclasses.replace(problem, first_speed=factors * speeds[0], second_speed=factors * speeds[1]).solve()
+    sliding = float(item.heat_rate) / (problem.law.coefficient * float(item.contact.force))
     speed, rest = factors * sliding, np.asarray(curve.stationary_temperature)
     marks = [Line(speed, curve.flash_temperature / rest, name="flash temperature")]
-    for name, label, colour, dash in ESTIMATES:
+    for name, label, colour, dash in ESTIMATES[: None if isinstance(item.contact, IndentationSolution) else -1]:
         estimate = np.asarray(getattr(curve, name)) / rest
         if np.all(np.isfinite(estimate)):
             marks.append(Line(speed, estimate, colour, width=1.2, dash=dash, name=label))
@@ -155,7 +164,6 @@ def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     if high <= 10.0 * low:
         low, high = low / 30.0, high * 30.0
     curve = dataclasses.replace(item.problem, time=np.geomspace(low, high, 61)).solve()
-    a = float(item.contact.radius)
     time = series("time", curve.time)
     of = series("flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
@@ -168,6 +176,7 @@ def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     )
     across = PanelAxis.of(time, middle_scale("s", time.content), log=True)
     left = Panel(marks, across, PanelAxis.of(of, low=0.0, high=1.15 * final), legend="lower right")
+    a = float(half_lengths(item.contact, 0.0))
     r = np.linspace(0.0, RADII_DRAWN, 61) * a
     moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS_DRAWN)).solve()
     rows = moments.first_temperature(r)
@@ -176,9 +185,10 @@ def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
         for row, moment, share in zip(rows, moments.time, np.linspace(0.1, 0.9, MOMENTS_DRAWN), strict=True)
     ]
     rise = series("temperature", rows)
+    away = "r" if isinstance(item.contact, IndentationSolution) else "x"
     edge = Rule(a, upright=True, width=0.9, dash=style.DOTTED)
     upright = PanelAxis("rise of temperature $T$", rise.scale, low=0.0)
-    right = Panel((*lines, edge), PanelAxis.of(series("r", r)), upright, legend="upper right")
+    right = Panel((*lines, edge), PanelAxis.of(series(away, r)), upright, legend="upper right")
     titles = ("temperature of the contact", "surface of the first body")
     return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 

@@ -63,9 +63,9 @@ def band_source(bed: LineBed, force: float, half_width: float) -> BandSource:
         return np.asarray(on_rim + half_width * np.cos(angle) * smooth / force)
 
     if is_sharp(bed, half_width, 0.0):
-        return BandSource(half_width, (0.0, *kinks), flux)
+        return BandSource(half_width, (0.0, *kinks), flux, on_rim > 0.0)
     table = fit_panels(flux, np.array([0.0, *kinks, 0.5 * math.pi]), TABLE_TOLERANCE)
-    return BandSource(half_width, kinks, table)
+    return BandSource(half_width, kinks, table, on_rim > 0.0)
 
 
 def band_sources(heated: HeatedLine) -> list[BandSource | None]:

@@ -17,40 +17,40 @@ import numpy as np
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
 from winkler.materials.conducting_body import layers_of
 from winkler.materials.conductor import ThermalConductor
+from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array
-from winkler.problems.heating.heat_source import HeatSource
+from winkler.problems.heating.heat_source import PointSource
 from winkler.problems.heating.moved_body import HeatBody, moved_body, top
 
 __all__ = ["fast", "first_share", "idle_share", "shared", "stationary", "tian_kennedy"]
 
 
-def stationary(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
+def stationary(source: PointSource, body: HeatBody, speed: float, direction: float) -> float:
     """Return the greatest temperature of 1 W [K/W] as if the body were at rest."""
-    return np.full(np.shape(speed), moved_body(heat.source, body, 0.0).peak.height)
+    return moved_body(source, body, 0.0, 0.0).peak.height
 
 
-def fast(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
+def fast(source: PointSource, body: HeatBody, speed: float, direction: float) -> float:
     """Return the greatest temperature of 1 W [K/W] as if a body that moves did so fast; one at rest counts as such.
 
     At high speed a plated body answers as its plating.
     """
-    moving = np.asarray(speed) != 0.0
-    if not np.any(moving):
-        return stationary(heat, body, speed)
-    surface, rest = top(body), moved_body(heat.source, body, 0.0).peak.height
-    waves = np.where(moving, np.abs(speed), 1.0) * heat.pressed.radius / surface.diffusivity
-    return np.where(moving, heat.fast / np.sqrt(waves) / surface.conductivity, rest)
+    if speed == 0.0:
+        return stationary(source, body, speed, direction)
+    surface = top(body)
+    return source.fast(direction) / math.sqrt(abs(speed) / surface.diffusivity) / surface.conductivity
 
 
-def tian_kennedy(heat: HeatSource, body: HeatBody, speed: Array) -> Array:
+def tian_kennedy(source: PointSource, body: HeatBody, speed: float, direction: float) -> float:
     """Return the greatest temperature of 1 W [K/W] under a parabolic flux on the same disc, by the fit.
 
     Platings are left out: the fit is that of the body below them.
     """
+    assert isinstance(source, LineSource)  # others are refused
     _, base = layers_of(body)
     assert isinstance(base, ThermalConductor)
-    peclet = 0.5 * np.abs(speed) * heat.pressed.radius / base.diffusivity
-    return np.asarray(1.31 / (math.pi * heat.pressed.radius * np.sqrt(1.2344 + peclet)) / base.conductivity)
+    peclet = 0.5 * abs(speed) * source.radius / base.diffusivity
+    return 1.31 / (math.pi * source.radius * math.sqrt(1.2344 + peclet)) / base.conductivity
 
 
 def first_share(partition: HeatPartition, greatest: Sequence[Any], means: Sequence[Any]) -> Any:

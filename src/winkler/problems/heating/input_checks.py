@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -12,9 +13,11 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.heating.moved_body import HeatBody, diffusivities
+from winkler.problems.normal.indentation import Indentation
+from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["RubbingBodies", "RubbingPlatedBodies", "peclet_numbers"]
+__all__ = ["RubbingBodies", "RubbingPlatedBodies", "peclet_numbers", "refuse_contact"]
 
 HIGHEST_PECLET = 1e8
 """Peclet number above which rounding matters in means over the contact."""
@@ -86,15 +89,23 @@ def _refuse_pair(problem: RubbingBodies | RubbingPlatedBodies, bodies: tuple[Hea
             )
 
 
+def refuse_contact(problem: RubbingBodies | RubbingPlatedBodies, contact: Any) -> None:
+    """Refuse springs that stand for a contact that is not known to be round."""
+    if isinstance(contact, Indentation):
+        needed = "the heat of friction, which follows the pressure from place to place,"
+        refuse_unless_round(contact, type(problem).__name__, needed)
+
+
 def peclet_numbers(
-    owner: str, radius: Quantity, speeds: Sequence[Array], bodies: tuple[HeatBody, HeatBody]
+    owner: str, lengths: Sequence[Quantity], speeds: Sequence[Quantity], bodies: tuple[HeatBody, HeatBody]
 ) -> list[Array]:
     """Return V a / (2 kappa) of both bodies [-]; refuse those above the range in which temperatures are computed.
 
-    That of a plated body has the least of its diffusivities.
+    The `lengths` a are half those of the contact along either motion; a plated body has the least of its diffusivities.
     """
     rates = [min(diffusivities(body)) for body in bodies]
-    peclets = [np.asarray(0.5 * np.abs(speed) * radius / rate) for speed, rate in zip(speeds, rates, strict=True)]
+    pairs = zip(lengths, speeds, rates, strict=True)
+    peclets = [np.asarray(0.5 * np.abs(speed) * length / rate) for length, speed, rate in pairs]
     fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
     if fastest > HIGHEST_PECLET:
         raise OutsideValidity(

@@ -17,12 +17,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.foundation.layered_line import LayeredLineFoundation
-from winkler.foundation.line import LineFoundation
-from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
-from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Q, shaped
 from winkler.problems.assumptions.coupling import sliding_note
@@ -43,12 +39,10 @@ class LineFrictionHeating(StripHeating[Q]):
 
     Parameters
     ----------
-    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Profile and bodies.
+    contact : LineIndentation
+        How they are pressed together; of many loads, the results have their shape.
     law : Coulomb
         Friction, with a finite coefficient.
-    load : LineForce, HalfWidth or MeanPressure
-        The load per length, which may be an array.
     conductors : HeatConductors
         How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made
         of it, a perfect touch between them.
@@ -76,28 +70,25 @@ class LineFrictionHeating(StripHeating[Q]):
     --------
     Two steel discs that roll at 6 m/s and 4 m/s:
 
+    >>> from winkler.foundation.line import LineFoundation
     >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.loading.loads import LineForce
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
     >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
-    >>> pair = HeatConductors(steel, steel)
-    >>> discs = LineFrictionHeating(bed, Coulomb(0.05), LineForce(400e3), pair, first_speed=6.0, second_speed=4.0)
-    >>> discs = discs.solve()
+    >>> pressed, pair = LineIndentation(bed, LineForce(400e3)), HeatConductors(steel, steel)
+    >>> discs = LineFrictionHeating(pressed, Coulomb(0.05), pair, first_speed=6.0, second_speed=4.0).solve()
     >>> round(discs.first_peclet, 1), round(discs.first_share, 4), round(discs.flash_temperature, 2)
     (52.5, 0.5505, 37.52)
     """
 
-    __words__ = words(
-        bed=("", None, "profile and bodies of the line contact"),
-        load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
-    )
+    __words__ = words(contact=("", None, "how the bodies are pressed together"))
 
-    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
+    contact: LineIndentation[Q]
     law: Overcome
-    load: LineForce[Q] | HalfWidth[Q] | MeanPressure[Q]
     conductors: HeatConductors
     first_speed: Annotated[Q | float, FINITE_QUANTITY]
     second_speed: Annotated[Q | float, FINITE_QUANTITY]
@@ -108,9 +99,8 @@ class LineFrictionHeating(StripHeating[Q]):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self.bed.refuse_dragged(self.law.coefficient)
-        given = dataclasses.astuple(self.load)[0]
-        self._check_speeds(load=given)
+        self.contact.bed.refuse_dragged(self.law.coefficient)
+        self._check_speeds(load=dataclasses.astuple(self.contact.load)[0])
 
     def solve(self) -> LineFrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
@@ -124,7 +114,7 @@ class LineFrictionHeating(StripHeating[Q]):
         OutsideValidity
             If the load is refused by `LineIndentation`, or a Peclet number is above 1e8 or below 1e-8.
         """
-        contact = LineIndentation(self.bed, self.load).solve()
+        contact = self.contact.solve()
         shape = np.broadcast_shapes(np.shape(contact.half_width), *map(np.shape, self._speeds))
         first, second = self._speeds
         heat = self.law.coefficient * np.broadcast_to(contact.force_per_length, shape) * np.abs(first - second)
@@ -192,7 +182,7 @@ class LineFrictionHeatingSolution(StripTemperatures[Q]):
         shape = np.shape(self.heat_per_length)
         place, columns = one_result(self, index)
         contact = contact_at(self.contact, np.shape(self.contact.half_width), shape, place)
-        problem = one_problem(self.problem, shape, place, load=contact.problem.load)
+        problem = one_problem(self.problem, shape, place, contact=contact.problem)
         return LineFrictionHeatingSolution(problem, contact, **columns)
 
     @property
@@ -201,6 +191,6 @@ class LineFrictionHeatingSolution(StripTemperatures[Q]):
         friction = self.problem.law.coefficient
         return (
             *self.contact.dragged_notes(friction),
-            sliding_note(self.problem.bed.medium, friction),  # type: ignore[arg-type]
+            sliding_note(self.problem.contact.bed.medium, friction),  # type: ignore[arg-type]
             *self._notes(),
         )

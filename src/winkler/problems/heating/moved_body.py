@@ -1,4 +1,4 @@
-"""A body, plated or not, that moves past 1 W of heat: its temperature per watt, of a round source and of a band."""
+"""A body, plated or not, that moves past 1 W of heat: its temperature per watt, of a source and of a band."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ import functools
 from winkler.materials.conducting_body import Plated, layers_of, parts_of, surface_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.numerics.fields.band_source import BandSource
+from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.fields.layer_echo import Stack
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.stacked_band import StackedBand
 from winkler.numerics.fields.stacked_source import StackedSource
-from winkler.numerics.fields.thick_body import ThickBand, ThickBody
+from winkler.numerics.fields.thick_body import Source, ThickBand, ThickBody
+from winkler.values.errors import OutsideValidity
 
-__all__ = ["HeatBody", "diffusivities", "moved_body", "moved_under_band", "top"]
+__all__ = ["HeatBody", "diffusivities", "moved_body", "moved_under_band", "top", "warmed"]
 
 HeatBody = ThermalConductor | Plated
 """A thick body of one conductor, or a plated one."""
@@ -50,10 +52,31 @@ def _stack(body: HeatBody) -> Stack | None:
 
 
 @functools.lru_cache(maxsize=256)
-def moved_body(source: LineSource, body: HeatBody, speed: float) -> ThickBody | StackedSource:
-    """Return a body that moves at `speed` [m/s] past a round source of 1 W."""
+def moved_body(source: Source, body: HeatBody, speed: float, direction: float) -> ThickBody | StackedSource:
+    """Return a body that moves at `speed` [m/s] and at an angle `direction` [rad] to x past a source of 1 W.
+
+    Raises
+    ------
+    OutsideValidity
+        If the body is plated, and the source one of pixels.
+    """
     stack = _stack(body)
-    return ThickBody(source, *_numbers(body), speed) if stack is None else StackedSource(source, stack, speed)
+    if stack is None:
+        return ThickBody(source, *_numbers(body), speed, direction)
+    if not isinstance(source, LineSource | EllipticSource):
+        raise OutsideValidity(
+            "FrictionHeating: the pressure of an ellipse on layers or gradings is one of pixels, under which no plated "
+            "conductors are implemented; give thick conductors, or a homogeneous medium."
+        )
+    return StackedSource(source, stack, speed, direction)
+
+
+def warmed(source: Source, body: HeatBody, speed: float, direction: float) -> tuple[float, float]:
+    """Return the greatest and the mean temperature [K/W] of a body that moves past a source of 1 W."""
+    if isinstance(source, LineSource):  # alike to all sides
+        speed, direction = abs(speed), 0.0
+    moved = moved_body(source, body, speed, direction)
+    return moved.peak.height, moved.mean
 
 
 def moved_under_band(source: BandSource, body: HeatBody, speed: float) -> ThickBand | StackedBand:

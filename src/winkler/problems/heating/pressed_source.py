@@ -17,7 +17,8 @@ import numpy as np
 from winkler.loading.loads import Depth, Force
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.fields.elliptic_source import PeakPlace
+from winkler.numerics.fields.elliptic_source import EllipticSource
+from winkler.numerics.fields.warmest_place import PeakTemperature, turned
 from winkler.numerics.surfaces.heated_grid import HeatedGrid
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic import pressed_ellipse
@@ -53,7 +54,12 @@ class PressedSource:
     medium: MappedMedium
     load: Force | Depth
 
-    def surface(self, wave: float, angle: float, x: Array, y: Array) -> Array:
+    def half_length(self, angle: float) -> float:
+        """Return how far an ellipse of these semi-axes reaches at an angle [rad] from its middle [m]."""
+        reach = pressed_ellipse(self.bodies, self.medium, self.load)[1].contour((0.0, 0.5 * math.pi))
+        return EllipticSource(float(reach[0]), float(reach[1])).half_length(angle)
+
+    def surface(self, wave: float, x: Array, y: Array, angle: float = 0.0) -> Array:
         """Return lambda T [W/m] on the surface; parameters as of `EllipticSource.surface`.
 
         Raises
@@ -63,21 +69,19 @@ class PressedSource:
         """
         from scipy.ndimage import map_coordinates
 
-        cosine, sine = math.cos(angle), math.sin(angle)
-        along, across = np.ravel(x * cosine + y * sine), np.ravel(y * cosine - x * sine)
-        turned = _turned(self, angle)
-        places = np.stack([along, across])
-        reach = np.abs(places) * (1.0 + 2.0 / FEWEST) / np.array(turned.half_sides)[:, None]
-        far = float(np.max(np.abs(places), initial=0.0)) / max(turned.half_sides)
+        pixels = _turned(self, angle)
+        places = np.stack([np.ravel(place) for place in turned(x, y, -angle)])
+        reach = np.abs(places) * (1.0 + 2.0 / FEWEST) / np.array(pixels.half_sides)[:, None]
+        far = float(np.max(np.abs(places), initial=0.0)) / max(pixels.half_sides)
         if far > FARTHEST:
             raise OutsideValidity(
-                f"HeatedEllipse: a place is {far:.3g} times as far away as the contact reaches; on layers and gradings "
+                f"HeatedBody: a place is {far:.3g} times as far away as the contact reaches; on layers and gradings "
                 f"temperatures are known up to {FARTHEST:g} times: give nearer places."
             )
         times = 2.0 ** np.ceil(np.log2(np.maximum(reach, 1.0)))
-        found = np.empty(along.shape)
+        found = np.empty(places.shape[1])
         for each in np.unique(times, axis=1).T:
-            here, wider = np.all(times == each[:, None], axis=0), turned.widened((int(each[0]), int(each[1])))
+            here, wider = np.all(times == each[:, None], axis=0), pixels.widened((int(each[0]), int(each[1])))
             rows = [
                 (place + side) / pixel - 0.5
                 for place, side, pixel in zip(places[:, here], wider.half_sides, wider.pixel, strict=True)
@@ -85,29 +89,27 @@ class PressedSource:
             found[here] = map_coordinates(wider.warmed(wave), rows, order=3, mode="nearest")
         return found.reshape(np.shape(x))
 
-    def peak(self, wave: float, angle: float) -> PeakPlace:
+    def peak(self, wave: float, angle: float = 0.0) -> PeakTemperature:
         """Return the greatest lambda T and its place; parameters as of `EllipticSource.peak`."""
-        turned = _turned(self, angle)
-        warm = np.where(turned.flux > 0.0, turned.warmed(wave), 0.0)
-        height, (u, v) = _summit(warm)
-        along, across = (
-            (row + 0.5) * pixel - side for row, pixel, side in zip((u, v), turned.pixel, turned.half_sides, strict=True)
+        pixels = _turned(self, angle)
+        height, place = _summit(np.where(pixels.flux > 0.0, pixels.warmed(wave), 0.0))
+        x, y = (
+            (row + 0.5) * pixel - side for row, pixel, side in zip(place, pixels.pixel, pixels.half_sides, strict=True)
         )
-        cosine, sine = math.cos(angle), math.sin(angle)
-        return PeakPlace(height, along * cosine - across * sine, along * sine + across * cosine)
+        return PeakTemperature(height, x, y).turned(angle)
 
-    def mean(self, wave: float, angle: float) -> float:
+    def mean(self, wave: float, angle: float = 0.0) -> float:
         """Return the mean of lambda T over the contact [W/m]; parameters as of `EllipticSource.mean`."""
-        turned = _turned(self, angle)
-        return float(np.mean(turned.warmed(wave)[turned.flux > 0.0]))
+        pixels = _turned(self, angle)
+        return float(np.mean(pixels.warmed(wave)[pixels.flux > 0.0]))
 
-    def fast(self, angle: float) -> float:
+    def fast(self, angle: float = 0.0) -> float:
         """Return what the greatest lambda T times the root of V / kappa tends to in fast motion [W m^-3/2]."""
-        turned = _turned(self, angle)
-        step, count = turned.pixel[0], turned.flux.shape[0]
+        pixels = _turned(self, angle)
+        step, count = pixels.pixel[0], pixels.flux.shape[0]
         passed = np.diff(np.sqrt(np.maximum(np.arange(count + 1) - 0.5, 0.0))) * 2.0 * math.sqrt(step / math.pi)
         lag = np.subtract.outer(np.arange(count), np.arange(count))
-        return _summit(np.where(lag >= 0, passed[np.abs(lag)], 0.0) @ turned.flux)[0]
+        return _summit(np.where(lag >= 0, passed[np.abs(lag)], 0.0) @ pixels.flux)[0]
 
 
 class _Turned(NamedTuple):
@@ -159,7 +161,7 @@ def _turned(source: PressedSource, angle: float) -> _Turned:
     counts = [8 * math.ceil(min(max(2.0 * side / min(reach) * ACROSS, FEWEST), MOST) / 8) for side in half]
     along, across = (side * ((np.arange(n) + 0.5) * (2.0 / n) - 1.0) for side, n in zip(half, counts, strict=True))
     u, v = along[:, None], across[None, :]
-    places = u * cosine - v * sine, u * sine + v * cosine
+    places = np.broadcast_arrays(*turned(u, v, angle))
     borne = found._replace(pressure=1.0 * (found.pressure > 0.0), edge_power=1.0).pressure_at(*places)
     area = 4.0 * half[0] * half[1] / borne.size
     count = round(found.area / area)  # pixels beyond the last that bear are cut off

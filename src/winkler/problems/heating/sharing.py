@@ -2,87 +2,92 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.laws.heat import HeatPartition
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.heating.estimates import first_share, idle_share, shared
-from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
-from winkler.problems.heating.moved_body import HeatBody, moved_body
-from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.heating.moved_body import HeatBody
 
-__all__ = ["estimated", "shared_temperatures"]
+__all__ = ["SharedHeat"]
 
-Bodies = tuple[HeatBody, HeatBody]
+Motion = tuple[float, float]
+"""Speed [m/s], and angle of the velocity to x [rad]."""
 
 
-def shared_temperatures(
-    contact: IndentationSolution, bodies: Bodies, partition: HeatPartition, speeds: Sequence[Array]
-) -> Array:
-    """Return the share of the first body [-], and greatest and mean temperatures of both for 1 W [K/W].
+class SharedHeat(NamedTuple):
+    """Two bodies that slide in a contact, and how they share the heat.
 
     Parameters
     ----------
-    contact : IndentationSolution
-    bodies : tuple of ThermalConductor or Plated
-    partition : EqualMaximum, EqualMean or FixedShare
-    speeds : sequence of ndarray
-        Those of both bodies [m/s], of one shape to which the loads of the contact broadcast.
+    sources
+        Where 1 W, or 1 W per length, enters under each load; None where there is no contact.
+    loads
+        Shape of the loads.
+    bodies
+        What they conduct.
+    partition
+        How they share the heat.
+    speeds
+        Of both bodies [m/s], of one shape to which the loads broadcast.
+    directions
+        Angles of their velocities to x [rad].
+    """
 
-    Returns
-    -------
-    ndarray, (5, ...)
+    sources: Sequence[Any]
+    loads: tuple[int, ...]
+    bodies: tuple[HeatBody, HeatBody]
+    partition: HeatPartition
+    speeds: Sequence[Quantity]
+    directions: tuple[float, float] = (0.0, 0.0)
+
+    def temperatures(self, warmed: Callable[[Any, HeatBody, float, float], tuple[float, float]]) -> Array:
+        """Return the share of the first body [-], and temperatures of both for 1 W in all [K/W], (5, ...).
+
         Share; greatest of the first, of the second; mean of the first, of the second.
-    """
-    shape = speeds[0].shape
-    which, sources = loads_over(contact, shape), heat_sources(contact)
-    table = np.zeros((5, *shape))
-    for place in np.ndindex(shape):
-        pair = [float(speed[place]) for speed in speeds]
-        table[(slice(None), *place)] = _shares(sources[which[place]], bodies, partition, pair)
-    return table
 
+        Parameters
+        ----------
+        warmed : Callable
+            Source, body, speed and direction to the greatest and the mean temperature of 1 W [K/W].
+        """
 
-def _shares(
-    heat: HeatSource | None, bodies: Bodies, partition: HeatPartition, speeds: Sequence[float]
-) -> tuple[float, ...]:
-    """Return the share of the first body, and greatest and mean temperatures of both for 1 W in all [K/W]."""
-    if heat is None:
-        return idle_share(partition, bodies), 0.0, 0.0, 0.0, 0.0
-    moved = [moved_body(heat.source, body, abs(speed)) for speed, body in zip(speeds, bodies, strict=True)]
-    peaks, means = [each.peak.height for each in moved], [each.mean for each in moved]
-    share = first_share(partition, peaks, means)
-    return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
+        def both(source: Any, motions: list[Motion]) -> Sequence[float]:
+            pairs = [warmed(source, body, *motion) for body, motion in zip(self.bodies, motions, strict=True)]
+            peaks, means = zip(*pairs, strict=True)
+            share = first_share(self.partition, peaks, means)
+            return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
 
+        return self._over_all(both, (idle_share(self.partition, self.bodies), 0.0, 0.0, 0.0, 0.0))
 
-def estimated(
-    per_watt: Callable[[HeatSource, HeatBody, Array], Array],
-    contact: IndentationSolution,
-    bodies: Bodies,
-    partition: HeatPartition,
-    speeds: tuple[Quantity, Quantity],
-) -> Array:
-    """Return an estimate of the greatest temperature of the contact per watt [K/W], zero without contact.
+    def estimated(self, per_watt: Callable[[Any, HeatBody, float, float], float]) -> Array:
+        """Return an estimate of the greatest temperature of the contact per watt [K/W], zero without contact.
 
-    Parameters
-    ----------
-    per_watt : Callable
-        Source, body and speed to the greatest temperature of 1 W [K/W].
-    contact : IndentationSolution
-    bodies : tuple of ThermalConductor or Plated
-    partition : EqualMaximum, EqualMean or FixedShare
-    speeds : tuple of float or ndarray
-        Those of both bodies [m/s], of one shape.
-    """
-    shape = np.shape(speeds[0])
-    which, temperature = loads_over(contact, shape), np.zeros(shape)
-    for j, source in enumerate(heat_sources(contact)):
-        mine = which == j
-        if source is not None:
-            first, second = (
-                per_watt(source, body, np.asarray(speed)[mine]) for speed, body in zip(speeds, bodies, strict=True)
-            )
-            temperature[mine] = shared(first, second, partition)
-    return temperature
+        Parameters
+        ----------
+        per_watt : Callable
+            Source, body, speed and direction to the greatest temperature of 1 W [K/W].
+        """
+
+        def both(source: Any, motions: list[Motion]) -> Sequence[float]:
+            pairs = zip(self.bodies, motions, strict=True)
+            alone = [np.asarray(per_watt(source, body, *motion)) for body, motion in pairs]
+            with np.errstate(divide="ignore"):
+                return [float(shared(alone[0], alone[1], self.partition))]
+
+        return np.asarray(self._over_all(both, (0.0,))[0])
+
+    def _over_all(self, asked: Callable[[Any, list[Motion]], Sequence[float]], apart: Sequence[float]) -> Array:
+        """Return rows of numbers, (rows, ...), from source and motions at every load and speed; `apart` without one."""
+        shape = np.shape(self.speeds[0])
+        which = np.broadcast_to(np.arange(math.prod(self.loads)).reshape(self.loads), shape)
+        table = np.zeros((len(apart), *shape))
+        for place in np.ndindex(shape):
+            pace = (float(np.asarray(speed)[place]) for speed in self.speeds)
+            source, motions = self.sources[int(which[place])], list(zip(pace, self.directions, strict=True))
+            table[(slice(None), *place)] = apart if source is None else asked(source, motions)
+        return table

@@ -1,43 +1,44 @@
 r"""Frictional heating: how warm two bodies get where they rub.
 
 The flux of heat is :math:`\mu\,p\,v`, with the pressure of the frictionless contact and the speed v of sliding.  A body
-that rests against the contact warms up to
+that rests against a round contact warms up to
 
 .. math:: T = \frac{\mu v E^*}{2\lambda}\,u_z(r) ,
 
 the displacement of the surface times a constant; one that moves past it at the speed V, with the Peclet number
 :math:`\mathrm{Pe}=Va/2\kappa`, stays cooler, and its warmest place lies behind the middle.  Both come from the same
 springs: at rest, temperature is a mean of line loads over all directions, and motion changes each of these line loads
-by itself (`winkler.numerics.fields.moving_source`).  The two bodies share the heat by a rule of their own.
+by itself (`winkler.numerics.fields.moving_source`; of ellipses in closed form,
+`winkler.numerics.fields.elliptic_source`).  The two bodies share the heat by a rule of their own.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
-from winkler.loading.loads import Depth, Force, Radius
 from winkler.loading.path import load_number
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.types import Array, PerLoad, Q, shaped
+from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, stationary, tian_kennedy
-from winkler.problems.heating.heat_source import HeatSource
-from winkler.problems.heating.heated_body import HeatedBody
-from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers
-from winkler.problems.heating.moved_body import HeatBody
+from winkler.problems.heating.heat_source import PointSource, half_lengths, heat_sources
+from winkler.problems.heating.heated_body import HeatedBody, Turn, sliding_line
+from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers, refuse_contact
+from winkler.problems.heating.moved_body import HeatBody, warmed
 from winkler.problems.heating.one_result import contact_at, one_problem, one_result
-from winkler.problems.heating.sharing import estimated, shared_temperatures
+from winkler.problems.heating.sharing import SharedHeat
 from winkler.problems.heating.validity import heating_notes, sliding_contact_notes
+from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.one_load import single
 from winkler.values.checks.number_checks import FINITE_QUANTITY
-from winkler.values.errors import InvalidInput
+from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
@@ -46,37 +47,40 @@ __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 @value
 class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
-    """Two bodies that slide on each other and warm up.
+    """Two bodies that slide on each other, or roll and slide, and warm up.
 
     Parameters
     ----------
-    bed : Bed
-        The springs: Foundation(profile, medium) or another bed.
+    contact : Indentation or EllipticIndentation
+        How they are pressed together: a round contact on any medium, or bodies of two curvatures; of many loads, the
+        results have their shape.
     law : Coulomb
         Friction, with a finite coefficient.
-    load : Force, Depth or Radius
-        The normal load, which may be an array.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made
-        of it, a perfect touch between them.
+        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch
+        between them.  Elastic layers conduct like what is below them.
     first_speed, second_speed : float or ndarray, optional
-        Velocities [m/s] along x at which the surface of either body moves past the contact; they slide with the
-        difference.  A pin of the second body on a plate has `second_speed` 0, the default.  Arrays broadcast with each
-        other and with the load.
+        Speeds [m/s] at which the surface of either body moves past the contact.  A pin of the second body on a plate
+        has `second_speed` 0, the default.  Arrays broadcast with each other and with the load.
+    first_direction, second_direction : float, optional
+        Angles of the velocities to x [rad], at most one turn; 0, along x, unless given.  The bodies slide with the
+        difference of the velocities.
     partition : EqualMaximum, EqualMean or FixedShare, optional
         How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
 
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's with a finite coefficient, a conductor or partition is none, a speed is not finite,
-        or speeds and load do not broadcast.
+        If the law is not Coulomb's with a finite coefficient, a conductor or partition is none, a number is not
+        finite, speeds and load do not broadcast, or a second body at rest has a direction.
+    OutsideValidity
+        If the bed of a contact stands for one that is not known to be round.
 
     References
     ----------
-    J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224; X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
-    167-174, doi:10.1115/1.2927035; V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015,
-    doi:10.1007/978-3-642-53876-6
+    J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224; H. Blok, Wear 6 (1963) 483-494,
+    doi:10.1016/0043-1648(63)90283-7; X. Tian, F. E. Kennedy, J. Tribol. 116 (1994) 167-174, doi:10.1115/1.2927035;
+    V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
 
     Examples
     --------
@@ -84,34 +88,51 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
 
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.friction import Coulomb
-    >>> from winkler.loading.loads import Radius
+    >>> from winkler.loading.loads import Force, Radius
     >>> from winkler.materials.conductor import ThermalConductor
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.ellipse import CurvedBodies
     >>> from winkler.profiles.power import Paraboloid
     >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
-    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
-    >>> pair = HeatConductors(steel, steel)
-    >>> rubbing = FrictionHeating(bed, Coulomb(0.3), Radius(1e-4), pair, first_speed=0.24).solve()
+    >>> medium, pair = HalfSpace.between(elastic, elastic), HeatConductors(steel, steel)
+    >>> ball = Indentation(Foundation(Paraboloid(10e-3), medium), Radius(1e-4))
+    >>> rubbing = FrictionHeating(ball, Coulomb(0.3), pair, first_speed=0.24).solve()
     >>> round(rubbing.first_peclet, 12), round(rubbing.first_share, 5), round(rubbing.flash_temperature, 3)
     (1.0, 0.57328, 39.39)
+
+    An ellipse slides along its short and along its long axis:
+
+    >>> slender = EllipticIndentation(CurvedBodies(5e-3, 40e-3), medium, Force(200.0))
+    >>> for direction in (0.0, math.pi / 2):
+    ...     slides = FrictionHeating(slender, Coulomb(0.1), pair, first_speed=2.0, first_direction=direction).solve()
+    ...     print(round(slides.first_peclet, 2), round(slides.flash_temperature, 1))
+    10.54 192.8
+    41.18 295.6
     """
 
-    bed: Bed
+    __words__ = words(
+        contact=("", None, "how the bodies are pressed together"),
+        first_direction=(r"\psi_1", "rad", "angle of the first body's velocity to x"),
+        second_direction=(r"\psi_2", "rad", "angle of the second body's velocity to x"),
+    )
+
+    contact: Indentation[Q] | EllipticIndentation[Q]
     law: Overcome
-    load: Force[Q] | Depth[Q] | Radius[Q]
     conductors: HeatConductors
     first_speed: Annotated[Q | float, FINITE_QUANTITY]
     second_speed: Annotated[Q | float, FINITE_QUANTITY] = 0.0
+    first_direction: Turn = 0.0
+    second_direction: Turn = 0.0
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "tian_kennedy_1994", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED
-    needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        shapes = [np.shape(each) for each in (load_number(self.load), self.first_speed, self.second_speed)]
+        refuse_contact(self, self.contact)
+        shapes = [np.shape(each) for each in (load_number(self.contact.load), self.first_speed, self.second_speed)]
         try:
             np.broadcast_shapes(*shapes)
         except ValueError:
@@ -119,6 +140,23 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
                 f"FrictionHeating: load, first_speed and second_speed have the shapes {shapes[0]}, {shapes[1]} and "
                 f"{shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
             ) from None
+        if self.second_direction and not np.any(self.second_speed):
+            raise InvalidInput(
+                f"FrictionHeating: second_direction is {self.second_direction:g} rad and second_speed is zero: a body "
+                "at rest has no direction; give second_speed, or leave second_direction out."
+            )
+
+    @property
+    def _directions(self) -> tuple[float, float]:
+        """Angles of both velocities to x [rad]."""
+        return self.first_direction, self.second_direction
+
+    def _shared(self, contact: IndentationSolution[Q] | EllipticSolution[Q]) -> SharedHeat:
+        speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
+        shape = np.broadcast_shapes(np.shape(contact.depth), *(each.shape for each in speeds))
+        rates = [np.broadcast_to(each, shape) for each in speeds]
+        loads, sources = np.shape(contact.depth), heat_sources(contact)
+        return SharedHeat(sources, loads, self._bodies, self.partition, rates, self._directions)
 
     def solve(self) -> FrictionHeatingSolution[Q]:
         """Return how warm the bodies get.
@@ -130,20 +168,22 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is refused by `Indentation`, the pressure is not known in the medium, or a Peclet number is
-            above 1e8.
+            If the contact refuses the load, the pressure is not known in the medium, a Peclet number is above 1e8, or
+            bodies of two curvatures on layers or gradings are plated.
         NotConverged
-            If the profile is too rough.
+            If the profile is too rough, or the pressures of pixels are not found.
         """
-        contact = Indentation(self.bed, self.load).solve()
-        speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
-        shape = np.broadcast_shapes(np.shape(contact.radius), *(each.shape for each in speeds))
-        rates = [np.broadcast_to(each, shape) for each in speeds]
-        peclets = peclet_numbers("FrictionHeating", contact.radius, rates, self._bodies)
-        table = shared_temperatures(contact, self._bodies, self.partition, rates)
-        heat = self.law.coefficient * np.broadcast_to(contact.force, shape) * np.abs(rates[0] - rates[1])
-        columns = [heat, table[0], *peclets, *(table[1:] * heat)]
-        return FrictionHeatingSolution(self, contact, *(shaped(each) for each in columns))
+        contact = self.contact.solve()
+        heat = self._shared(contact)
+        first, second = heat.speeds
+        lengths = [half_lengths(contact, direction) for direction in self._directions]
+        peclets = peclet_numbers("FrictionHeating", lengths, (first, second), self._bodies)
+        between = self.first_direction - self.second_direction
+        sliding = np.hypot(first * math.cos(between) - second, first * math.sin(between))
+        released = self.law.coefficient * np.broadcast_to(contact.force, np.shape(first)) * sliding
+        table = heat.temperatures(warmed)
+        columns: list[Q] = [shaped(each) for each in (released, table[0], *peclets, *(table[1:] * released))]
+        return FrictionHeatingSolution(self, contact, *columns)
 
 
 @value
@@ -156,7 +196,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
     ----------
     problem : FrictionHeating
         The problem that was solved.
-    contact : IndentationSolution
+    contact : IndentationSolution or EllipticSolution
         The contact, of the shape of the load.
     heat_rate : float or ndarray
         Q = mu F v, the heat of friction per time [W].
@@ -164,7 +204,8 @@ class FrictionHeatingSolution(PerLoad[Q]):
         Part of it that goes into the first body [-]; without contact the fixed one, or that of bodies at rest, their
         conductivities against each other.
     first_peclet, second_peclet : float or ndarray
-        Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
+        Pe = V l / (2 kappa) of either body, with half the length l of the contact along its motion [-]; of a plated
+        body with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
         Greatest temperature of either surface within the contact [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
@@ -177,7 +218,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
     )
 
     problem: FrictionHeating[Q]
-    contact: IndentationSolution[Q]
+    contact: IndentationSolution[Q] | EllipticSolution[Q]
     heat_rate: Q
     first_share: Q
     first_peclet: Q
@@ -191,8 +232,10 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def radius(self) -> Q:
-        """Radius of the contact a [m]."""
-        return shaped(np.broadcast_to(self.contact.radius, np.shape(self.heat_rate)))
+        """Radius of the contact a [m]; of an ellipse that of the circle of its area."""
+        contact = self.contact
+        found = contact.radius if isinstance(contact, IndentationSolution) else np.sqrt(contact.area / math.pi)
+        return shaped(np.broadcast_to(found, np.shape(self.heat_rate)))
 
     @property
     def flash_temperature(self) -> Q:
@@ -217,14 +260,22 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def tian_kennedy_temperature(self) -> Q:
-        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are left out."""
+        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are left out.
+
+        Raises
+        ------
+        OutsideValidity
+            If the contact is an ellipse.
+        """
+        if not isinstance(self.contact, IndentationSolution):
+            raise OutsideValidity(
+                "FrictionHeating: the fit of Tian and Kennedy is one of round contacts; for an ellipse compare with "
+                "stationary_temperature and fast_temperature."
+            )
         return self._estimate(tian_kennedy)
 
-    def _estimate(self, per_watt: Callable[[HeatSource, HeatBody, Array], Array]) -> Q:
-        problem, shape = self.problem, np.shape(self.heat_rate)
-        first, second = (np.broadcast_to(each, shape) for each in (problem.first_speed, problem.second_speed))
-        found = estimated(per_watt, self.contact, problem._bodies, problem.partition, (first, second))
-        return shaped(found * self.heat_rate)
+    def _estimate(self, per_watt: Callable[[PointSource, HeatBody, float, float], float]) -> Q:
+        return shaped(self.problem._shared(self.contact).estimated(per_watt) * self.heat_rate)
 
     @property
     def overestimate(self) -> Q:
@@ -244,10 +295,12 @@ class FrictionHeatingSolution(PerLoad[Q]):
         return self._body(1)
 
     def _body(self, which: int) -> HeatedBody:
-        heat = single(self.heat_rate, "temperature field")
+        heat, problem = single(self.heat_rate, "temperature field"), self.problem
         share = (self.first_share, 1.0 - self.first_share)[which]
-        speed = (self.problem.first_speed, self.problem.second_speed)[which]
-        return HeatedBody(self.problem._bodies[which], float(speed), float(share) * heat, self.contact.pressed)
+        speed = (problem.first_speed, problem.second_speed)[which]
+        (source,) = heat_sources(self.contact)
+        body, direction = problem._bodies[which], problem._directions[which]
+        return HeatedBody(body, float(speed), direction, float(share) * heat, source)
 
     def at(self, index: int | tuple[int, ...]) -> FrictionHeatingSolution[float]:
         """Return the solution of one load and speed of an array.
@@ -264,8 +317,8 @@ class FrictionHeatingSolution(PerLoad[Q]):
         """
         shape = np.shape(self.heat_rate)
         place, columns = one_result(self, index)
-        contact = contact_at(self.contact, np.shape(self.contact.radius), shape, place)
-        problem = one_problem(self.problem, shape, place, load=contact.problem.load)
+        contact = contact_at(self.contact, np.shape(self.contact.depth), shape, place)
+        problem = one_problem(self.problem, shape, place, contact=contact.problem)
         return FrictionHeatingSolution(problem, contact, **columns)
 
     @property
@@ -276,5 +329,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
             (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature)),
             (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
         )
-        notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition, self.problem._plated)
-        return (*sliding_contact_notes(self.contact, self.problem.law.coefficient), *notes)
+        problem = self.problem
+        angle = sliding_line((problem.first_speed, problem.second_speed), problem._directions)
+        notes = heating_notes(*pairs, np.asarray(self.overestimate), problem.partition, problem._plated)
+        return (*sliding_contact_notes(self.contact, problem.law.coefficient, angle), *notes)

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, ClassVar
 
 import numpy as np
 
 from winkler.laws.heat import FixedShare, HeatPartition
+from winkler.numerics.fields.band_source import BandSource
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
-from winkler.problems.heating.band_flux import HeatedLine
+from winkler.problems.heating.band_flux import HeatedLine, band_sources
 from winkler.problems.heating.heated_strip import HeatedStrip
 from winkler.problems.heating.input_checks import RubbingPlatedBodies, peclet_numbers
-from winkler.problems.heating.line_sharing import fast_strip_temperature, shared_strip_temperatures
+from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_under_band, top
+from winkler.problems.heating.sharing import SharedHeat
 from winkler.problems.heating.validity import RUBBED, moving_notes
 from winkler.problems.one_load import single
-from winkler.values.errors import InvalidInput
+from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Note
 from winkler.values.value import words
 
 __all__ = ["StripHeating", "StripTemperatures"]
+
+SLOWEST = 1e-8
+"""V a / kappa below which a band hardly moves."""
 
 
 class StripHeating(RubbingPlatedBodies, PerLoad[Q]):
@@ -49,6 +55,9 @@ class StripHeating(RubbingPlatedBodies, PerLoad[Q]):
                     f"steady temperature; give a speed, or FixedShare({share}) if it takes no heat."
                 )
 
+    def _shared(self, heated: HeatedLine, speeds: list[Array]) -> SharedHeat:
+        return SharedHeat(band_sources(heated), np.shape(heated.half_width), self._bodies, self.partition, speeds)
+
     @property
     def _speeds(self) -> tuple[Array, Array]:
         return np.asarray(self.first_speed, dtype=float), np.asarray(self.second_speed, dtype=float)
@@ -56,9 +65,28 @@ class StripHeating(RubbingPlatedBodies, PerLoad[Q]):
     def _columns(self, heated: HeatedLine, heat_per_length: Array) -> list[Q]:
         """Return heat, share, Peclet numbers, greatest and mean temperatures; the heat is of their common shape."""
         owner, rates = type(self).__name__, [np.broadcast_to(each, heat_per_length.shape) for each in self._speeds]
-        peclets = peclet_numbers(owner, heated.half_width, rates, self._bodies)
-        table = shared_strip_temperatures(owner, heated, self._bodies, self.partition, rates)
+        peclets = peclet_numbers(owner, [heated.half_width] * 2, rates, self._bodies)
+        table = self._shared(heated, rates).temperatures(functools.partial(_warmed, owner))
         return [shaped(each) for each in (heat_per_length, table[0], *peclets, *(table[1:] * heat_per_length))]
+
+
+def _warmed(owner: str, source: BandSource, body: HeatBody, speed: float, direction: float) -> tuple[float, float]:
+    """Return the greatest and the mean temperature of a body under 1 W per length [K m/W]; of one that rests, zero."""
+    wave = abs(speed) / min(diffusivities(body))
+    if 0.0 < wave * source.half_width < SLOWEST:
+        raise OutsideValidity(
+            f"{owner}: a Peclet number V a / (2 kappa) is {0.5 * wave * source.half_width:.3g}; a band of heat that "
+            "hardly moves warms a body up without bound: give a higher speed."
+        )
+    moved = moved_under_band(source, body, abs(speed))
+    return (moved.peak.height, moved.mean) if speed else (0.0, 0.0)
+
+
+def _fast(source: BandSource, body: HeatBody, speed: float, direction: float) -> float:
+    """Return what the greatest temperature for 1 W per length tends to at high speed [K m/W]; infinite at rest."""
+    surface = top(body)  # at high speed a plated body answers as its plating
+    root = surface.conductivity * math.sqrt(abs(speed) / surface.diffusivity)
+    return source.fast() / root if root > 0.0 else math.inf
 
 
 class StripTemperatures(PerLoad[Q]):
@@ -99,7 +127,7 @@ class StripTemperatures(PerLoad[Q]):
         Infinite at a rim, and for a body at rest that takes heat.
         """
         speeds = [np.broadcast_to(each, np.shape(self.heat_per_length)) for each in self.problem._speeds]
-        found = fast_strip_temperature(self._heated, self.problem._bodies, self.problem.partition, speeds)
+        found = self.problem._shared(self._heated, speeds).estimated(_fast)
         return shaped(np.where(found > 0.0, found * self.heat_per_length, 0.0))
 
     @property

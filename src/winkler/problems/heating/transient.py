@@ -11,34 +11,35 @@ grows as
 from __future__ import annotations
 
 import math
-from functools import partial
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, FixedShare, HeatPartition
-from winkler.loading.path import OneLoad
+from winkler.loading.path import load_number
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heating.estimates import first_share, idle_share, shared
-from winkler.problems.heating.heat_source import heat_source
-from winkler.problems.heating.input_checks import RubbingBodies
+from winkler.problems.heating.heat_source import HeatedContact, heat_sources
+from winkler.problems.heating.input_checks import RubbingBodies, refuse_contact
+from winkler.problems.heating.pressed_source import PressedSource
 from winkler.problems.heating.validity import STEADY_SOURCE, sliding_contact_notes
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.elliptic import EllipticIndentation
+from winkler.problems.normal.indentation import Indentation
 from winkler.values.checks.number_checks import NonNegative, PositiveRow
+from winkler.values.checks.place_checks import common_places
+from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
-
-SEARCH_CIRCLES = 33
-"""Circles on which the greatest temperature is sought where the flux does not fall from the axis on."""
 
 
 @value
@@ -47,12 +48,11 @@ class TransientHeating(RubbingBodies):
 
     Parameters
     ----------
-    bed : Bed
-        The springs.
+    contact : Indentation or EllipticIndentation
+        How they are pressed together, by one load: a round contact, or bodies of two curvatures on a homogeneous
+        medium.
     law : Coulomb
         Friction, with a finite coefficient.
-    load : Force, Depth or Radius
-        The normal load, one number.
     conductors : HeatConductors
         How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
     speed : float
@@ -66,6 +66,9 @@ class TransientHeating(RubbingBodies):
     ------
     InvalidInput
         If the load is an array, a time is not positive, the speed negative, or as in `FrictionHeating`.
+    OutsideValidity
+        If the bed of a contact stands for one that is not known to be round, or bodies of two curvatures are layered
+        or graded.
 
     References
     ----------
@@ -82,18 +85,20 @@ class TransientHeating(RubbingBodies):
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
-    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
+    >>> ball = Indentation(Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic)), Radius(1e-4))
     >>> pair, settling = HeatConductors(steel, steel), 1e-8 / 12e-6
-    >>> start = TransientHeating(bed, Coulomb(0.3), Radius(1e-4), pair, speed=1e-3, time=[settling]).solve()
+    >>> start = TransientHeating(ball, Coulomb(0.3), pair, speed=1e-3, time=[settling]).solve()
     >>> round(float(start.flash_temperature[0] / start.stationary_temperature), 4)
     0.7682
     """
 
-    __words__ = words(speed=("v", "m/s", "speed of sliding"))
+    __words__ = words(
+        contact=("", None, "how the bodies are pressed together"),
+        speed=("v", "m/s", "speed of sliding"),
+    )
 
-    bed: Bed
+    contact: Indentation | EllipticIndentation
     law: Overcome
-    load: OneLoad
     conductors: HeatConductors
     speed: NonNegative
     time: PositiveRow
@@ -101,7 +106,21 @@ class TransientHeating(RubbingBodies):
 
     references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED
-    needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        refuse_contact(self, self.contact)
+        loads = np.shape(load_number(self.contact.load))
+        if loads:
+            raise InvalidInput(
+                f"TransientHeating: the load of the contact has the shape {loads}; give Force, Depth or "
+                "Radius with one number, and sweep over several."
+            )
+        if isinstance(self.contact, EllipticIndentation) and not isinstance(self.contact.medium, HomogeneousMedium):
+            raise OutsideValidity(
+                "TransientHeating: the pressure of an ellipse on layers or gradings is one of pixels, of which the "
+                "beginning is not implemented; give a homogeneous medium, or FrictionHeating for what it ends in."
+            )
 
     def solve(self) -> TransientHeatingSolution:
         """Return the temperatures in the course of time.
@@ -117,17 +136,17 @@ class TransientHeating(RubbingBodies):
         NotConverged
             If the profile is too rough.
         """
-        contact = Indentation(self.bed, self.load).solve()
+        contact = self.contact.solve()
         heat = self.law.coefficient * float(contact.force) * self.speed
         share = np.full(self.time.shape, idle_share(self.partition, self._bodies))
         parts = [np.zeros(self.time.shape)] * 4
-        if contact.radius > 0.0:
-            source = heat_source(contact.pressed).source
+        source = _source(contact)
+        if source is not None:
             # two bodies of one diffusivity warm up alike
             rises = {
                 rate: [
                     np.array([grown(math.sqrt(rate * time)) for time in self.time])
-                    for grown in (partial(_greatest, source), source.risen_mean)
+                    for grown in (source.risen_peak, source.risen_mean)
                 ]
                 for rate in {body.diffusivity for body in self._bodies}
             }
@@ -140,12 +159,10 @@ class TransientHeating(RubbingBodies):
         return TransientHeatingSolution(self, contact, heat, self.time, share, *parts)
 
 
-def _greatest(source: LineSource, length: float) -> float:
-    """Return the greatest lambda T: on the axis if the flux falls from there, else on the warmest of many circles."""
-    if source.fading:
-        return float(source.risen(length, np.zeros(1))[0])
-    circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, SEARCH_CIRCLES))
-    return source.warmest(length, circles)
+def _source(contact: HeatedContact) -> LineSource | EllipticSource | None:
+    (source,) = heat_sources(contact)
+    assert not isinstance(source, PressedSource)  # ellipses on layers are refused
+    return source
 
 
 @value
@@ -156,7 +173,7 @@ class TransientHeatingSolution:
     ----------
     problem : TransientHeating
         The problem that was solved.
-    contact : IndentationSolution
+    contact : IndentationSolution or EllipticSolution
         The contact.
     heat_rate : float
         Q = mu F v, the heat of friction per time [W].
@@ -171,7 +188,7 @@ class TransientHeatingSolution:
     """
 
     problem: TransientHeating
-    contact: IndentationSolution[float]
+    contact: HeatedContact
     heat_rate: float
     time: Array
     first_share: Array
@@ -188,28 +205,29 @@ class TransientHeatingSolution:
     @property
     def stationary_temperature(self) -> float:
         """What the flash temperature tends to in the end [K]."""
-        if self.heat_rate == 0.0 or self.contact.radius == 0.0:
+        source = _source(self.contact)
+        if self.heat_rate == 0.0 or source is None:
             return 0.0
-        last = np.array(heat_source(self.contact.pressed).source.peak(0.0).height)
+        last = np.array(source.peak(0.0).height)
         first, second = (last / body.conductivity for body in self.problem._bodies)
         return self.heat_rate * float(shared(first, second, self.problem.partition))
 
-    def first_temperature(self, r: ArrayLike) -> Array:
-        """Return the temperature of the first body's surface [K], (steps, ...), at distances r [m] from the axis."""
-        return self._field(self.problem._bodies[0], self.first_share, r)
+    def first_temperature(self, x: ArrayLike, y: ArrayLike = 0.0) -> Array:
+        """Return the temperature of the first body's surface [K], (steps, ...), at places x, y [m] from the middle."""
+        return self._field(self.problem._bodies[0], self.first_share, x, y)
 
-    def second_temperature(self, r: ArrayLike) -> Array:
-        """Return the temperature of the second body's surface [K], (steps, ...), at distances r [m] from the axis."""
-        return self._field(self.problem._bodies[1], 1.0 - self.first_share, r)
+    def second_temperature(self, x: ArrayLike, y: ArrayLike = 0.0) -> Array:
+        """Return the temperature of the second body's surface [K], (steps, ...), at places x, y [m] from the middle."""
+        return self._field(self.problem._bodies[1], 1.0 - self.first_share, x, y)
 
-    def _field(self, body: ThermalConductor, share: Array, r: ArrayLike) -> Array:
-        places = np.asarray(r, dtype=float)
-        if self.contact.radius == 0.0:
-            return np.zeros((self.time.size, *places.shape))
-        source = heat_source(self.contact.pressed).source
-        rows = [source.risen(math.sqrt(body.diffusivity * time), places) for time in self.time]
+    def _field(self, body: ThermalConductor, share: Array, x: ArrayLike, y: ArrayLike) -> Array:
+        along, across = common_places("TransientHeatingSolution", x=x, y=y)
+        source = _source(self.contact)
+        if source is None:
+            return np.zeros((self.time.size, *along.shape))
+        rows = [source.risen(math.sqrt(body.diffusivity * time), along, across) for time in self.time]
         scale = share * self.heat_rate / body.conductivity
-        return np.asarray(scale.reshape(-1, *(1 for _ in places.shape)) * np.array(rows))
+        return np.asarray(scale.reshape(-1, *(1 for _ in along.shape)) * np.array(rows))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -220,17 +238,17 @@ class TransientHeatingSolution:
 
     @property
     def _rest(self) -> Note:
-        radius, speed = float(self.contact.radius), self.problem.speed
-        if radius == 0.0 or speed == 0.0:
+        source, speed = _source(self.contact), self.problem.speed
+        if source is None or speed == 0.0:
             return Note(Assumption.CONDUCTION, Standing.EXACT, "Nothing rubs.", "the problem")
         waves = [speed / body.diffusivity for body in self.problem._bodies]
-        source = heat_source(self.contact.pressed).source
         excess = 100.0 * (source.peak(0.0).height / source.peak(max(waves)).height - 1.0)
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
             "Both bodies are assumed at rest relative to the contact. If one of them moves at the whole speed (Pe = "
-            f"{0.5 * max(waves) * radius:.3g}), its last temperatures are up to {excess:.2g} % too high.",
+            f"{0.5 * max(waves) * source.half_length(0.0):.3g}), its last temperatures are up to {excess:.2g} % too "
+            "high.",
             "own quadrature of the moving source",
         )
 

@@ -7,10 +7,15 @@ import math
 import numpy as np
 
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.temperature import temperature_note
+from winkler.problems.heating.heat_source import HeatedContact
+from winkler.problems.normal.elliptic import IN_LAYERS
 from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.values.validity import Assumption, Note, Standing
 
@@ -45,10 +50,36 @@ def _steady(flux: str = RUBBED, plated: bool = False) -> Note:
 STEADY_SOURCE = _steady()
 
 
-def sliding_contact_notes(contact: IndentationSolution, coefficient: float) -> tuple[Note, ...]:
-    """Return how far a contact can be trusted all of which slides with a coefficient of friction [-]."""
-    rubbed = contact.notes_with(SurfaceFriction(coefficient, math.inf))
-    return (*rubbed, sliding_note(contact.problem.bed.medium, coefficient))
+BY_PIXELS = Note(
+    Assumption.RESOLUTION,
+    Standing.ASYMPTOTIC,
+    "The heat follows the pressure of pixels: where closed forms are known, equal layers and round contacts, greatest "
+    "temperatures were within 5e-4 of them and means within 2e-3, at Peclet numbers up to 1e7.",
+    "comparison with ellipses on half-spaces and round contacts on layers",
+)
+
+
+def sliding_contact_notes(contact: HeatedContact, coefficient: float, angle: float | None = 0.0) -> tuple[Note, ...]:
+    """Return how far a contact can be trusted all of which slides.
+
+    Parameters
+    ----------
+    contact : IndentationSolution or EllipticSolution
+    coefficient : float
+        Of friction [-].
+    angle : float, optional
+        That of the line along which it slides to x [rad]; none if there are several.
+    """
+    if isinstance(contact, IndentationSolution):
+        rubbed, medium = contact.notes_with(SurfaceFriction(coefficient, math.inf)), contact.problem.bed.medium
+        return (*rubbed, sliding_note(medium, coefficient))
+    layered, axes = contact.problem.medium, (contact.longitudinal_semi_axis, contact.lateral_semi_axis)
+    if isinstance(layered, HomogeneousMedium):
+        yields = ellipse_yield_notes(layered, axes, contact.force, coefficient, angle)
+    else:
+        yields = (*unknown_yield(layered, IN_LAYERS), BY_PIXELS)
+    elastic = (note for note in contact.validity if note.assumption is not Assumption.ELASTIC)
+    return (*elastic, *yields, sliding_note(layered, coefficient))  # type: ignore[arg-type]
 
 
 def heating_notes(

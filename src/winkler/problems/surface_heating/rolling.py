@@ -163,7 +163,7 @@ class SurfaceRollingHeating(RubbingBodies, PerLoad[Q]):
     def _peclets(self, pressure: Array) -> tuple[float, float]:
         half = half_length(pressure > 0.0, self.rolling.topography.pixel[0])
         speeds = [np.asarray(self.rolling.speed)] * 2
-        first, second = peclet_numbers("SurfaceRollingHeating", half, speeds, self._bodies)
+        first, second = peclet_numbers("SurfaceRollingHeating", [half] * 2, speeds, self._bodies)
         return float(first), float(second)
 
 

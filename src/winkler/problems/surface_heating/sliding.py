@@ -130,7 +130,7 @@ class SurfaceFrictionHeating(RubbingBodies):
         load, speeds = self.load, (self.first_speed, self.second_speed)
         half = half_length(load.pressure > 0.0, load.pixel[0])
         owner = type(self).__name__
-        peclets = peclet_numbers(owner, half, [np.asarray(speed) for speed in speeds], self._bodies)
+        peclets = peclet_numbers(owner, [half] * 2, [np.asarray(speed) for speed in speeds], self._bodies)
         patch = HeatedPatch.of(owner, load.pressure, load.places, self._bodies, speeds, self._bulk)
         state = patch.heated(self._flux)
         first, second = (float(peclet) for peclet in peclets)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
+from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.friction import tangential_formulas
-from winkler.study.chapters.kind import kind
+from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
 
@@ -14,7 +14,9 @@ __all__ = ["HEATING"]
 
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
 STEELS: dict[str, Any] = {"kind": "heat_conductors", "first": STEEL, "second": STEEL}
+ELLIPTIC = "winkler.problems.normal.elliptic:EllipticIndentation"
 COULOMB = {"kind": "coulomb", "coefficient": 0.3}
+PRESSED = {"kind": "indentation", "load": {"kind": "force", "force": "20 N"}}
 TWO_CYCLES = [
     {"kind": "start", "normal": {"kind": "force", "force": "100 N"}},
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 2.0},
@@ -79,6 +81,22 @@ ELLIPTIC_KERNEL = Equation(
 )
 
 
+def heating_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a contact that slides steadily: round, or of two curvatures."""
+    if is_a(problem.contact, ELLIPTIC):
+        return (ELLIPSE, ELLIPTIC_FLUX, ELLIPTIC_MOVING, ELLIPTIC_KERNEL, SHARE)
+    before = normal_formulas(problem.contact)
+    return (*before, FLUX, AT_REST, MOVING, MOVING_KERNEL, SHARE) if before else ()
+
+
+def transient_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a contact that begins to slide."""
+    if is_a(problem.contact, ELLIPTIC):
+        return (ELLIPSE, ELLIPTIC_FLUX, TRANSIENT, SHARE)
+    before = normal_formulas(problem.contact)
+    return (*before, FLUX, AT_REST, TRANSIENT, SHARE) if before else ()
+
+
 def fretting_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a periodic motion, and of its heat."""
     return (*tangential_formulas(problem.motion), CYCLE, COMMON_SURFACE)
@@ -96,27 +114,27 @@ HEATING = Chapter(
     answers={
         "friction_heating": answer(
             "winkler.problems.heating.steady:FrictionHeating",
-            question="How hot do two rubbing bodies get?",
+            question="How hot do two rubbing bodies get, round or of two curvatures, that slide in any direction?",
             page="chapters/heating.md",
             key="hot temperature flash",
-            en="flash temperature friction heat how hot does it get hot temperature rise sliding brake dry bearing pin on disc temperature jaeger archard blok heat partition frictional heating burn grinding temperature peclet heat partition coefficient charron peclet number bulk temperature brake pad ice skate snow ski melting by friction asperity temperature pad on disc hot sliding shoe temperature at asperities clutch lining burn locked brake wheel flat pv limit clutch judder hot spots slip ring brush sandpaper burn",
-            de="blitztemperatur reibwärme wie heiss temperatur erwärmung gleiten bremse stift scheibe reibungshitze heiss bremsbelag reibfläche bremstemperatur kontakterwärmung kupplungsbelag eis schlittschuh",
-            fr="température éclair chaleur de frottement échauffement quelle température frein pion disque chaud patin de frein garniture température flash patinage glace",
+            en="flash temperature friction heat how hot does it get hot temperature rise sliding brake dry bearing pin on disc temperature jaeger archard blok heat partition frictional heating burn grinding temperature peclet heat partition coefficient charron peclet number bulk temperature brake pad ice skate snow ski melting by friction asperity temperature pad on disc hot sliding shoe temperature at asperities clutch lining burn locked brake wheel flat pv limit clutch judder hot spots slip ring brush sandpaper burn wheel rail temperature bearing flash temperature skidding ball smearing spinning traction heat ellipse wheel slide heat ball bearing hot skidding in high speed bearings slides on rail smearing damage heat smearing marks roller",
+            de="blitztemperatur reibwärme wie heiss temperatur erwärmung gleiten bremse stift scheibe reibungshitze heiss bremsbelag reibfläche bremstemperatur kontakterwärmung kupplungsbelag eis schlittschuh rad schiene wälzlager anschmierung ellipse schlupf blockiertes rad flachstelle anschmierungen",
+            fr="température éclair chaleur de frottement échauffement quelle température frein pion disque chaud patin de frein garniture température flash patinage glace roue rail roulement ellipse enrayage roue bloquée",
             headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
             says={
                 "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
             },
+            contact=PRESSED,
             law=COULOMB,
-            load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
             first_speed="1 m/s",
             picture=Caption(
                 "heating",
                 "Temperatures of the bodies",
-                "The surface that moves faster past the contact, both surfaces along the middle, and the flash "
-                "temperature over the speed; or, of many loads and speeds at once, over what was varied.",
+                "The surface of the body with the higher Peclet number, both surfaces along its motion, and the flash "
+                "temperature over the speed; of many loads or speeds, temperatures and shares over what was varied.",
             ),
-            formulas=followed_by(normal_formulas, FLUX, AT_REST, MOVING, MOVING_KERNEL, SHARE),
+            formulas=heating_formulas,
         ),
         "line_friction_heating": answer(
             "winkler.problems.heating.line_heating:LineFrictionHeating",
@@ -130,9 +148,12 @@ HEATING = Chapter(
             says={
                 "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
             },
-            bed=ROLLER,
+            contact={
+                "kind": "line_indentation",
+                "bed": ROLLER,
+                "load": {"kind": "line_force", "force_per_length": "400 N/mm"},
+            },
             law={"kind": "coulomb", "coefficient": 0.05},
-            load={"kind": "line_force", "force_per_length": "400 N/mm"},
             conductors=STEELS,
             first_speed="6 m/s",
             second_speed="4 m/s",
@@ -170,32 +191,6 @@ HEATING = Chapter(
             pictured=PicturedContact.NONE,
             formulas=(EVEN_BAND, SHARE),
         ),
-        "elliptic_friction_heating": answer(
-            "winkler.problems.heating.elliptic_heating:EllipticFrictionHeating",
-            "johnson_1985",
-            question="How hot do bodies with two curvatures get that slide on each other in any direction?",
-            page="chapters/flash.md#ellipses",
-            en="wheel rail temperature bearing flash temperature skidding ball smearing spinning traction heat ellipse wheel slide heat ball bearing hot skidding in high speed bearings locked brake wheel flat slides on rail smearing damage heat smearing marks roller",
-            de="rad schiene temperatur wälzlager blitztemperatur anschmierung ellipse heiss schlupf blockiertes rad flachstelle anschmierungen",
-            fr="température roue rail roulement éclair ellipse patinage enrayage roue bloquée",
-            headline=("flash_temperature", "first_mean_temperature", "heat_rate", "first_share"),
-            says={
-                "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
-            },
-            law={"kind": "coulomb", "coefficient": 0.1},
-            load={"kind": "force", "force": "200 N"},
-            conductors=STEELS,
-            first_speed="2 m/s",
-            first_direction="30 deg",
-            picture=Caption(
-                "heating",
-                "Temperatures of the bodies",
-                "The surface of the body with the higher Peclet number, both surfaces along its motion, and the flash "
-                "temperature over the speed; of many loads or speeds, temperatures and shares over what was varied.",
-            ),
-            pictured=PicturedContact.NONE,
-            formulas=(ELLIPSE, ELLIPTIC_FLUX, ELLIPTIC_MOVING, ELLIPTIC_KERNEL, SHARE),
-        ),
         "transient_heating": answer(
             "winkler.problems.heating.transient:TransientHeating",
             question="How fast do two bodies warm up after they begin to slide slowly?",
@@ -207,8 +202,8 @@ HEATING = Chapter(
             says={
                 "flash_temperature": "the hottest place of the contact is {flash_temperature} warmer than the bodies"
             },
+            contact=PRESSED,
             law=COULOMB,
-            load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
             speed="10 mm/s",
             time={"from": "10 us", "to": "1 s", "count": 16, "spacing": "log"},
@@ -218,7 +213,7 @@ HEATING = Chapter(
                 "The flash temperature over time, and the surface of the first body at some moments.",
             ),
             curves=(("time", "flash_temperature"), ("time", "first_share")),
-            formulas=followed_by(normal_formulas, FLUX, AT_REST, TRANSIENT, SHARE),
+            formulas=transient_formulas,
         ),
         "fretting_heat": answer(
             "winkler.problems.heating.fretting:FrettingHeat",

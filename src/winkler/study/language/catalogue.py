@@ -20,6 +20,7 @@ from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
 __all__ = [
     "CATALOGUE",
     "FORMER",
+    "FORMER_PARTS",
     "REFUSED",
     "SLOTS",
     "UNWRITTEN",
@@ -67,10 +68,21 @@ UNWRITTEN = frozenset(
 )
 """Classes that a study file cannot name: a load that stays as it is, layers of your own, laws that are functions."""
 
-FORMER = {"coated_tangential": "tangential", "viscoelastic_tangential": "tangential"}
+FORMER = {
+    "coated_tangential": "tangential",
+    "viscoelastic_tangential": "tangential",
+    "elliptic_friction_heating": "friction_heating",
+}
 """Kinds of version 0.2 -> those that answer with the same numbers; studies that name the former still run."""
 FORMER_DEFAULTS: dict[str, dict[str, Any]] = {"viscoelastic_tangential": {"count": 500}}
 """Keys that have another default today."""
+FORMER_PARTS: dict[str, tuple[str, str, tuple[str, ...]]] = {
+    "friction_heating": ("contact", "indentation", ("bed", "load", "bodies", "medium")),
+    "elliptic_friction_heating": ("contact", "elliptic_indentation", ("bodies", "medium", "load")),
+    "transient_heating": ("contact", "indentation", ("bed", "load")),
+    "line_friction_heating": ("contact", "line_indentation", ("bed", "load")),
+}
+"""Kinds of version 0.2 some of whose keys stand in a table of their own today: its key, its kind, and what it holds."""
 
 REFUSED: dict[str, Kind] = {"cylinder": kind("winkler.profiles.flat:Cylinder")}
 """Kinds that cannot be solved; creating one raises the reason."""
@@ -93,15 +105,49 @@ def _names() -> dict[str, str]:
 
 
 def in_present_kinds(content: Any) -> Any:
-    """Return the tables and lists of a study with the kinds of today in place of `FORMER` ones."""
+    """Return the tables and lists of a study with the kinds and keys of today in place of those of version 0.2."""
+    problem = content.get("problem") if isinstance(content, dict) else None
+    if isinstance(problem, dict) and isinstance(name := problem.get("kind"), str) and name in FORMER_PARTS:
+        place, _, keys = FORMER_PARTS[name]
+        moved = re.compile(rf"problem\.(?=({'|'.join(keys)})(\.|$))")
+        content = {key: item if key == "problem" else _renamed(item, moved, place) for key, item in content.items()}
+    return _present(content)
+
+
+def _renamed(content: Any, moved: re.Pattern[str], place: str) -> Any:
+    """Return tables and lists in which keys that lie in the table `place` of the problem today are called so."""
+    if isinstance(content, str):
+        return moved.sub(f"problem.{place}.", content, count=1) if moved.match(content) else content
     if isinstance(content, list):
-        return [in_present_kinds(item) for item in content]
+        return [_renamed(item, moved, place) for item in content]
+    if isinstance(content, dict):
+        return {_renamed(key, moved, place): _renamed(item, moved, place) for key, item in content.items()}
+    return content
+
+
+def _present(content: Any) -> Any:
+    if isinstance(content, list):
+        return [_present(item) for item in content]
     if not isinstance(content, dict):
         return content
-    table = {key: in_present_kinds(item) for key, item in content.items()}
-    if isinstance(name := table.get("kind"), str) and name in FORMER:
-        return {**FORMER_DEFAULTS.get(name, {}), **table, "kind": FORMER[name]}
-    return table
+    table = {key: _present(item) for key, item in content.items()}
+    if not isinstance(name := table.get("kind"), str):
+        return table
+    if name in FORMER_PARTS:
+        place, kind_there, keys = FORMER_PARTS[name]
+        if before := {key: table.pop(key) for key in keys if key in table}:
+            there = table.get(place)
+            table[place] = _over(there if isinstance(there, dict) else {"kind": kind_there}, before)
+    return {**FORMER_DEFAULTS.get(name, {}), **table, "kind": FORMER[name]} if name in FORMER else table
+
+
+def _over(table: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
+    """Return a table in which more contents stand, tables within tables."""
+    both = {key: (table.get(key), item) for key, item in more.items()}
+    return table | {
+        key: _over(old, new) if isinstance(old, dict) and isinstance(new, dict) else new
+        for key, (old, new) in both.items()
+    }
 
 
 def in_kinds(sentence: str) -> str:
