@@ -172,12 +172,12 @@ def test_a_film_on_a_body_that_does_not_relax_agrees_with_elements_and_another_i
     """
     on = wk.Elastic(2.0 * (1.0 + NU_BASE) * base, NU_BASE)
     medium = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(GEL, THICKNESS)], on=on)
-    level, dt = (4e-3 if base > 1.0 else 1e-3), 0.05
+    level, dt = (4e-3 if base > 1.0 else 1e-3), 0.025
     times, forces = np.array(HISTORY[0]), level * np.array(HISTORY[1])
     found = solved(medium, wk.LineForcePath(times, forces, count=10), count=200)
-    body = FilmOnElasticBase(base, 1.05 * found.half_width.max(), 180, dt, 71)
+    body = FilmOnElasticBase(base, 1.05 * found.half_width.max(), 90, dt, 141)
     errors, middles = [], []
-    for moment in np.arange(1, 71) * dt:
+    for moment in np.arange(1, 141) * dt:
         pressure = body.step(float(np.interp(moment, times, forces)))
         at = np.flatnonzero(np.abs(found.time - moment) < 1e-9)
         if at.size:
@@ -187,9 +187,9 @@ def test_a_film_on_a_body_that_does_not_relax_agrees_with_elements_and_another_i
             middles.append(pressure[0] / float(state.pressure(body.x[0])) - 1.0)
             assert abs(np.count_nonzero(pressure) * body.width - state.half_width) < 1.5 * body.width
     assert len(errors) > 10
-    # the first points of the path are 2 and 4 steps of the sums after the beginning
-    assert max(errors[2:]) < 8e-3
-    assert np.max(np.abs(middles[4:])) < 3e-3
+    # where an edge runs over elements faster than one a step the sums keep kinks: steps twice as long err thrice as much
+    assert max(errors[2:]) < 4e-3
+    assert np.max(np.abs(middles[2:])) < 1e-3
 
 
 def test_what_layers_of_own_laws_do_not_know_is_said():
