@@ -189,7 +189,7 @@ def test_a_film_on_a_body_that_does_not_relax_agrees_with_elements_and_another_i
     assert len(errors) > 10
     # where an edge runs over elements faster than one a step the sums keep kinks: steps twice as long err thrice as much
     assert max(errors[2:]) < 4e-3
-    assert np.max(np.abs(middles[2:])) < 1e-3
+    assert np.max(np.abs(middles[9:])) < 6e-4  # from 1 s on: the sums begin with a jump
 
 
 def test_what_layers_of_own_laws_do_not_know_is_said():
