@@ -117,7 +117,7 @@ class LineViscoelasticState:
             for start in range(0, flat.size, block):
                 part = slice(start, start + block)
                 found[part] = self._pressure(flat[part], edges, loads, edge_load)
-                if layered:
+                if layered and isinstance(line, LayeredLineFoundation):
                     found[part] += layered_pressure(line, flat[part], edges, shares, self.edge_load)
         return found.reshape(places.shape)
 
