@@ -187,7 +187,7 @@ def test_a_film_on_a_body_that_does_not_relax_agrees_with_elements_and_another_i
             middles.append(pressure[0] / float(state.pressure(body.x[0])) - 1.0)
             assert abs(np.count_nonzero(pressure) * body.width - state.half_width) < 1.5 * body.width
     assert len(errors) > 10
-    # where an edge runs over elements faster than one a step the sums keep kinks: steps twice as long err thrice as much
+    # where an edge runs over elements faster than one a step, the sums keep kinks that finer steps do not have
     assert max(errors[2:]) < 4e-3
     assert np.max(np.abs(middles[9:])) < 6e-4  # from 1 s on: the sums begin with a jump
 
