@@ -151,6 +151,8 @@ def test_wide_punches_squeeze_an_incompressible_film_like_a_liquid():
     second = [2.0 * fine - coarse for coarse, fine in zip(first[:-1], first[1:], strict=True)]
     assert abs((4.0 * second[1] - second[0]) / 3.0) < 1e-4
     assert first[2] == pytest.approx(0.5 * first[1], rel=0.05)
+    wide = [share(a) - 1.0 for a in (750.0, 1500.0)]  # where rounding leaves six digits
+    assert abs(2.0 * wide[1] - wide[0]) < 2e-5
 
 
 @pytest.mark.parametrize("poisson", [0.0, 0.3, pytest.param(0.45, marks=pytest.mark.slow)])

@@ -175,9 +175,6 @@ def test_notes_speak_of_layers_and_what_does_not_fit_is_refused():
     assert any(note.startswith("Layers, or bodies graded with depth, that relax in proportion,") for note in notes)
     assert not any("half-planes" in note for note in notes)
     assert any("no overlap outside of the widest elastic contact" in note for note in notes)
-    general = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(RUBBER, 0.01)], on=wk.Elastic(1.0, 0.3))
-    with pytest.raises(wk.InvalidInput, match="a wide strip relaxes otherwise than a narrow one"):
-        wk.LineViscoelasticIndentation(wk.LayeredLineFoundation(wk.Paraboloid(1.0), general), IN_AND_OUT)
     with pytest.raises(wk.OutsideValidity, match="its stiffness changes in time"):
         wk.LineIndentation(bed_of(10.0), wk.LineForce(1e-3)).solve()
     soil = wk.RelaxingInProportion(

@@ -21,13 +21,15 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["EDGE_SHIFT", "BorneCells", "CoupledCells", "LoadedCells"]
+__all__ = ["EDGE_SHIFT", "STRIP_EDGE_SHIFT", "BorneCells", "CoupledCells", "LoadedCells"]
 
 EDGE_SHIFT = 0.5 - 0.5 / math.sqrt(3.0)
 """By so many cells a contact is wider than where the last of its cells would bear nothing.
 
 Of hats on a medium without waves, whose factor has d^2 + e^2 = 2/3 and d e = 1/6, it is e / (d + e).
 """
+STRIP_EDGE_SHIFT = 0.0283
+"""The same of hats of pressure on a plane surface: what a flat strip sinks by is that of a strip so much wider."""
 MOST_FACTORS, MOST_NUMBERS_KEPT = 48, 8_000_000
 """Steps of so many lengths are kept, with so many numbers, but those of two in any case."""
 
@@ -95,10 +97,14 @@ class CoupledCells:
         Of the cells [m].
     shape : ndarray, (n,)
         The equivalent profile on a homogeneous body in the middle of the cells [m].
+    edge_shift : float, optional
+        By so many cells contacts are wider than where their last cells bear nothing.
     """
 
-    def __init__(self, kernels: Array, times: Array, width: float, shape: Array) -> None:
-        count = shape.size
+    def __init__(
+        self, kernels: Array, times: Array, width: float, shape: Array, edge_shift: float = EDGE_SHIFT
+    ) -> None:
+        count, self.edge_shift = shape.size, edge_shift
         self.kernels, self.times, self.width, self.shape, self.count = kernels, times, width, shape, count
         self.middle = width * (np.arange(count) + 0.5)
         around = np.zeros((kernels.shape[0], 4 * count))
@@ -188,9 +194,9 @@ class CoupledCells:
         if held == 0:
             return 0.0
         if held == self.count:
-            return (held + EDGE_SHIFT) * self.width
+            return (held + self.edge_shift) * self.width
         inner, outer = float(last[held - 1]), float(last[held])
-        return float(self.middle[held - 1]) + self.width * (inner / (inner - outer) + EDGE_SHIFT)
+        return float(self.middle[held - 1]) + self.width * (inner / (inner - outer) + self.edge_shift)
 
     def _factor(self, span: float) -> _Factor:
         key = float(f"{span:.9e}")

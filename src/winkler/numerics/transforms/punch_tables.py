@@ -32,6 +32,9 @@ NODE_COUNTS = (12, 16, 24, 32)
 SETTLED_TOLERANCE = 1e-12
 LAST_TOLERANCE = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
+ROUNDED_WIDTH, MOST_ROUNDED = 4e-16, 1e-5
+"""What rounding moves at a radius of one length, as which a film that keeps its volume squeezes out digits by the cube
+of the radius; and beyond which results are refused."""
 ROUNDING_RATIO = 1e-16
 """What rounding leaves of the end of a series, over the largest phi: it does not get shorter on halving the octave."""
 EDGE_PANEL_WIDTH = 1.5
@@ -120,8 +123,15 @@ def _resolved(response: WaveResponse, table: Punches, tail: float, halvings: int
     rounded = ROUNDING_RATIO * float(np.max(np.abs(table.phi)))
     if tail <= max(10.0 * _settled(response), rounded):
         return (table,)
-    middle, accepted = 0.5 * (table.low + table.high), max(LAST_TOLERANCE, 100.0 * _settled(response))
-    halves = [_solve(response, *ends) for ends in ((table.low, middle), (middle, table.high))] if halvings else []
+    middle, accepted = 0.5 * (table.low + table.high), _accepted(response, table.high)
+    if halvings and LAST_TOLERANCE < accepted >= tail:  # digits are squeezed out at the widest radii first
+        wider = _solve(response, middle, table.high)
+        if wider[1] >= SHORTENED_RATIO * tail:
+            return (table,)
+        halves = [_solve(response, table.low, middle), wider]
+    else:
+        ends = ((table.low, middle), (middle, table.high)) if halvings else ()
+        halves = [_solve(response, *pair) for pair in ends]
     if tail <= accepted and all(end >= SHORTENED_RATIO * tail for _, end in halves):
         return (table,)  # rounding keeps the series from ending
     if not halves:
@@ -202,6 +212,12 @@ def _settled(response: WaveResponse) -> float:
     return max(SETTLED_TOLERANCE, response.precision)
 
 
+def _accepted(response: WaveResponse, high: float) -> float:
+    """Return the relative change that is accepted up to a radius where rounding keeps results from settling."""
+    squeezed = min(ROUNDED_WIDTH * (high / response.length) ** 3, MOST_ROUNDED)
+    return max(LAST_TOLERANCE, 100.0 * _settled(response), squeezed)
+
+
 def _enough(response: WaveResponse, high: float, panels: Array) -> int:
     """Return how many nodes a panel needs for the widest punch to settle."""
     settled = _settled(response)
@@ -215,7 +231,7 @@ def _enough(response: WaveResponse, high: float, panels: Array) -> int:
         if change <= settled or (change <= LAST_TOLERANCE and change > 0.1 * before):
             return int(fewer)
         last = finer
-    if change > max(LAST_TOLERANCE, 100.0 * settled):
+    if change > _accepted(response, high):
         raise NotConverged(
             f"A flat punch with a radius of {high / response.length:.3g} {IN_LENGTHS} still moves by {change:.1e}; the "
             "contrasts of the stack are beyond what winkler can carry: request a narrower contact."

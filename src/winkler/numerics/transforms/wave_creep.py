@@ -49,6 +49,10 @@ TURNS = 16
 """Of the shortest wave that cells resolve, up to which waves are summed one by one."""
 FOURTH_POWER = np.array([1.0, -4.0, 6.0, -4.0, 1.0]) / 16.0
 """Of cos((j + k) x), k = -2 to 2, in sin^4(x/2) cos(j x)."""
+FAR = 16
+"""Distance of two hats from which on their moments give the mean of a logarithm, to 1e-13."""
+FAR_LOGARITHM = np.array([1.0 / 6.0, 3.0 / 40.0, 17.0 / 252.0, 31.0 / 360.0])
+"""Moments of the distance of places under two hats, over the power of each."""
 SLOPE_STEP = 1e-3
 """Of a difference quotient, relative."""
 CHECKED_WAVES = 5
@@ -95,40 +99,56 @@ class WaveCreep(NamedTuple):
 
         A hat is one in its middle and zero one width [m] away: the double integral of c with two hats [m/Pa].
         """
-        lowest, last, along = float(self.edges[1]), float(self.edges[-1]), np.arange(2 * count)
+        total = self._summed(np.arange(2 * count), count, width, self._varying)
+        total[:, 0] += self.local * (2.0 / 3.0 * width)
+        total[:, 1] += self.local * (width / 6.0)
+        return total
+
+    def strip_kernels(self, count: int, width: float) -> Array:
+        """Return how hats of pressure move a plane surface, as `kernels` do a line load [m^2/Pa].
+
+        Each moves it more than at a distance of 2 count widths from its middle: a wave of pressure sinks by 2 c / xi,
+        which has no bound as xi falls.
+        """
+        along = np.arange(2 * count + 1)
+        total = self._summed(along, count, width, lambda xi: self._varying(xi) * (2.0 / xi))
+        total -= np.outer(self.local, width**2 * (2.0 / math.pi) * _logarithms(along))
+        return np.asarray(total[:, :-1] - total[:, -1:])
+
+    def _summed(self, along: Array, count: int, width: float, varying: Callable[[Array], Array]) -> Array:
+        """Return the integral of what varies with the waves at distances `along` in widths."""
+        lowest, last = float(self.edges[1]), float(self.edges[-1])
         stride = 2.0 * math.pi / (4 * count * width)
-        start, total = 0.0, np.zeros((self.local.size, 2 * count))
+        start, total = 0.0, np.zeros((self.local.size, along.size))
         if lowest < stride:  # else the waves do not vary over the first steps
             start = min(lowest * 2.0 ** math.ceil(math.log2(stride / lowest)), last)
             xi, weights = wave_numbers(lowest, start, start)
-            total += self._weighted(xi, weights, width) @ np.cos(np.outer(xi, width * along))
+            total += _weighted(varying(xi), xi, weights, width) @ np.cos(np.outer(xi, width * along))
         # from there on panels of one width, which all cells at their distances meet in steps of a whole turn's part
         end = min(last, start + TURNS * 4 * count * stride)
         panels = math.ceil((end - start) / stride)
         for node, weight in zip(*gauss_legendre(NODES), strict=True):
             first = start + node * stride
             xi = first + stride * np.arange(panels)
-            parts = self._weighted(xi, np.where(xi < end, weight * stride, 0.0), width)
+            parts = _weighted(varying(xi), xi, np.where(xi < end, weight * stride, 0.0), width)
             folded = np.zeros((self.local.size, math.ceil(panels / (4 * count)) * 4 * count))
             folded[:, :panels] = parts
             summed = np.fft.fft(folded.reshape(self.local.size, -1, 4 * count).sum(axis=1), axis=1)
-            turned = np.conj(summed[:, : 2 * count]) * np.exp(1j * first * width * along)
+            turned = np.conj(summed[:, : along.size]) * np.exp(1j * first * width * along)
             total += turned.real
         if end < last:
-            total += self._beyond(end, along, width)
-        total[:, 0] += self.local * (2.0 / 3.0 * width)
-        total[:, 1] += self.local * (width / 6.0)
+            total += self._beyond(end, along, width, varying)
         return total
 
-    def _beyond(self, end: float, along: Array, width: float) -> Array:
-        r"""Return what waves from xi = end on add, far shorter than the cells, ``(1 + M, 2 count)``.
+    def _beyond(self, end: float, along: Array, width: float, varying: Callable[[Array], Array]) -> Array:
+        r"""Return what waves from xi = end on add, far shorter than the cells, ``(1 + M, distances)``.
 
         What multiplies :math:`\sin^4\tfrac x2\cos jx`, :math:`x=\xi h`, hardly changes over a turn: its mean is
         integrated, and of each wave :math:`\cos kx` two terms of the integration by parts are left.
         """
 
         def envelope(xi: Array) -> Array:
-            return self._varying(xi) * (width**2 / math.pi * (2.0 / (xi * width)) ** 4)
+            return varying(xi) * (width**2 / math.pi * (2.0 / (xi * width)) ** 4)
 
         edges = np.append(end, self.edges[self.edges > end])
         nodes, weights = gauss_legendre(NODES)
@@ -151,10 +171,6 @@ class WaveCreep(NamedTuple):
         parts = self.local[:, None] + np.where(xi < self.edges[-1], self._varying(np.minimum(xi, self.edges[-1])), 0.0)
         return np.asarray(parts[0][:, None] - parts[1:].T @ np.expm1(-time / self.times[:, None]))
 
-    def _weighted(self, xi: Array, weights: Array, width: float) -> Array:
-        """Return what varies of the coefficients, times the weights and the square of the transform of a hat."""
-        return self._varying(xi) * (weights / math.pi * width**2 * np.sinc(0.5 * xi * width / math.pi) ** 4)
-
     def _varying(self, xi: Array) -> Array:
         """Return what is added to the coefficients of the shortest waves, ``(1 + M, m)``."""
         panel = np.clip(np.searchsorted(self.edges, xi, side="right") - 1, 0, self.edges.size - 2)
@@ -166,6 +182,24 @@ class WaveCreep(NamedTuple):
             terms = chebvander((2.0 * xi[start:end] - low - high) / (high - low), self.series.shape[0] - 1)
             np.matmul(self.series[:, one].T, terms.T, out=found[:, start:end])
         return found
+
+
+def _weighted(varying: Array, xi: Array, weights: Array, width: float) -> Array:
+    """Return coefficients times the weights and the square of the transform of a hat."""
+    return varying * (weights / math.pi * width**2 * np.sinc(0.5 * xi * width / math.pi) ** 4)
+
+
+def _logarithms(distance: Array) -> Array:
+    """Return the mean of ln|x| between two hats of a width of one, whole numbers ``(n,)`` apart."""
+
+    def risen(x: Array) -> Array:  # four times integrated
+        return x**4 * (np.log(np.maximum(np.abs(x), 1e-9)) - 25.0 / 12.0) / 24.0
+
+    steps = distance[:, None] + np.arange(-2.0, 3.0)
+    near = risen(steps[:FAR]) @ (16.0 * FOURTH_POWER)
+    square = np.maximum(distance[FAR:], 1.0) ** -2.0
+    far = -0.5 * np.log(square) - square * np.polynomial.polynomial.polyval(square, FAR_LOGARITHM)
+    return np.concatenate([near, far])
 
 
 def fit_wave_creep(

@@ -36,7 +36,9 @@ from winkler.problems.line_viscoelastic.path import LineForcePath
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
 from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
+from winkler.problems.line_viscoelastic.wave_strips import cells_notes, strips_along
 from winkler.problems.one_load import OfPath
+from winkler.problems.viscoelastic.layered_path import refuse_many
 from winkler.problems.viscoelastic.march import SpringRow, refuse_rings
 from winkler.values.checks.number_checks import Whole, affordable, between
 from winkler.values.errors import InvalidInput, OutsideValidity
@@ -64,19 +66,20 @@ class LineViscoelasticIndentation:
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `ViscoelasticHalfSpace` or on layers that are `RelaxingInProportion`: Poisson's ratios
-        do not change in time.
+        Profile and bodies, on a `ViscoelasticHalfSpace`, on layers that are `RelaxingInProportion` or relax each by a
+        law of its own, or on a `PoroelasticFilm`: Poisson's ratios of solids do not change in time.
     path : LineForcePath
         Force per length over time.
     count : int, optional
-        How many springs; the error falls with its square.
+        How many springs, or cells on layers that relax each by a law of its own; the error falls with its square.
     tolerance : float, optional
-        Error of the load that crept between two moments, over its greatest value.
+        Error of the load that crept between two moments, over its greatest value.  On layers that relax each by a law
+        of its own that of the pressure in a step, and 0.1 / count^2 where that is more.
 
     Raises
     ------
     InvalidInput
-        If the bodies do not relax, or layers not in proportion, or a number is out of range.
+        If the bodies do not relax, or a number is out of range.
     OutsideValidity
         If a body is graded with depth.
 
@@ -116,12 +119,6 @@ class LineViscoelasticIndentation:
 
     def __post_init__(self) -> None:
         medium: object = self.bed.medium
-        if offers(medium, RelaxingByWaves):
-            raise InvalidInput(
-                f"LineViscoelasticIndentation: {medium.reason} so that a wide strip relaxes otherwise than a narrow "
-                "one and no single function of time stands for all of them, as it must here; give "
-                "LayeredLineFoundation(profile, RelaxingInProportion(medium, solid, shear)) of layers that relax alike."
-            )
         if not offers(medium, RelaxingMedium):
             raise InvalidInput(
                 f"LineViscoelasticIndentation: the bed stands on a {type(medium).__name__}; give "
@@ -132,6 +129,8 @@ class LineViscoelasticIndentation:
             self.bed.refuse_grading(
                 "LineViscoelasticIndentation: strips relax on half-planes and on layers; in the place of the grading"
             )
+        if offers(medium, RelaxingByWaves):
+            refuse_many("LineViscoelasticIndentation", self.bed, self.count)
         affordable("LineViscoelasticIndentation", "numbers", self.total * self.count, MOST_NUMBERS)
 
     @property
@@ -155,6 +154,10 @@ class LineViscoelasticIndentation:
             raise OutsideValidity(
                 "LineViscoelasticIndentation: the force per length is zero all the time; press the bodies together."
             )
+        if offers(medium, RelaxingByWaves):
+            assert isinstance(self.bed, LayeredLineFoundation)
+            yield from strips_along(self.bed, self.path, self.count, self.tolerance)
+            return
         parts, deepest = self._crept(medium)
         line = elastic_line(self.bed)
         modulus = line.medium.modulus
@@ -282,7 +285,8 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
     force_per_length, half_width : ndarray
         P [N/m], a [m], zero without contact.
     crept_load : ndarray
-        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).
+        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
+        uppermost layer where each relaxes by a law of its own.
     mean_pressure, peak_pressure : ndarray
         P / (2 a) and the greatest pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
     states : tuple of LineViscoelasticState
@@ -312,7 +316,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         InvalidInput
             If a reference is not stated: a line contact has no depth of its own.
         OutsideValidity
-            If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
+            If the strip is wider than a fifth of a finite body, or bodies or layers relax, and not in proportion.
         """
         bed, states = self.problem.bed, self.states
         borne, sunk = (np.array([getattr(state, name) for state in states]) for name in ("line_load", "recess"))
@@ -338,4 +342,5 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, times of the solid."""
-        return relaxing_line_notes(self.problem.bed, self.time, float(np.max(self.half_width)))
+        notes = relaxing_line_notes(self.problem.bed, self.time, float(np.max(self.half_width)))
+        return (*notes, *cells_notes(self))

@@ -16,11 +16,14 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.offers import offers
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace, share_of_creep
 from winkler.numerics.types import Array
 from winkler.problems.line.approach import Place, depth_of, nearing
 from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line, layered_approaches
+from winkler.values.errors import OutsideValidity
 
 __all__ = ["approach_of_strips"]
 
@@ -48,6 +51,11 @@ def approach_of_strips(
     """
     c, borne, sunk = strips
     medium = bed.medium
+    if offers(medium, RelaxingByWaves):
+        raise OutsideValidity(
+            f"LineViscoelasticIndentation: {medium.reason} so that how far points inside of it come together is not "
+            "known; read half-width and pressure."
+        )
     if isinstance(bed, LayeredLineFoundation):
         line = elastic_line(bed)
         return layered_approaches(line, c, line.medium.modulus * sunk, places)

@@ -14,6 +14,8 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.media.offers import offers
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
@@ -47,7 +49,8 @@ class LineViscoelasticState:
     force_per_length, half_width : float
         P [N/m], a [m].
     crept_load : float
-        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).
+        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
+        uppermost layer where each relaxes by a law of its own.
     edge_load : float
         What the edge bears like that of a flat punch [N/m]: at a rim, or where a dashpot alongside is caught.
     position : ndarray, (n,)
@@ -106,14 +109,15 @@ class LineViscoelasticState:
             edges, borne = self._strips
             line = elastic_line(self.bed)
             loads, edge_load, shares = -np.diff(borne), self.edge_load, np.zeros(0)
-            if isinstance(line, LayeredLineFoundation):
+            layered = isinstance(line, LayeredLineFoundation) and not offers(self.bed.medium, RelaxingByWaves)
+            if layered:
                 shares, edge_load = shares_of(line, edges, borne), 0.0
                 loads = line.medium.modulus * shares * np.diff(line.half_plane.load_profile(edges))
             block = max(1, BLOCK // edges.size)
             for start in range(0, flat.size, block):
                 part = slice(start, start + block)
                 found[part] = self._pressure(flat[part], edges, loads, edge_load)
-                if isinstance(line, LayeredLineFoundation):
+                if layered and isinstance(line, LayeredLineFoundation):
                     found[part] += layered_pressure(line, flat[part], edges, shares, self.edge_load)
         return found.reshape(places.shape)
 
@@ -164,7 +168,7 @@ class LineViscoelasticState:
         InvalidInput
             If a reference is not stated: a line contact has no depth of its own.
         OutsideValidity
-            If the strip is wider than a fifth of a finite body, or both bodies relax, and not in proportion.
+            If the strip is wider than a fifth of a finite body, or bodies or layers relax, and not in proportion.
         """
         strips = self.position, self.line_load[None], self.recess[None]
         return float(approach_of_strips(self.bed, self.half_width, strips, (first, second))[0])

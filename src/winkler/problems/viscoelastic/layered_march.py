@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import math
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
+from winkler.foundation.line_bed import LineBed
 from winkler.foundation.on_medium import UnderProfile
 from winkler.loading.loads import Depth, Force
 from winkler.media.offers import offers
@@ -67,15 +69,16 @@ class LayeredMarch:
     bed : Bed
     cells : CoupledCells
     tolerance : float
-        Of the depth or force in a step, over the greatest one so far [-].
+        Of the depth or force in a step, of strips that of the pressure, over the greatest one so far [-].
     """
 
-    def __init__(self, owner: str, bed: Bed, cells: CoupledCells, tolerance: float) -> None:
+    def __init__(self, owner: str, bed: Bed | LineBed, cells: CoupledCells, tolerance: float) -> None:
         self.owner, self.bed, self.cells = owner, bed, cells
         self.tolerance = max(tolerance, CELL_ERROR / cells.count**2)
-        self.pinned = cells.width * (cells.count + EDGE_SHIFT) >= bed.rim * (1.0 - 1e-12)
+        self.pinned = cells.width * (cells.count + cells.edge_shift) >= bed.rim * (1.0 - 1e-12)
         self.state, self.time, self.work, self.lost, self.scale = cells.at_rest, 0.0, 0.0, 0.0, 0.0
-        self.check = _Check(cells)
+        self.strip = isinstance(bed, LineBed)
+        self.check = _StripCheck(cells) if self.strip else _Check(cells)
 
     def go(self, time: float, normal: Depth | Force, start: float, end: float) -> MarchedPoint:
         """Carry the contact on to a time [s], while depths or forces go from one to another, and return it there."""
@@ -99,8 +102,12 @@ class LayeredMarch:
         one = self._step(self.state, half, by_depth, middle)
         two = self._step(one, half, by_depth, end)
         self._scaled(two, by_depth)
-        first, last = (each.force if by_depth else each.depth for each in (two, full))
-        error = abs(first - last) / 3.0
+        if isinstance(full, LoadedCells):  # how deep a strip is says little of its pressure
+            changed = two.load - full.load
+            error = math.sqrt(float(np.mean(changed**2))) / 3.0
+        else:
+            first, last = (each.force if by_depth else each.depth for each in (two, full))
+            error = abs(first - last) / 3.0
         if by_depth and self.state.held and not two.held:
             error = max(error, LEAVING_SHARE * abs(one.force - 0.5 * self.state.force))
         if error <= self.tolerance * self.scale or level >= MOST_HALVINGS:
@@ -113,10 +120,13 @@ class LayeredMarch:
         self._through(half, by_depth, middle, end, self._borne(half, by_depth, end), level + 1)
 
     def _scaled(self, state: LoadedCells, by_depth: bool) -> None:
-        self.scale = max(self.scale, abs(state.force if by_depth else state.depth))
+        greatest = float(np.max(state.load)) if self.strip else state.force if by_depth else state.depth
+        self.scale = max(self.scale, abs(greatest))
 
-    def _borne(self, span: float, by_depth: bool, end: float) -> BorneCells:
-        """Return what is borne after a step in one, with which its halves are compared."""
+    def _borne(self, span: float, by_depth: bool, end: float) -> BorneCells | LoadedCells:
+        """Return what is borne after a step in one, with which its halves are compared; of strips each cell."""
+        if self.strip:
+            return self._step(self.state, span, by_depth, end)
         after = self.cells.borne(self.state, span, end if by_depth else None, None if by_depth else end)
         self._wide_enough(after.held)
         return after
@@ -143,8 +153,8 @@ class LayeredMarch:
                 what = "touches outside the contact again"
         if what:
             raise OutsideValidity(
-                f"{self.owner}: at {self.time:.6g} s the body {what}, so the contact is no disc, which is not solved "
-                f"on a {type(self.bed.medium).__name__}; end the path before."
+                f"{self.owner}: at {self.time:.6g} s the body {what}, so the contact is no {self.check.shape}, which "
+                f"is not solved on a {type(self.bed.medium).__name__}; end the path before."
             )
 
 
@@ -156,8 +166,28 @@ def _work(first: LoadedCells, one: LoadedCells, two: LoadedCells, by_depth: bool
     return two.force * two.depth - first.force * first.depth - (two.force - first.force) * mean
 
 
+class _StripCheck:
+    """Pressure and separation of strips, which the cells bear themselves."""
+
+    shape: ClassVar[str] = "single strip"
+
+    def __init__(self, cells: CoupledCells) -> None:
+        self.cells = cells
+
+    def pulls(self, state: LoadedCells) -> bool:
+        """Return whether the pressure is a pull somewhere."""
+        return bool(np.any(state.load[: state.held - 1] < -PULL * np.max(state.load)))
+
+    def overlaps(self, state: LoadedCells, displacement: Array) -> bool:
+        """Return whether the bodies overlap somewhere outside."""
+        apart = (self.cells.shape - state.depth + displacement)[state.held + 2 :]
+        return bool(np.any(apart < -OVERLAP * float(np.ptp(self.cells.shape[: state.held + 1]))))
+
+
 class _Check:
     """Pressure and separation at some places, from line load and displacement."""
+
+    shape: ClassVar[str] = "disc"
 
     def __init__(self, cells: CoupledCells) -> None:
         edges = cells.width * np.arange(cells.count + 1)

@@ -16,7 +16,7 @@ from winkler.problems.viscoelastic.layered_path import STEP_CELLS, marched, step
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["layered_notes"]
+__all__ = ["COARSER_STEPS", "changed_by", "layered_notes", "resolution_note"]
 
 HALVED = "the same with half as many cells and steps of eight times the error"
 COARSER_STEPS = 8.0
@@ -57,9 +57,13 @@ def _error_note(problem: Any, solution: Any) -> Note:
             HALVED,
         )
     many = min(force.size, forces.size)
-    change = max(_change(force[:many], forces[:many]), _change(depth[:many], depths[:many]))
-    widest = float(np.max(solution.radius))
-    error = float(problem.bed.medium.creep_of_waves(widest / STEP_CELLS, widest).error)
+    change = max(changed_by(force[:many], forces[:many]), changed_by(depth[:many], depths[:many]))
+    return resolution_note(problem.bed, "force or depth", change, float(np.max(solution.radius)))
+
+
+def resolution_note(bed: Any, what: str, change: float, widest: float) -> Note:
+    """Return the note on a change [-] by half as many cells, up to a radius or half-width [m]."""
+    error = float(bed.medium.creep_of_waves(widest / STEP_CELLS, widest).error)
     if change <= SMALL_CHANGE:
         standing = Standing.ASYMPTOTIC
     else:
@@ -67,13 +71,14 @@ def _error_note(problem: Any, solution: Any) -> Note:
     return Note(
         Assumption.RESOLUTION,
         standing,
-        f"Half as many cells, and coarser steps, change force or depth by {change:.2g} of the greatest; at most about "
+        f"Half as many cells, and coarser steps, change {what} by {change:.2g} of the greatest; at most about "
         f"as much is left. The sum of exponentials of a wave is wrong by {error:.0e} at most.",
         HALVED,
     )
 
 
-def _change(coarse: Array, fine: Array) -> float:
+def changed_by(coarse: Array, fine: Array) -> float:
+    """Return the greatest change over the greatest number [-]."""
     greatest = float(np.max(np.abs(fine)))
     return float(np.max(np.abs(coarse - fine))) / greatest if greatest > 0.0 else 0.0
 

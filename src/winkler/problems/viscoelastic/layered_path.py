@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.footprint import DISC
+from winkler.foundation.line_bed import LineBed
 from winkler.foundation.on_medium import OnMedium, UnderProfile
 from winkler.loading.loads import Depth, Force
 from winkler.media.halfspace import HalfSpace
@@ -19,7 +20,7 @@ from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoint, TooNarrow, cells_of
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["complex_stiffness", "contact_reach", "is_layered", "marched", "stepped"]
+__all__ = ["complex_stiffness", "contact_reach", "is_layered", "marched", "refuse_many", "stepped", "walked"]
 
 MOST_CELLS = 2000
 COARSE_CELLS = 32
@@ -44,12 +45,17 @@ def is_layered(owner: str, bed: Bed, count: int = 2) -> bool:
             f"{owner}: a {type(bed.medium).__name__} needs Foundation(profile, medium) of a body of revolution, whose "
             "contact is a disc; the equivalent profile of other beds changes in time."
         )
+    refuse_many(owner, bed, count)
+    return True
+
+
+def refuse_many(owner: str, bed: Bed | LineBed, count: int) -> None:
+    """Refuse more cells than are needed."""
     if count > MOST_CELLS:
         raise InvalidInput(
             f"{owner}: count is {count}, but on a {type(bed.medium).__name__} at most {MOST_CELLS} cells are solved, "
             "which know forces to 1e-6; give fewer."
         )
-    return True
 
 
 def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
@@ -80,14 +86,38 @@ def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> f
 def _walked(
     owner: str, bed: Bed, points: tuple[Array, Array], normal: Depth | Force, count: int, tolerance: float
 ) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
-    """Yield the cells at every point of a path, (times, depths or forces); wider cells start again from the first."""
-    times, loads = points
-    most = float(np.max(loads))
+    """Yield the cells at every point of a path, (times, depths or forces)."""
+    most = float(np.max(points[1]))
     if most <= 0.0:
         raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
-    reach, done = contact_reach(owner, bed, normal, most), 0
+    reach = contact_reach(owner, bed, normal, most)
+    return walked(owner, bed, points, normal, tolerance, lambda wide: cells_of(bed, wide, count), reach)
+
+
+def walked(
+    owner: str,
+    bed: Bed | LineBed,
+    points: tuple[Array, Array],
+    normal: Depth | Force,
+    tolerance: float,
+    cells_up_to: Callable[[float], CoupledCells],
+    reach: float,
+) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
+    """Yield the cells at every point of a path, (times, depths or forces); wider cells start again from the first.
+
+    Parameters
+    ----------
+    owner, bed, points, normal, tolerance
+        As of `marched`; forces of a line bed are those per length.
+    cells_up_to : callable
+        Cells up to a radius or half-width [m].
+    reach : float
+        Up to where contacts are expected to reach [m].
+    """
+    times, loads = points
+    done = 0
     for _ in range(MOST_WIDENINGS):
-        march = LayeredMarch(owner, bed, cells_of(bed, reach, count), tolerance)
+        march = LayeredMarch(owner, bed, cells_up_to(reach), tolerance)
         march.time = float(times[0])
         try:
             for i, (time, load) in enumerate(zip(times.tolist(), loads.tolist(), strict=True)):
