@@ -190,7 +190,6 @@ class YieldingHalf(NamedTuple):
         answer[:, past] = fall, shaped.sinking, shaped.evening
         return Yielded(*answer)
 
-    @property
     def least_stress(self) -> float:
         """Logarithm of the strength [Pa]; zero of one that does not yield."""
         return math.log(self.strength) if math.isfinite(self.strength) else 0.0
@@ -212,7 +211,7 @@ class YieldingHalf(NamedTuple):
         if math.isinf(self.strength):
             return place, np.zeros_like(place)
         load = np.maximum(np.exp(place - stress), LEAST_LOAD)
-        past = place > self.least_stress + math.log(max(self.start, LEAST_LOAD))
+        past = place > self.least_stress() + math.log(max(self.start, LEAST_LOAD))
         fall = np.where(past, self._beyond_start(load, exponent).fall, 0.0)
         if not isinstance(self.solid, Hardening):
             return place - fall, np.zeros_like(place)
@@ -373,7 +372,7 @@ class FirstLoading(NamedTuple):
         first, second = self.first, self.second
         if guess is None:
             share = first.part_against(second)
-            guess = Parts(*(np.full_like(radius, one) for one in (share, first.least_stress, second.least_stress)))
+            guess = Parts(*(np.full_like(radius, one) for one in (share, first.least_stress(), second.least_stress())))
         if first == second or math.isinf(first.modulus) or math.isinf(second.modulus):
             return guess
         strain, exponent = self._strain(radius), self.exponent(radius)
