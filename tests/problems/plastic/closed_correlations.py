@@ -54,9 +54,10 @@ def jackson_green(w, stiffness, poisson, strength):
 
 
 def etsion_dent(w):
-    """Residual depth, I. Etsion, Y. Kligerman, Y. Kadin, Int. J. Solids Struct. 42 (2005) 3716-3729; up to w = 170.
+    """Residual depth of a ball that hardens by 0.02 of its modulus; I. Etsion, Y. Kligerman, Y. Kadin (2005).
 
-    A ball that hardens by 0.02 of its modulus; doi:10.1016/j.ijsolstr.2004.12.006.
+    "Unloading of an elastic-plastic loaded spherical contact".  The powers here and in the release are quoted without
+    the paper at hand, of which the abstract alone is open.
     """
     return (1.0 - w**-0.28) * (1.0 - w**-0.69)
 
@@ -64,8 +65,3 @@ def etsion_dent(w):
 def etsion_release(w, part):
     """Load over the greatest at a part of the way back to the residual depth; the same source."""
     return part ** (1.5 * w**-0.0331)
-
-
-def jackson_dent(w):
-    """Residual depth, R. L. Jackson, I. Chusoipin, I. Green, J. Tribol. 127 (2005) 484-493, doi:10.1115/1.1843166."""
-    return 1.02 * (1.0 - ((w + 5.9) / 6.9) ** -0.54)

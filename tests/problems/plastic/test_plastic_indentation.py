@@ -10,7 +10,6 @@ from closed_correlations import (
     critical,
     etsion_dent,
     etsion_release,
-    jackson_dent,
     jackson_green,
     kogut_etsion,
 )
@@ -66,7 +65,7 @@ def test_load_and_area_are_those_of_others_finite_elements(ratio):
 
 
 def test_dents_and_releases_are_those_of_others_finite_elements():
-    """Two groups, which differ by 0.09 of the depth at 110 critical depths: in between, and near the first of them."""
+    """A ball that hardens as theirs, and one that does not: within the 0.025 by which these two differ here."""
     strength = 0.2e9
     depth, _ = critical(STIFFNESS, 0.3, RADIUS, strength)
     w = np.array([1.5, 3.0, 6.0, 10.0, 20.0, 40.0, 70.0, 110.0, 150.0])
@@ -79,8 +78,6 @@ def test_dents_and_releases_are_those_of_others_finite_elements():
         solved = pressed(bed, wk.Depth(w * depth))
         left = solved.residual_depth / solved.depth
         np.testing.assert_allclose(left, etsion_dent(w), atol=near)
-        scatter = np.abs(etsion_dent(w) - jackson_dent(w))
-        np.testing.assert_allclose(left, 0.5 * (etsion_dent(w) + jackson_dent(w)), atol=0.5 * np.max(scatter) + 0.005)
         for top, low in zip(solved.depth, solved.residual_depth, strict=True):
             part = np.linspace(0.0, 1.0, 21)[1:-1]
             released = pressed(bed, wk.Depth(np.append(top, low + part * (top - low))))

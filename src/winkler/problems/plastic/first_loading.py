@@ -371,8 +371,8 @@ class FirstLoading(NamedTuple):
         """
         first, second = self.first, self.second
         if guess is None:
-            share = first.part_against(second)
-            guess = Parts(*(np.full_like(radius, one) for one in (share, first.least_stress(), second.least_stress())))
+            alone = first.part_against(second), first.least_stress(), second.least_stress()
+            guess = Parts(*(np.full_like(radius, one) for one in alone))
         if first == second or math.isinf(first.modulus) or math.isinf(second.modulus):
             return guess
         strain, exponent = self._strain(radius), self.exponent(radius)
