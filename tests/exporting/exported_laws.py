@@ -26,7 +26,7 @@ from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
 from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.profiles.conical import Cone
+from winkler.profiles.conical import Cone, RoundedCone
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 
@@ -51,6 +51,7 @@ PROBLEMS = {
     "pulled": AdhesiveCycle(BALL, DerjaguinMullerToporov(0.05), Depth([3e-8, 0.0])),
     "damped": ViscoelasticIndentation(DAMPED, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
     "dented": PlasticIndentation(Foundation(Paraboloid(5e-3), HalfSpace(METAL)), Depth([2e-5, 0.0])),
+    "dented_tip": PlasticIndentation(Foundation(RoundedCone(1e-5, 1.3), HalfSpace(METAL)), Depth([2e-6, 0.0])),
     "ellipse": EllipticIndentation(CurvedBodies(20e-3, 10e-3), STEEL, Force(100.0)),
     "gel": ViscoelasticIndentation(GEL, Path([0.0, 1.0, 1.5], Depth([0.0, 1e-4, 0.5e-4]))),
 }

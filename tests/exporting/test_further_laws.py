@@ -17,7 +17,9 @@ from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
 from winkler.materials.elastic import Elastic
 from winkler.materials.hardening import PowerHardening
+from winkler.materials.layered import Layer
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
@@ -30,10 +32,11 @@ from winkler.problems.plastic.impact import PlasticImpact
 from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.viscoelastic.impact import ViscoelasticImpact
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.profiles.conical import Cone
+from winkler.profiles.conical import Cone, RoundedCone, SpheroConical
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
-from winkler.values.errors import InvalidInput
+from winkler.profiles.sphere import Hyperboloid, Sphere
+from winkler.values.errors import InvalidInput, NotConverged
 
 
 def law(problem, count=6):
@@ -60,39 +63,65 @@ def test_a_damped_ball_is_that_of_springs_that_let_go():
     assert np.min(law(PROBLEMS["damped"]).trace(random_motions(law(PROBLEMS["damped"]), 1, 500)[0])[:, 0]) >= 0.0
 
 
-@pytest.mark.parametrize(
-    "bodies", [(METAL,), (METAL, Elastic(70e9, 0.33, 0.3e9)), (PowerHardening(120e9, 0.34, 0.1e9, exponent=0.3),)]
-)
+COPPER = PowerHardening(120e9, 0.34, 0.1e9, exponent=0.3)
+DENTED = {
+    "ball": (Paraboloid(5e-3), (METAL,), 2e-5),
+    "pair": (Paraboloid(5e-3), (METAL, Elastic(70e9, 0.33, 0.3e9)), 2e-5),
+    "hardening": (Paraboloid(5e-3), (COPPER,), 2e-5),
+    "cone": (Cone(1.45), (METAL,), 2e-6),
+    "unlike cone": (Cone(1.45), (METAL, COPPER), 2e-6),
+    "sphere": (Sphere(5e-3), (METAL,), 2e-5),
+    "hyperboloid": (Hyperboloid(1e-4, 1.22), (METAL, COPPER), 2e-5),
+    "rounded cone": (RoundedCone(1e-5, 1.3), (METAL,), 2e-6),
+    "spherical tip": (SpheroConical(1e-5, 1.3), (METAL,), 2e-6),
+}
+
+
+@pytest.mark.few(4)
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
-def test_a_dented_ball_is_that_of_its_problem(bodies, tolerance):
+@pytest.mark.parametrize("name", DENTED)
+def test_a_dented_body_is_that_of_its_problem(name, tolerance):
     """Loaded, let go and loaded again at random: the kernel against the problem, to the error of the table."""
-    bed = Foundation(Paraboloid(5e-3), HalfSpace(*bodies))
-    steps = law_of(PlasticIndentation(bed, Depth([2e-5, 0.0])), tolerance=tolerance, count=6)
+    profile, bodies, deepest = DENTED[name]
+    bed, bent = Foundation(profile, HalfSpace(*bodies)), name in ("rounded cone", "spherical tip")
+    if bent and tolerance < 1e-6:
+        with pytest.raises(NotConverged, match="give a greater tolerance"):
+            law_of(PlasticIndentation(bed, Depth([deepest])), tolerance=tolerance, count=6)
+        return
+    steps = law_of(PlasticIndentation(bed, Depth([deepest, 0.0])), tolerance=tolerance, count=6)
     random = np.random.default_rng(5)
-    depth = np.append(2e-5 * random.uniform(-0.2, 1.0, 300) * np.linspace(0.01, 1.0, 300), [2e-5, 1e-12, 2e-5])
+    turns = deepest * np.array([1.0, 5e-8, 1.0])
+    depth = np.append(deepest * random.uniform(-0.2, 1.0, 300) * np.linspace(0.01, 1.0, 300), turns)
     found, true = steps.trace(depth[:, np.newaxis]), PlasticIndentation(bed, Depth(depth)).solve()
-    for column, name in ((0, "force"), (3, "residual_depth"), (4, "energy")):
-        expected = getattr(true, name)
+    for column, name_of in ((0, "force"), (3, "residual_depth"), (4, "energy")):
+        expected = getattr(true, name_of)
         np.testing.assert_allclose(found[:, column], expected, rtol=0.0, atol=3.0 * tolerance * np.max(expected))
     # the edge is a root of the depth: where the bodies are about to part it errs by the root of the error
     np.testing.assert_allclose(
         found[:, 2] ** 2, true.radius**2, rtol=0.0, atol=10.0 * tolerance * np.max(true.radius) ** 2
     )
-    # the problem sums its work by cubics, to 1e-7, and to 4e-7 where the law of metals that harden has a bend
-    lost = np.max(true.dissipation)
-    np.testing.assert_allclose(found[:, 5], true.dissipation, rtol=0.0, atol=(3.0 * tolerance + 1e-6) * lost)
+    # the problem sums its work by cubics, to 1e-7, and to 4e-7 where the law of metals that harden has a bend; where
+    # the profile has one, it is off by 2e-4 at that place, not beyond
+    lost, bend = np.max(true.dissipation), 2e-4 if bent else 0.0
+    np.testing.assert_allclose(found[:, 5], true.dissipation, rtol=0.0, atol=(3.0 * tolerance + 1e-6 + bend) * lost)
+    assert found[-1, 5] == pytest.approx(true.dissipation[-1], rel=3.0 * tolerance + 1e-6)
     # the stiffness is the slope of the force while it is let go
-    near = steps.trace(np.array([[2e-5], [1.5e-5], [1.5e-5 + 1e-10]]))
-    assert (near[2, 0] - near[1, 0]) / 1e-10 == pytest.approx(near[1, 1], rel=1e-3)
-    assert np.all(np.isnan(steps.trace(np.array([[2.1e-5]]))))
+    near = steps.trace(deepest * np.array([[1.0], [0.75], [0.75 + 5e-6]]))
+    if near[1, 0] > 0.0:
+        assert (near[2, 0] - near[1, 0]) / (5e-6 * deepest) == pytest.approx(near[1, 1], rel=1e-3)
+    assert np.all(np.isnan(steps.trace(np.array([[1.05 * deepest]]))))
+    rows = {one.name: len(one.numbers) for one in steps.tables}
+    if isinstance(profile, Cone):
+        assert rows["depth"] == rows["place"] == 2  # alike at every depth: powers, without an error
 
 
 def test_a_blow_on_metal_is_the_law_up_to_its_deepest_point():
     struck = PlasticImpact(Foundation(Paraboloid(5e-3), HalfSpace(METAL)), 4.1e-3, np.array([0.1, 1.0]))
     steps = law(struck)
     assert steps.tables[0].numbers[-1] == pytest.approx(struck.solve().greatest_depth[1], rel=1e-12)
-    with pytest.raises(InvalidInput, match="give a Paraboloid on a HalfSpace"):
-        law(PlasticIndentation(Foundation(Cone(1.2), HalfSpace(METAL)), Depth([1e-6])))
+    coated = Foundation(Paraboloid(5e-3), CoatedHalfSpace([Layer(METAL, 1e-5)], on=METAL))
+    with pytest.raises(InvalidInput, match="export the Indentation of these layers"):
+        law(PlasticIndentation(coated, Depth([1e-8])))
     with pytest.raises(InvalidInput, match="PlasticImpact is no contact law"):
         law(PlasticImpact(struck.bed, 4.1e-3, 1.0, Coulomb(0.2), 1.0))
 

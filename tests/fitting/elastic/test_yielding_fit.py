@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scipy.stats import binom
@@ -11,6 +14,9 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.fit import fit
 from winkler.values.errors import InvalidInput
+
+sys.path.append(str(Path(__file__).parents[2] / "problems" / "plastic"))
+from closed_correlations import critical, etsion_dent, etsion_release, jackson_green, kogut_etsion
 
 RADIUS, TOUCH, BASE = 5e-3, 3e-6, 0.5
 STRENGTH, YOUNG = "bed.medium.first.strength", "bed.medium.first.young"
@@ -135,3 +141,33 @@ def test_an_unloading_alone_begins_at_its_deepest_point():
 def test_a_strength_that_no_metal_has_is_out_of_bounds():
     with pytest.raises(InvalidInput, match="starts at 5e\\+09 between"):
         fit(measured(6, STEEL), model(GUESS), free={STRENGTH: 5e9})
+
+
+def foreign(seed, top, law, level):
+    """A curve by others' correlations: loading by Kogut and Etsion or Jackson and Green, release by Etsion's group."""
+    modulus, count = 210e9 / (1.0 - 0.09), 80
+    depth, load = critical(modulus, 0.3, RADIUS, 1e9)
+    up, down = np.linspace(-0.15, 1.0, count, endpoint=False), np.linspace(1.0, -0.1, count)
+
+    def pressed(part):
+        w = top * np.maximum(part, 0.0)
+        if law == "kogut":
+            return load * np.where(w < 1.0, w**1.5, kogut_etsion(w)[0])
+        return load * np.where(w < 1.9, w**1.5, jackson_green(np.maximum(w, 1.9), modulus, 0.3, 1e9)[0])
+
+    left = etsion_dent(top)
+    greatest = pressed(np.ones(1))[0]
+    released = greatest * etsion_release(top, np.clip((down - left) / (1.0 - left), 0.0, 1.0))
+    noise = level * greatest * np.random.default_rng(seed).standard_normal(2 * count)
+    place = top * depth * np.append(up, down)
+    return ForceCurve(place + TOUCH, np.append(pressed(up), released) + BASE + noise)
+
+
+@pytest.mark.few(1, slow=2)
+@pytest.mark.parametrize("law", ["kogut", "jackson"])
+@pytest.mark.parametrize("top", [5.0, 20.0, 60.0, 110.0])
+def test_curves_of_another_law_bias_the_strength(top, law):
+    """The bias is that of the law: the intervals, which hold the noise alone, do not cover it at every depth."""
+    found = fit(foreign(7, top, law, 5e-3), model(GUESS), free=[STRENGTH, "contact_point", "baseline"])
+    bias = found.value(STRENGTH) / 1e9 - 1.0
+    assert 0.0 - 0.01 < bias < (0.07 if top < 100.0 or law == "jackson" else 0.14)

@@ -1,10 +1,30 @@
-"""Correlations that others have fitted to their finite elements of a yielding sphere and a rigid flat.
+"""Correlations and numbers of others' finite elements of yielding bodies.
 
-Loads are over the critical load, depths over the critical depth and areas over the critical area, at which Jackson and
-Green let yielding begin: p0 = C Y with C = 1.295 exp(0.736 nu).
+Of a sphere and a rigid flat loads are over the critical load, depths over the critical depth and areas over the
+critical area, at which Jackson and Green let yielding begin: p0 = C Y with C = 1.295 exp(0.736 nu).  Residual depths
+are over the depth under load.
 """
 
 import numpy as np
+
+CONES = np.array(
+    [
+        (0.0, 10.0, 0.1, 21.271), (0.1, 10.0, 0.1, 22.527), (0.3, 10.0, 0.1, 25.207), (0.0, 50.0, 0.6, 116.0),
+        (0.1, 50.0, 0.6, 122.0), (0.3, 50.0, 0.6, 135.0), (0.0, 50.0, 1.0, 145.0), (0.0, 130.0, 2.0, 339.0),
+        (0.1, 130.0, 2.0, 353.0), (0.3, 130.0, 2.0, 381.0), (0.0, 210.0, 3.0, 531.0),
+    ]
+)  # fmt: skip
+"""Exponent, Young's modulus, strength and force over the squared depth, all in GPa, of a rigid cone of 80 degrees whose
+slope is within the tables: finite elements of L. Lu, M. Dao, P. Kumar, U. Ramamurty, G. E. Karniadakis, S. Suresh,
+Proc. Natl. Acad. Sci. 117 (2020) 7052-7062, doi:10.1073/pnas.1922210117, from the data that they publish with it."""
+STEEPER = np.array(
+    [
+        (0.0, 90.0, 0.5, 138.0), (0.1, 90.0, 0.5, 149.0), (0.3, 90.0, 0.5, 178.0), (0.5, 90.0, 0.5, 209.0),
+        (0.0, 10.0, 0.03, 10.179), (0.1, 10.0, 0.03, 11.403), (0.3, 10.0, 0.03, 14.702), (0.5, 10.0, 0.03, 18.72),
+        (0.0, 210.0, 0.3, 119.0), (0.1, 210.0, 0.3, 142.0), (0.3, 210.0, 0.3, 206.0), (0.5, 210.0, 0.3, 296.0),
+    ]
+)  # fmt: skip
+"""The same, beyond the tables: slopes of 35, 65 and 136 strengths over E*."""
 
 
 def critical(stiffness, poisson, curvature_radius, strength):
@@ -31,3 +51,17 @@ def jackson_green(w, stiffness, poisson, strength):
         np.exp(-0.25 * w ** (5.0 / 12.0)) * w**1.5 + 4.0 * hardness / c * (1.0 - np.exp(-(w ** (5.0 / 9.0)) / 25.0)) * w
     )
     return load, area
+
+
+def etsion_dent(w):
+    """Residual depth of a ball that hardens by 0.02 of its modulus; I. Etsion, Y. Kligerman, Y. Kadin (2005).
+
+    "Unloading of an elastic-plastic loaded spherical contact".  The powers here and in the release are quoted without
+    the paper at hand, of which the abstract alone is open.
+    """
+    return (1.0 - w**-0.28) * (1.0 - w**-0.69)
+
+
+def etsion_release(w, part):
+    """Load over the greatest at a part of the way back to the residual depth; the same source."""
+    return part ** (1.5 * w**-0.0331)

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import winkler as wk
 from winkler.values.errors import InvalidInput
@@ -70,6 +71,38 @@ def test_energy_closes_and_two_alike_bodies_are_two_halves():
     pair = pressed(solid, other=solid)
     half = wk.PlasticIndentation(wk.Foundation(wk.Paraboloid(2.0 * RADIUS), wk.HalfSpace(solid)), wk.Force(FORCES))
     np.testing.assert_allclose(pair.depth, 2.0 * half.solve().depth, rtol=1e-9)
+
+
+@pytest.mark.parametrize("profile", [wk.Cone(1.3), wk.Paraboloid(RADIUS), wk.Hyperboloid(1e-4, 1.2)])
+def test_the_order_of_bodies_that_harden_does_not_matter(profile):
+    """In either order, and with a body that yields without hardening, or not at all."""
+    one = wk.PowerHardening(210e9, 0.3, 0.3e9, exponent=0.2)
+    for other in (
+        wk.LinearHardening(70e9, 0.33, 0.1e9, plastic_modulus=1e9),
+        wk.Elastic(120e9, 0.34, 0.2e9),
+        wk.Elastic(120e9, 0.34),
+    ):
+        both, turned = (
+            wk.PlasticIndentation(wk.Foundation(profile, wk.HalfSpace(*bodies)), wk.Force(FORCES)).solve()
+            for bodies in ((one, other), (other, one))
+        )
+        for name in ("depth", "radius", "residual_depth", "dissipation"):
+            np.testing.assert_allclose(getattr(both, name), getattr(turned, name), rtol=1e-10, atol=1e-30)
+
+
+def test_under_a_cone_each_of_two_bodies_is_pressed_by_its_share_of_the_slope():
+    """A part of the gap of a cone is a cone: pressures of one body alone, which do not depend on the load."""
+    one, other = wk.PowerHardening(210e9, 0.3, 0.3e9, exponent=0.2), wk.Elastic(120e9, 0.34, 0.2e9)
+    slope = 0.3
+
+    def alone(solid, share):
+        bed = wk.Foundation(wk.Cone(math.pi / 2.0 - math.atan(share * slope)), wk.HalfSpace(solid))
+        return float(wk.PlasticIndentation(bed, wk.Force([1.0])).solve().mean_pressure[0])
+
+    share = brentq(lambda part: alone(one, part) - alone(other, 1.0 - part), 0.01, 0.99, rtol=1e-13)
+    bed = wk.Foundation(wk.Cone(math.pi / 2.0 - math.atan(slope)), wk.HalfSpace(one, other))
+    pair = wk.PlasticIndentation(bed, wk.Force([1.0, 30.0])).solve()
+    np.testing.assert_allclose(pair.mean_pressure, alone(one, share), rtol=1e-9)
 
 
 def test_it_is_the_same_at_every_size():

@@ -4,7 +4,15 @@ import math
 
 import numpy as np
 import pytest
-from closed_correlations import critical, jackson_green, kogut_etsion
+from closed_correlations import (
+    CONES,
+    STEEPER,
+    critical,
+    etsion_dent,
+    etsion_release,
+    jackson_green,
+    kogut_etsion,
+)
 from finite_elements import pressed_and_released
 
 import winkler as wk
@@ -54,6 +62,38 @@ def test_load_and_area_are_those_of_others_finite_elements(ratio):
     for forces, areas in (kogut_etsion(w), jackson_green(w, STIFFNESS, 0.3, steel.strength)):
         np.testing.assert_allclose(solved.force / load, forces, rtol=0.05)
         np.testing.assert_allclose(area, areas, rtol=0.05)
+
+
+def test_dents_and_releases_are_those_of_others_finite_elements():
+    """A ball that hardens as theirs, and one that does not: within the 0.025 by which these two differ here."""
+    strength = 0.2e9
+    depth, _ = critical(STIFFNESS, 0.3, RADIUS, strength)
+    w = np.array([1.5, 3.0, 6.0, 10.0, 20.0, 40.0, 70.0, 110.0, 150.0])
+    tangent = 0.02 * 210e9  # of the whole strain
+    for solid, near in (
+        (wk.LinearHardening(210e9, 0.3, strength, plastic_modulus=tangent / (1.0 - 0.02)), 0.015),
+        (wk.Elastic(210e9, 0.3, strength), 0.03),
+    ):
+        bed = Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace(solid))
+        solved = pressed(bed, wk.Depth(w * depth))
+        left = solved.residual_depth / solved.depth
+        np.testing.assert_allclose(left, etsion_dent(w), atol=near)
+        for top, low in zip(solved.depth, solved.residual_depth, strict=True):
+            part = np.linspace(0.0, 1.0, 21)[1:-1]
+            released = pressed(bed, wk.Depth(np.append(top, low + part * (top - low))))
+            borne = released.force[1:] / released.force[0]
+            np.testing.assert_allclose(borne, etsion_release(top / depth, part), atol=0.03)
+
+
+@pytest.mark.parametrize(("rows", "error"), [(CONES, 0.02), (STEEPER, 0.2)])
+def test_cones_are_those_of_others_finite_elements(rows, error):
+    """Force over the squared depth, perfectly plastic and hardening; beyond the tables by the error of the note."""
+    for exponent, young, strength, curvature in rows:
+        solid = wk.PowerHardening(young * 1e9, 0.3, strength * 1e9, exponent=exponent)
+        solved = pressed(Foundation(wk.Cone(math.radians(80.0)), wk.HalfSpace(solid)), wk.Depth([1e-6]))
+        assert solved.force[0] / 1e-12 == pytest.approx(curvature * 1e9, rel=error)
+        stated = max(note.error for note in solved.validity if note.error)
+        assert abs(solved.force[0] / 1e-12 / (curvature * 1e9) - 1.0) < stated
 
 
 @pytest.mark.slow
@@ -124,7 +164,7 @@ def test_no_strength_at_all_presses_evenly_and_gives_nothing_back():
     assert solved.mean_pressure[0] == pytest.approx(3.0, rel=1e-3)
     assert solved.residual_depth[0] == pytest.approx(solved.depth[0], rel=1e-3)
     assert solved.energy[0] < 1e-3 * solved.work[0]
-    assert any(note.error == 0.07 for note in solved.validity)
+    assert any(note.error == 0.18 for note in solved.validity)
 
 
 def test_the_notes_say_how_far_it_holds():

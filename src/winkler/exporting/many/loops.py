@@ -124,16 +124,17 @@ def loop_particles(
 @compiled
 def loop_yielding(
     first: int, last: int, kind: Whole, depth: Array, force: Array, stiffness: Array, energy: Array, square: Array,
-    square_slope: Array, share: Array, share_slope: Array, law: Array, memory: Array, pressed: Array, motion: Array,
+    square_slope: Array, share: Array, share_slope: Array, place: Array, gap: Array, gap_slope: Array, gap_sum: Array,
+    bends: Array, nodes: Array, weights: Array, law: Array, memory: Array, pressed: Array, motion: Array,
     answer: Array, kept: Whole, out: Array,
 ) -> None:  # fmt: skip
-    """Let balls on metals that yield do a step."""
+    """Let round bodies on metals that yield do a step."""
     for i in range(first, last):
         k = kind[i] if kind.size > 1 else kind[0]
         motion[0] = pressed[i] if pressed.size > 1 else pressed[0]
         step_yielding(
-            depth[k], force[k], stiffness[k], energy[k], square[k], square_slope[k], share[k], share_slope[k], law[k],
-            memory[i], motion, answer,
+            depth[k], force[k], stiffness[k], energy[k], square[k], square_slope[k], share[k], share_slope[k], place[k],
+            gap[k], gap_slope[k], gap_sum[k], bends[k], nodes[k], weights[k], law[k], memory[i], motion, answer,
         )  # fmt: skip
         for j in range(kept.size):
             out[i, j] = answer[kept[j]]

@@ -26,7 +26,7 @@ from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
 from winkler.media.offers import LayerStack, offers
-from winkler.numerics.equations.roots import bracketed, invert
+from winkler.numerics.equations.roots import invert
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.normal.force_curve import NormalCurves
@@ -45,7 +45,7 @@ from winkler.problems.plastic.yielded_response import (
     strain_of_shape,
     yielded,
 )
-from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = [
     "START_SHARE",
@@ -73,10 +73,10 @@ LEAST_STIFFNESS = 50.0
 """Modulus over strength below which strains at yield are not small."""
 NODES = 4
 ENERGY_NODES = 24
-NEAR, SECANT_STEPS, SECANT_LAST = 1e-6, 8, 1e-14
-"""Where a second guess of a share is, how often it is mended, and the error that the last step leaves."""
-COARSER = 8
-"""How many points of the curve share a first guess of the share."""
+NEAR, LAST_STEP, MOST_STEPS = 1e-7, 3e-8, 60
+"""Difference over which slopes are taken, the last step of Newton's method, which leaves its square, and how many."""
+WIDEST_STEP = 0.8
+"""Part of the way to none of the gap, or to all of it, that one step may go."""
 LEAST_LOAD = 1e-12
 """A load over the strength of which no table knows anything: the bodies are elastic."""
 
@@ -107,6 +107,23 @@ class GreatestLoad(NamedTuple):
         return self.force if by_force else self.depth
 
 
+class Tangent(NamedTuple):
+    """The pressure of a body near an elastic one, all by logarithms and `(n,)`, while the flow stress follows.
+
+    Parameters
+    ----------
+    value, rise : ndarray, (n,)
+        The pressure once the stress has made its step, and its slope.
+    step, follow : ndarray, (n,)
+        How the flow stress moves at once, and with the elastic pressure.
+    """
+
+    value: Array
+    rise: Array
+    step: Array
+    follow: Array
+
+
 class YieldingHalf(NamedTuple):
     """A half-space that may yield.
 
@@ -128,14 +145,14 @@ class YieldingHalf(NamedTuple):
     start: float
     solid: Solid
 
-    def answer(self, elastic: Array, exponent: Array) -> Yielded:
-        """Return the departure from an elastic body that would bear a pressure [Pa]."""
+    def answer(self, elastic: Array, exponent: Array, stress: Array) -> Yielded:
+        """Return the departure from an elastic body that would bear a pressure [Pa]; `stress` is near the flow's."""
         if math.isinf(self.strength):
             return Yielded(*(np.zeros(elastic.shape),) * 3)
         load = np.maximum(elastic / self.strength, LEAST_LOAD)
         past = load > self.start
         if isinstance(self.solid, Hardening):
-            departure = self._hardened(elastic, exponent, past)
+            departure = self._hardened(elastic, exponent, stress, past)
         else:
             departure = self._beyond_start(load, exponent)
         return Yielded(*(np.where(past, part, 0.0) for part in departure))
@@ -150,40 +167,96 @@ class YieldingHalf(NamedTuple):
         )
         return yielded(load, self.poisson, exponent).less(begun)
 
-    def _hardened(self, elastic: Array, exponent: Array, past: Array) -> Yielded:
+    def _hardened(self, elastic: Array, exponent: Array, stress: Array, past: Array) -> Yielded:
         """Return the departure with the flow stress in place of the strength; zeros where it has not yielded.
 
         The pressure has that at one strain, the shape that at another one (`strain_of_pressure`, `strain_of_shape`).
         """
         answer = np.zeros((3, elastic.size))
-        elastic, exponent = elastic[past], exponent[past]
+        elastic, exponent, stress = elastic[past], exponent[past], stress[past]
+        place = np.log(elastic)
+        for _ in range(MOST_STEPS):
+            _, _, step, _ = self.tangent(place, stress, exponent)
+            stress = self.within(stress + step, elastic)
+            if np.all(np.abs(step) <= LAST_STEP):
+                break
+        else:
+            raise NotConverged(f"The flow stress of a body was not found in {MOST_STEPS} steps.")
+        load = np.maximum(np.exp(place - stress), LEAST_LOAD)
+        fall = self._beyond_start(load, exponent).fall
+        missing = -elastic * np.expm1(-fall) / self.modulus
         flow = self.solid.flow_stress  # type: ignore[union-attr]
-
-        def lost(stress: Array, index: Array) -> tuple[Array, Array]:
-            load = np.maximum(elastic[index] / stress, LEAST_LOAD)
-            fall = self._beyond_start(load, exponent[index]).fall
-            return load, -elastic[index] * np.expm1(-fall) / self.modulus
-
-        def excess(stress: Array, index: Array) -> Array:
-            return np.asarray(stress - flow(strain_of_pressure(*lost(stress, index))))
-
-        everywhere = np.arange(elastic.size)
-        soft = np.full(elastic.shape, self.strength)
-        stress = bracketed(excess, soft, flow(elastic / self.modulus))
-        load, missing = lost(stress, everywhere)
         shaped = self._beyond_start(elastic / flow(strain_of_shape(load, missing)), exponent)
-        answer[:, past] = -np.log1p(-missing * self.modulus / elastic), shaped.sinking, shaped.evening
+        answer[:, past] = fall, shaped.sinking, shaped.evening
         return Yielded(*answer)
 
-    def pressure(self, elastic: Array, exponent: Array) -> Array:
-        """Return the mean pressure that it bears in place of an elastic one [Pa]."""
-        return np.asarray(elastic * np.exp(-self.answer(elastic, exponent).fall))
+    def least_stress(self) -> float:
+        """Logarithm of the strength [Pa]; zero of one that does not yield."""
+        return math.log(self.strength) if math.isfinite(self.strength) else 0.0
+
+    def part_against(self, other: YieldingHalf) -> float:
+        """Return the part of a gap that stands against this body while both are elastic."""
+        if math.isinf(self.modulus) or math.isinf(other.modulus):
+            return 0.0 if math.isinf(self.modulus) else 1.0
+        return other.modulus / (self.modulus + other.modulus)
+
+    def within(self, stress: Array, elastic: Array) -> Array:
+        """Return logarithms of flow stresses, not below the strength nor above what all of the strain would give."""
+        if not isinstance(self.solid, Hardening):
+            return stress
+        return np.clip(stress, math.log(self.strength), np.log(self.solid.flow_stress(elastic / self.modulus)))
+
+    def _borne(self, place: Array, stress: Array, exponent: Array) -> tuple[Array, Array]:
+        """Return logarithms of the pressure, and of the flow stress over the one that its own strain gives."""
+        if math.isinf(self.strength):
+            return place, np.zeros_like(place)
+        load = np.maximum(np.exp(place - stress), LEAST_LOAD)
+        past = place > self.least_stress() + math.log(max(self.start, LEAST_LOAD))
+        fall = np.where(past, self._beyond_start(load, exponent).fall, 0.0)
+        if not isinstance(self.solid, Hardening):
+            return place - fall, np.zeros_like(place)
+        strain = strain_of_pressure(load, -np.exp(place) * np.expm1(-fall) / self.modulus)
+        return place - fall, stress - np.log(self.solid.flow_stress(strain))
+
+    def tangent(self, place: Array, stress: Array, exponent: Array) -> Tangent:
+        """Return the pressure near logarithms of the elastic pressure and of flow stresses near by, each `(n,)`."""
+        hardens = isinstance(self.solid, Hardening)
+        rows = 3 if hardens else 2
+        places, stresses = np.tile(place, (rows, 1)), np.tile(stress, (rows, 1))
+        places[1] += NEAR
+        stresses[2:] += NEAR
+        found = self._borne(places.ravel(), stresses.ravel(), np.tile(exponent, rows))
+        pressure, missed = (part.reshape(rows, -1) for part in found)
+        slopes = (pressure[1:] - pressure[0]) / NEAR
+        if not hardens:
+            still = np.zeros_like(place)
+            return Tangent(pressure[0], slopes[0], still, still)
+        by_place, by_stress = slopes
+        moved, met = (missed[1:] - missed[0]) / NEAR
+        step, follow = -missed[0] / met, -moved / met
+        return Tangent(pressure[0] + by_stress * step, by_place + by_stress * follow, step, follow)
 
 
 @functools.lru_cache(maxsize=64)
 def _begun(start: float, poisson: float, part: float) -> Yielded:
     """Return the departure where yielding begins, of profiles all alike."""
     return yielded(np.array([start]), poisson, np.array([1.0 + part]))
+
+
+class Parts(NamedTuple):
+    """How the bodies divide a contact.
+
+    Parameters
+    ----------
+    share : ndarray, (n,)
+        Part of the gap that stands against the first body [-].
+    first, second : ndarray, (n,)
+        Logarithms of their flow stresses [Pa]; of bodies that are alike near them.
+    """
+
+    share: Array
+    first: Array
+    second: Array
 
 
 class FirstLoading(NamedTuple):
@@ -236,7 +309,7 @@ class FirstLoading(NamedTuple):
     def beyond_tables(self, radius: float) -> bool:
         """Whether the law of a body is continued beyond its finite elements at a contact radius [m]."""
         at = np.array([radius])
-        strain, exponent, share = self._strain(at), self.exponent(at), self.share(at)
+        strain, exponent, share = self._strain(at), self.exponent(at), self.parts(at).share
         return any(
             bool(beyond_tables(body.modulus * part * strain / body.strength, body.poisson, exponent)[0])
             for body, part in ((self.first, share), (self.second, 1.0 - share))
@@ -249,14 +322,14 @@ class FirstLoading(NamedTuple):
         force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
         return np.asarray(force / (np.pi * radius**2 * bed.medium.modulus))  # type: ignore[attr-defined]
 
-    def at(self, radius: Array, share: Array | None = None) -> GreatestLoad:
+    def at(self, radius: Array, parts: Parts | None = None) -> GreatestLoad:
         """Return the states of first loading at contact radii `(n,)` [m], positive.
 
         Parameters
         ----------
         radius : ndarray, (n,)
-        share : ndarray, (n,), optional
-            `share` at these radii, where it is known.
+        parts : Parts, optional
+            `parts` at these radii, where they are known.
         """
         bed = self.bed
         gap = bed.gap(radius)
@@ -265,14 +338,13 @@ class FirstLoading(NamedTuple):
         area = np.pi * radius**2
         exponent = self.exponent(radius)
         strain = self._strain(radius)
-        if share is None:
-            share = self.share(radius)
+        share, first, second = self.parts(radius) if parts is None else parts
         pressure, taken, kept, weights = (np.zeros_like(gap) for _ in range(4))
-        for body, part in ((self.first, share), (self.second, 1.0 - share)):
+        for body, part, stress in ((self.first, share, first), (self.second, 1.0 - share, second)):
             if math.isinf(body.modulus):
                 continue
             elastic = body.modulus * part * strain
-            answer = body.answer(elastic, exponent)
+            answer = body.answer(elastic, exponent, stress)
             pressure = elastic * np.exp(-answer.fall)
             taken += part / (1.0 + answer.sinking)
             weight = part**SHARE_POWER
@@ -284,35 +356,42 @@ class FirstLoading(NamedTuple):
         fullness = kept * elastic_force / (stiffness * gap) + (1.0 - kept) * 0.25 * np.pi
         return GreatestLoad(radius, gap * taken, force, force / (stiffness * fullness), kept)
 
-    def share(self, radius: Array, guess: Array | None = None) -> Array:
-        """Return the part of the gap that stands against the first body, at contact radii `(n,)` [m].
+    def parts(self, radius: Array, guess: Parts | None = None) -> Parts:
+        """Return how the bodies divide the contact at contact radii `(n,)` [m].
 
         Parameters
         ----------
         radius : ndarray, (n,)
-        guess : ndarray, (n,), optional
-            Parts near by.
+        guess : Parts, optional
+            What is near by.
+
+        Raises
+        ------
+        NotConverged
         """
         first, second = self.first, self.second
-        if math.isinf(second.modulus):
-            return np.ones_like(radius)
-        if math.isinf(first.modulus):
-            return np.zeros_like(radius)
-        if first == second:
-            return np.full_like(radius, 0.5)
+        if guess is None:
+            alone = first.part_against(second), first.least_stress(), second.least_stress()
+            guess = Parts(*(np.full_like(radius, one) for one in alone))
+        if first == second or math.isinf(first.modulus) or math.isinf(second.modulus):
+            return guess
         strain, exponent = self._strain(radius), self.exponent(radius)
-
-        def excess(share: Array, index: Array) -> Array:
-            at, power = strain[index], exponent[index]
-            pressed = first.pressure(first.modulus * share * at, power)
-            return pressed - second.pressure(second.modulus * (1.0 - share) * at, power)
-
-        whole = np.arange(radius.size)
-        if guess is not None:
-            found = _secant(lambda share: excess(share, whole), guess)
-            if found is not None:
-                return found
-        return bracketed(excess, np.zeros_like(radius), np.ones_like(radius))
+        share, *stress = guess
+        for _ in range(MOST_STEPS):
+            elastic = first.modulus * share * strain, second.modulus * (1.0 - share) * strain
+            stress = [body.within(*of) for body, *of in zip((first, second), stress, elastic, strict=True)]
+            one, two = (
+                body.tangent(np.log(pressed), flow, exponent)
+                for body, pressed, flow in zip((first, second), elastic, stress, strict=True)
+            )
+            step = (two.value - one.value) / (one.rise / share + two.rise / (1.0 - share))
+            step = np.clip(step, -WIDEST_STEP * share, WIDEST_STEP * (1.0 - share))
+            grown = step / share, -step / (1.0 - share)
+            moves = [body.step + body.follow * part for body, part in zip((one, two), grown, strict=True)]
+            share, stress = share + step, [flow + move for flow, move in zip(stress, moves, strict=True)]
+            if all(np.all(np.abs(part) <= LAST_STEP) for part in (*grown, *moves)):
+                return Parts(share, *stress)
+        raise NotConverged(f"How two bodies that yield share a contact was not found in {MOST_STEPS} steps.")
 
     def at_level(self, level: Array, *, by_force: bool) -> tuple[GreatestLoad, Array]:
         """Return the states of first loading at forces [N] or depths [m] `(n,)`, and the work spent on each [J].
@@ -395,12 +474,12 @@ class LoadingTable:
         self.places = np.linspace(math.log(first), math.log(last), count)
         radii = np.exp(self.places)
         radii[0], radii[-1] = first, last
-        share = curve.share(radii, self._rough_share(radii))
-        self.states = state = curve.at(radii, share)
+        parts = curve.parts(radii)
+        self.states = state = curve.at(radii, parts)
         _refuse_turning(state.depth)
         self.log_force = CubicSpline(self.places, np.log(state.force))
         self.log_depth = CubicSpline(self.places, np.log(state.depth))
-        self.share = CubicSpline(self.places, share)
+        self.parts = CubicSpline(self.places, np.stack(parts, axis=1))
         self.nodes, self.weights = gauss_legendre(NODES)
         if curve.onset > 0.0:
             start = float(stored_energy(curve.bed, state.depth[:1], state.radius[:1])[0])
@@ -409,13 +488,6 @@ class LoadingTable:
             start = float(state.force[0] * state.depth[0]) / (1.0 + power)
         steps = self._spent(self.places[:-1], self.places[1:])
         self.works = start + np.concatenate([[0.0], np.cumsum(steps)])
-
-    def _rough_share(self, radii: Array) -> Array:
-        """Return `FirstLoading.share` nearly, by a cubic through some of the points."""
-        from scipy.interpolate import CubicSpline
-
-        some = np.unique(np.append(np.arange(0, radii.size, COARSER), radii.size - 1))
-        return np.asarray(CubicSpline(self.places[some], self.curve.share(radii[some]))(self.places))
 
     @classmethod
     def of_levels(cls, curve: FirstLoading, level: Array, by_force: bool) -> LoadingTable:
@@ -437,7 +509,7 @@ class LoadingTable:
 
     def at(self, radius: Array) -> GreatestLoad:
         """Return the states at radii, as `FirstLoading.at`, sooner."""
-        return self.curve.at(radius, self.curve.share(radius, self.share(np.log(radius))))
+        return self.curve.at(radius, self.curve.parts(radius, Parts(*self.parts(np.log(radius)).T)))
 
     def radii(self, level: Array, by_force: bool) -> Array:
         """Return the radii at which the curve meets loads."""
@@ -464,23 +536,6 @@ class LoadingTable:
         place = low[:, None] + (high - low)[:, None] * self.nodes
         rate = np.exp(self.log_force(place) + self.log_depth(place)) * self.log_depth(place, 1)
         return np.asarray((rate @ self.weights) * (high - low))
-
-
-def _secant(function: Callable[[Array], Array], guess: Array) -> Array | None:
-    """Return roots between zero and one near guesses, to rounding; nothing if one is not found in a few steps."""
-    before, now = guess * (1.0 - NEAR) + 0.5 * NEAR, guess
-    value_before, value = function(before), function(now)
-    for _ in range(SECANT_STEPS):
-        rise = value - value_before
-        step = np.where(rise == 0.0, 0.0, value * (now - before) / np.where(rise == 0.0, 1.0, rise))
-        left = np.abs(step) * (np.abs(step) + np.abs(now - before))
-        before, now, value_before = now, now - step, value
-        if np.any((now <= 0.0) | (now >= 1.0)):
-            return None
-        if np.all(left <= SECANT_LAST):
-            return now
-        value = function(now)
-    return None
 
 
 def _refuse_turning(levels: Array) -> None:

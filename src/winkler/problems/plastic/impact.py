@@ -75,7 +75,7 @@ SHEAR_LEFT_OUT = Note(
     Standing.APPROXIMATE,
     "Shear leaves yielding alone: the normal motion is that of a straight impact. Under friction metals yield at a "
     "lower pressure, which is left out. Tractions are taken along the motion, and spin about the normal is left out.",
-    "C.-Y. Wu, C. Thornton, L.-Y. Li, Proc. R. Soc. Lond. A 465 (2009) 937-960, doi:10.1098/rspa.2008.0221",
+    "K. L. Johnson, Contact Mechanics, Cambridge 1985, section 7.1, doi:10.1017/CBO9781139171731",
 )
 TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008"
 

@@ -1,11 +1,13 @@
-r"""One step of a ball that yields, or on a body that yields: the function for other programs.
+r"""One step of a round body that yields, or is pressed into one: the function for other programs.
 
-First loading is a table over the depth.  A dent of the radius a that springs back by :math:`d_e` is left at
-:math:`d_e s` from where the bodies just touch with the half-angle of the contact's edge by
+First loading is a table over the depth, and the profile g one over the distance from the axis.  A dent of the radius a
+that springs back by :math:`d_e` is left at :math:`d_e s` from where the bodies just touch with an edge at
+:math:`a\sin\varphi`,
 
-.. math:: s = \theta\xi^2 + (1-\theta)\left(1-\sqrt{1-\xi^2}\right), \qquad \xi = x/a ,
+.. math:: s = h(\varphi) = \theta\,\frac{g(a\sin\varphi)}{g(a)} + (1-\theta)(1-\cos\varphi) ;
 
-a quadratic equation in :math:`\sqrt{1-\xi^2}`; force and energy are integrals of the springs up to :math:`\xi`.
+force and energy are integrals of :math:`s - h` and of its square over the springs inside.  Between its rows g is a
+cubic, which is exact of cones and paraboloids.
 """
 
 from __future__ import annotations
@@ -34,34 +36,89 @@ def cubic_between(depth: Array, rows: Array, slopes: Array, d: float) -> float:
 
 
 @compiled
-def spring_energy(s: float, xi: float, theta: float) -> float:
-    """Return the integral of the squared displacements up to xi, over those of a dent that springs back by one."""
+def gap_within(
+    place: Array, gap: Array, gap_slope: Array, gap_sum: Array, edge: float, angle: float
+) -> tuple[float, float, float]:
+    """Return g, its slope and its integral at an angle of a dent, not beyond the last row."""
+    x = min(edge * math.sin(angle), place[place.size - 1])
+    return follow_table(place, gap, gap_slope, gap_sum, x)
+
+
+@compiled
+def edge_angle(
+    place: Array, gap: Array, gap_slope: Array, gap_sum: Array, edge: float, theta: float, s: float
+) -> float:
+    """Return the angle at which the springs of a dent end: Newton's method inside a bracket that only shrinks."""
     even = 1.0 - theta
-    level = s - even
-    root = math.sqrt(max((1.0 - xi) * (1.0 + xi), 0.0))
-    angle = math.asin(min(xi, 1.0))
-    cube = xi * xi * xi
-    circle = 0.5 * (xi * root + angle)  # of sqrt(1 - t^2)
-    moment = 0.125 * (angle - xi * root * (1.0 - 2.0 * xi * xi))  # of t^2 sqrt(1 - t^2)
-    squares = level * level * xi - 2.0 * level * theta * cube / 3.0 + theta * theta * cube * xi * xi / 5.0
-    return squares + 2.0 * even * (level * circle - theta * moment) + even * even * (xi - cube / 3.0)
+    whole, _, _ = gap_within(place, gap, gap_slope, gap_sum, edge, 0.5 * math.pi)
+    low = 0.0
+    high = 0.5 * math.pi
+    angle = high * math.sqrt(s)
+    for _ in range(60):
+        g, slope, _ = gap_within(place, gap, gap_slope, gap_sum, edge, angle)
+        half = math.sin(0.5 * angle)
+        off = theta * g / whole + 2.0 * even * half * half - s
+        if off > 0.0:
+            high = angle
+        else:
+            low = angle
+        rise = theta * slope * edge * math.cos(angle) / whole + even * math.sin(angle)
+        new = 0.5 * (low + high)
+        if rise > 0.0:
+            step = angle - off / rise
+            if step > low and step < high:
+                new = step
+        if abs(new - angle) <= 1e-15 * angle:
+            angle = new
+            break
+        angle = new
+    return angle
+
+
+@compiled
+def spring_energy(
+    place: Array, gap: Array, gap_slope: Array, gap_sum: Array, bends: Array, nodes: Array, weights: Array,
+    edge: float, theta: float, s: float, angle: float,
+) -> float:  # fmt: skip
+    """Return the integral of (s - h)^2 up to an angle over the radius, of a dent that springs back by one."""
+    even = 1.0 - theta
+    whole, _, _ = gap_within(place, gap, gap_slope, gap_sum, edge, 0.5 * math.pi)
+    total = 0.0
+    low = 0.0
+    for j in range(bends.size):
+        high = min(math.asin(min(bends[j] / edge, 1.0)), angle)
+        for k in range(nodes.size):
+            at = low + (high - low) * nodes[k] * nodes[k]  # beyond a bend g goes on like a root
+            g, _, _ = gap_within(place, gap, gap_slope, gap_sum, edge, at)
+            half = math.sin(0.5 * at)
+            left = s - theta * g / whole - 2.0 * even * half * half
+            total += 2.0 * (high - low) * nodes[k] * weights[k] * left * left * math.cos(at)
+        low = high
+    return total
 
 
 @compiled
 def step_yielding(
     depth: Array, force: Array, stiffness: Array, energy: Array, square: Array, square_slope: Array, share: Array,
-    share_slope: Array, law: Array, memory: Array, motion: Array, answer: Array,
+    share_slope: Array, place: Array, gap: Array, gap_slope: Array, gap_sum: Array, bends: Array, nodes: Array,
+    weights: Array, law: Array, memory: Array, motion: Array, answer: Array,
 ) -> None:  # fmt: skip
     """Move a contact by one step of its depth.
 
     Parameters
     ----------
     depth, force, stiffness, energy : ndarray, (rows,)
-        Of first loading, from no contact on; the second row is where yielding begins.
+        Of first loading, from no contact on.
     square, square_slope, share, share_slope : ndarray, (rows,)
         a^2 [m^2] and theta [-] there, and their changes by the depth.
-    law : ndarray, (3,)
-        R [m], E* [Pa] and the depth at which yielding begins [m].
+    place, gap, gap_slope, gap_sum : ndarray, (places,)
+        Distances from the axis [m], g [m], its slope, and its integral [m^2].
+    bends : ndarray, (bends,)
+        Where g bends [m], up to the last row.
+    nodes, weights : ndarray, (nodes,)
+        Of sums over the springs, from zero to one.
+    law : ndarray, (2,)
+        E* [Pa] and the depth at which yielding begins [m].
     memory : ndarray, (2,)
         The greatest depth so far [m], and what has been lost [J].
     motion : ndarray, (1,)
@@ -78,11 +135,11 @@ def step_yielding(
         return
     memory[0] = max(memory[0], d)
     greatest = memory[0]
-    if greatest <= law[2]:
+    if greatest <= law[1]:
         f, slope, e = follow_table(depth, force, stiffness, energy, d)
         answer[0] = f
         answer[1] = slope
-        answer[2] = math.sqrt(law[0] * max(d, 0.0))
+        answer[2] = math.sqrt(max(cubic_between(depth, square, square_slope, max(d, 0.0)), 0.0))
         answer[3] = 0.0
         answer[4] = e
         answer[5] = 0.0
@@ -90,10 +147,14 @@ def step_yielding(
     most, rise, work = follow_table(depth, force, stiffness, energy, greatest)
     edge = math.sqrt(cubic_between(depth, square, square_slope, greatest))
     theta = cubic_between(depth, share, share_slope, greatest)
-    recovery = most / (2.0 * law[1] * edge * (1.0 - theta / 3.0 - (1.0 - theta) * (1.0 - 0.25 * math.pi)))
+    whole, _, below = gap_within(place, gap, gap_slope, gap_sum, edge, 0.5 * math.pi)
+    fullness = theta * (1.0 - below / (edge * whole)) + (1.0 - theta) * 0.25 * math.pi
+    recovery = most / (2.0 * law[0] * edge * fullness)
     residual = greatest - recovery
-    scale = law[1] * edge * recovery * recovery
-    stored = scale * spring_energy(1.0, 1.0, theta)
+    scale = law[0] * edge * recovery * recovery
+    stored = scale * spring_energy(
+        place, gap, gap_slope, gap_sum, bends, nodes, weights, edge, theta, 1.0, 0.5 * math.pi
+    )
     answer[3] = residual
     memory[1] = max(memory[1], work - stored)  # rounding, and the error of the table, give nothing back
     answer[5] = memory[1]
@@ -110,10 +171,11 @@ def step_yielding(
     answer[4] = 0.0
     if s > 0.0:
         even = 1.0 - theta
-        root = min(2.0 * (1.0 - s) / (even + math.sqrt(even * even + 4.0 * theta * (1.0 - s))), 1.0)
-        xi = math.sqrt((1.0 - root) * (1.0 + root))
-        gap = theta * xi * xi * xi / 3.0 + even * (xi - 0.5 * (xi * root + math.asin(xi)))
-        answer[0] = 2.0 * law[1] * edge * recovery * (s * xi - gap)
-        answer[1] = 2.0 * law[1] * edge * xi
+        angle = edge_angle(place, gap, gap_slope, gap_sum, edge, theta, min(s, 1.0))
+        xi = math.sin(angle)
+        _, _, area = gap_within(place, gap, gap_slope, gap_sum, edge, angle)
+        lost = theta * area / (edge * whole) + even * (xi - 0.5 * (xi * math.cos(angle) + angle))
+        answer[0] = 2.0 * law[0] * edge * recovery * (s * xi - lost)
+        answer[1] = 2.0 * law[0] * edge * xi
         answer[2] = edge * xi
-        answer[4] = scale * spring_energy(s, xi, theta)
+        answer[4] = scale * spring_energy(place, gap, gap_slope, gap_sum, bends, nodes, weights, edge, theta, s, angle)
