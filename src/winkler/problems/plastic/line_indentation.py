@@ -361,8 +361,8 @@ LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "Yielding by tables fitted to finite elements in plane strain, of small strains without hardening or friction. In "
-    "their range the force at a half-width errs by up to 1 %, the residual depth by 0.02 of a^2/2R. The force at release "
-    "errs by 0.03 of the greatest. A part of the dissipation stays in the bodies as residual stress.",
+    "their range the force at a half-width errs by up to 1 %, the residual depth by 0.02 of a^2/2R. The force at "
+    "release errs by 0.03 of the greatest. A part of the dissipation stays in the bodies as residual stress.",
     "finite elements of this package; " + JOHNSON,
     0.02,
 )
