@@ -209,7 +209,9 @@ def strip_released(body, cells):
     fixed = body.fixed
     left = -body.forces(body.stress(body.moved)[0])
     left[fixed] = 0.0
-    elastic = body.stress(0.0 * body.moved)[1]
+    fresh = copy.copy(body)
+    fresh.plastic = 0.0 * body.plastic
+    elastic = fresh.stress(0.0 * body.moved)[1]
     moved = body.moved + cho_solve_banded((body._factor(elastic, fixed)[1], True), left, check_finite=False)
     assert np.max(body.stress(moved)[2][..., 4] - body.plastic[..., 4]) < 1e-3 * np.max(body.plastic[..., 4])
     surface = moved[body.surface]
