@@ -16,7 +16,9 @@ bed = wk.LineFoundation(wk.Paraboloid(curvature_radius=20e-3), wk.HalfSpace(trac
 path = wk.LineForce(np.array([2e6, 0.0, 2e6, 4e6, 0.0]))
 pressed = wk.LinePlasticIndentation(bed, path).solve()
 
-print(f"yields from {pressed.yield_force / 1e6:.3f} kN/mm on; the dent is {pressed.residual_depth[-1] * 1e6:.1f} um deep")
+print(
+    f"yields from {pressed.yield_force / 1e6:.3f} kN/mm on; the dent is {pressed.residual_depth[-1] * 1e6:.1f} um deep"
+)
 print(f"mean pressure under 4 kN/mm: {pressed.mean_pressure[3] / track.strength:.2f} times the strength")
 print(f"lost: {pressed.dissipation[-1]:.1f} J/m")
 assert pressed.half_width[2] == pressed.half_width[0]

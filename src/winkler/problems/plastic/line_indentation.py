@@ -77,7 +77,7 @@ class _Half(NamedTuple):
         return np.asarray(elastic * np.exp(-self.answer(elastic).fall))
 
 
-class _Greatest(NamedTuple):
+class _LineLoad(NamedTuple):
     """States of first loading `(n,)`: a [m], F [N/m], d0 [m], theta [-], s [-]."""
 
     half_width: Array
@@ -87,7 +87,7 @@ class _Greatest(NamedTuple):
     share: Array
 
 
-class _FirstLoading(NamedTuple):
+class _LineLoading(NamedTuple):
     """First loading of a cylinder on two half-planes; `onset` is the half-width where one of them yields [m]."""
 
     radius: float
@@ -112,7 +112,7 @@ class _FirstLoading(NamedTuple):
 
         return bracketed(excess, np.zeros_like(strain), np.ones_like(strain))
 
-    def at(self, half_width: Array) -> _Greatest:
+    def at(self, half_width: Array) -> _LineLoad:
         """Return the states at half-widths `(n,)` [m], positive."""
         strain = math.pi * half_width / (8.0 * self.radius)
         share = self.share(strain)
@@ -128,7 +128,7 @@ class _FirstLoading(NamedTuple):
             kept += weight * (1.0 - answer.evening)
             weights += weight
         force = 2.0 * half_width * pressure
-        return _Greatest(half_width, force, dent * half_width**2 / (2.0 * self.radius), kept / weights, share)
+        return _LineLoad(half_width, force, dent * half_width**2 / (2.0 * self.radius), kept / weights, share)
 
     def under(self, force: Array) -> Array:
         """Return the half-widths [m] under forces per length [N/m], positive."""
@@ -208,8 +208,8 @@ class LinePlasticIndentation:
     >>> steel = Elastic(young=210e9, poisson=0.3, strength=1e9)
     >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace(steel))
     >>> pressed = LinePlasticIndentation(bed, LineForce([1e6, 3e6, 0.0])).solve()
-    >>> pressed.residual_depth[0] == 0.0, bool(pressed.residual_depth[2] > 1e-6)
-    (True, True)
+    >>> bool(pressed.residual_depth[0] > 1e-6), bool(pressed.half_width[2] > 0.0)
+    (True, False)
     """
 
     __words__ = words(
@@ -236,7 +236,7 @@ class LinePlasticIndentation:
     @property
     def yield_force(self) -> float:
         """Force per length under which one of the bodies begins to yield [N/m]."""
-        loading = _first_loading(self.bed)
+        loading = _line_loading(self.bed)
         return math.pi * loading.modulus * loading.onset**2 / (4.0 * loading.radius)
 
     def solve(self) -> LinePlasticSolution:
@@ -248,7 +248,7 @@ class LinePlasticIndentation:
             If a force is tensile.
         """
         force = pressing("LinePlasticIndentation", self.path)
-        loading = _first_loading(self.bed)
+        loading = _line_loading(self.bed)
         greatest, group = np.unique(np.maximum.accumulate(force), return_inverse=True)
         pressed = greatest > 0.0
         wide, dent, lost = (np.zeros_like(greatest) for _ in range(3))
@@ -322,9 +322,9 @@ class LinePlasticSolution:
         ndarray
             Height over places far away [m], negative below; not a number beyond the dent.
         """
-        if self.half_width.size == 0 or self.largest_half_width[-1] <= _first_loading(self.problem.bed).onset:
+        if self.half_width.size == 0 or self.largest_half_width[-1] <= _line_loading(self.problem.bed).onset:
             return np.zeros(np.shape(x))
-        loading, a = _first_loading(self.problem.bed), float(self.largest_half_width[-1])
+        loading, a = _line_loading(self.problem.bed), float(self.largest_half_width[-1])
         most, even = float(np.max(self.force_per_length)), float(self.even_share[-1])
         rho = np.asarray(x, dtype=float) / a
         rho = np.where(np.abs(rho) <= 1.0 + 1e-12, np.clip(rho, -1.0, 1.0), np.nan)
@@ -338,7 +338,7 @@ class LinePlasticSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed, widest = self.problem.bed, float(np.max(self.largest_half_width, initial=0.0))
-        loading = _first_loading(bed)
+        loading = _line_loading(bed)
         if widest <= loading.onset:
             return line_notes(bed, widest)
         notes = [note for note in line_notes(bed, widest) if note.assumption is not Assumption.RESPONSE]
@@ -419,7 +419,7 @@ def _refuse_unknown(bed: LineFoundation) -> None:
 
 
 @functools.lru_cache(maxsize=64)
-def _first_loading(bed: LineFoundation) -> _FirstLoading:
+def _line_loading(bed: LineFoundation) -> _LineLoading:
     medium = bed.medium
     assert isinstance(medium, HalfSpace)
     wide = {
@@ -434,4 +434,4 @@ def _first_loading(bed: LineFoundation) -> _FirstLoading:
         if first in wide:
             onset = math.pi * medium.modulus * wide[first] / (8.0 * bed.hertz_radius) / solid.strength
         halves.append(_Half(solid.young / (1.0 - solid.poisson**2), solid.strength, onset))
-    return _FirstLoading(bed.hertz_radius, medium.modulus, halves[0], halves[1], min(wide.values()))
+    return _LineLoading(bed.hertz_radius, medium.modulus, halves[0], halves[1], min(wide.values()))

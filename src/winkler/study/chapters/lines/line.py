@@ -343,7 +343,7 @@ LINE = Chapter(
             "johnson_1985",
             question="Which dent does a roller leave in a metal, and under which force per length?",
             page="chapters/metals.md#lines",
-            en="dent of a roller roller dents its raceway brinelling of a roller cylinder pressed beyond yield plastic line contact residual depth elastic-plastic cylinder plane strain indentation by a cylinder flattened cylinder permanent groove of a roller",
+            en="plastic line contact elastic-plastic cylinder plane strain roller pressed beyond yield permanent groove of a roller",
             de="eindruck einer walze bleibende rille rolle überlastet plastischer linienkontakt zylinder elastisch-plastisch",
             fr="empreinte d'un rouleau contact linéique plastique rainure permanente cylindre élastoplastique",
             headline=("residual_depth", "largest_half_width", "dissipation"),
