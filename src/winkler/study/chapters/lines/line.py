@@ -343,7 +343,7 @@ LINE = Chapter(
             "johnson_1985",
             question="Which dent does a roller leave in a metal, and under which force per length?",
             page="chapters/metals.md#lines",
-            en="elastoplastic line contact cylinder plane strain roller pressed beyond yield permanent groove of a roller",
+            en="cylinder pressed beyond yield permanent groove under a roller",
             de="eindruck einer walze bleibende rille rolle überlastet plastischer linienkontakt zylinder elastisch-plastisch",
             fr="empreinte d'un rouleau contact linéique plastique rainure permanente cylindre élastoplastique",
             headline=("residual_depth", "largest_half_width", "dissipation"),
