@@ -213,6 +213,7 @@ from winkler.problems.particles.trace import ContactTrace
 from winkler.problems.plastic.dent_limit import DentLimit, DentLimitSolution
 from winkler.problems.plastic.impact import PlasticImpact, PlasticImpactSolution
 from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolution
+from winkler.problems.plastic.line_indentation import LinePlasticIndentation, LinePlasticSolution
 from winkler.problems.plastic.strength_from_dent import (
     Blow,
     Restitution,
@@ -348,7 +349,8 @@ __all__ = [
     "LimitingSolution", "LineAdhesion", "LineAdhesionSolution", "LineConstriction", "LineConstrictionSolution",
     "LineFields", "LineForce", "LineForcePath", "LineFoundation", "LineFrettingSolution", "LineFrettingWear",
     "LineFrictionHeating", "LineFrictionHeatingSolution", "LineIndentation", "LineLimitingProfile",
-    "LineLimitingSolution", "LineOfAction", "LinePartOnset", "LinePath", "LineProfileContact", "LineProfileSolution",
+    "LineLimitingSolution", "LineOfAction", "LinePartOnset", "LinePath",
+    "LinePlasticIndentation", "LinePlasticSolution", "LineProfileContact", "LineProfileSolution",
     "LineRolling", "LineRollingResistance", "LineRollingResistanceSolution", "LineRollingSolution",
     "LineRollingStart", "LineRollingStartSolution", "LineScan", "LineShakedown", "LineShakedownSolution",
     "LineShearForce", "LineSlidingSolution", "LineSlidingWear", "LineSolution", "LineTangential",

@@ -164,6 +164,7 @@ def goes_together(problem: str, profile: str) -> bool:
         "strength_from_dent": blunt | {"ball_in_socket"},
         **dict.fromkeys(("line_yield_onset", "line_shakedown"), sharp),
         **{name: {"area_function"} for name in OTHER_LINES},  # of a tip of revolution
+        "line_plastic_indentation": set(CATALOGUE["profile"]) - {"paraboloid"},
         "periodic_indentation": {
             "area_function",
             "capped_cylinder",

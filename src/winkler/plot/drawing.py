@@ -85,6 +85,7 @@ def draw(item: Any, *, extent: float | None = None, ax: Place | None = None) -> 
         - a solution of ``ElasticPlasticParticle``: force and contact radius over the depth, and where yield begins
         - a solution of ``PlasticIndentation``: the same, and the dent under the greatest load and after it; of
           ``DentLimit`` and ``StrengthFromDent``: this of the load that they name
+        - a solution of ``LinePlasticIndentation``: half-width and mean pressure over the force per length, and the dent
         - a solution of ``PlasticImpact``: of one velocity the same; of many restitution, dent and time over it
         - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, loads of the springs or tractions
         - solutions of ``RollingStart``, ``OscillatingRolling``: force over distance, shift over cycles, and the springs

@@ -40,6 +40,7 @@ WITHOUT = {
     "master_curve": "measurements of a solid, no contact",
     "plastic_impact": "its strength is its law",
     "plastic_indentation": "its strength is its law",
+    "line_plastic_indentation": "its strength is its law",
     "dent_limit": "its strength is its law",
     "strength_from_dent": "the strength is its answer",
     "poroelastic_relaxation": "a wet gel, whose network has no strength",

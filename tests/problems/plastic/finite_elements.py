@@ -1,4 +1,4 @@
-"""Axisymmetric finite elements of a yielding body under a rigid one, small strains, no friction.
+"""Axisymmetric or plane-strain finite elements of a yielding body under a rigid one, small strains, no friction.
 
 Bilinear quadrilaterals with the mean dilatation of Hughes (B-bar), von Mises' condition by radial return, linear
 hardening, and contact by events: the nodes 0 to k - 1 of the surface are held on the rigid body, and node k just
@@ -16,20 +16,24 @@ FAR = 30.0
 """Size of the mesh over the contact radius."""
 
 
-def graded(fine, count, ratio):
+def graded(fine, count, ratio, far=FAR):
     """Places: as many equal steps, then growing ones up to the far end."""
     places, step = list(fine * np.arange(count + 1)), fine
-    while places[-1] < FAR:
+    while places[-1] < far:
         step *= ratio
         places.append(places[-1] + step)
     return np.array(places)
 
 
 class Body:
-    """A cylinder of unit modulus whose upper face is pressed; `cells` cells lie on the greatest contact radius, 1."""
+    """A body of unit modulus whose upper face is pressed; `cells` cells lie on the greatest contact radius, 1.
 
-    def __init__(self, cells, poisson, strength, rise=0.0):
-        r, z = graded(1.0 / cells, int(1.25 * cells), 1.18), graded(1.0 / cells, cells, 1.15)
+    A cylinder about the z axis, or, if `plane`, a block endless along y, half of which is meshed.
+    """
+
+    def __init__(self, cells, poisson, strength, rise=0.0, *, plane=False, far=FAR):
+        r, z = graded(1.0 / cells, int(1.25 * cells), 1.18, far), graded(1.0 / cells, cells, 1.15, far)
+        self.plane = plane
         self.poisson, self.strength, self.rise = poisson, strength, rise
         self.shear, self.bulk = 0.5 / (1.0 + poisson), 1.0 / (3.0 * (1.0 - 2.0 * poisson))
         grid = np.stack(np.meshgrid(r, -z, indexing="ij"), -1).reshape(-1, 2)
@@ -53,10 +57,12 @@ class Body:
             jacobian = np.einsum("eai,aj->eij", corners, slopes)
             gradient = np.einsum("aj,eji->eai", slopes, np.linalg.inv(jacobian))
             radius = corners[:, :, 0] @ shape
+            around = 2.0 if self.plane else 2.0 * np.pi * radius
             matrix[:, q, 0, 0::2], matrix[:, q, 1, 1::2] = gradient[:, :, 0], gradient[:, :, 1]
-            matrix[:, q, 2, 0::2] = shape / radius[:, None]
+            if not self.plane:
+                matrix[:, q, 2, 0::2] = shape / radius[:, None]
             matrix[:, q, 3, 0::2], matrix[:, q, 3, 1::2] = gradient[:, :, 1], gradient[:, :, 0]
-            weight[:, q] = np.linalg.det(jacobian) * radius * 2.0 * np.pi
+            weight[:, q] = np.linalg.det(jacobian) * around
         dilatation = matrix[:, :, :3].sum(2)
         mean = np.einsum("eq,eqk->ek", weight, dilatation) / weight.sum(1)[:, None]
         matrix[:, :, :3] += ((mean[:, None] - dilatation) / 3.0)[:, :, None]
@@ -186,3 +192,27 @@ def pressed_and_released(cells, poisson, strength, profile, rise=0.0):
 def _work(depth, force):
     """The integral of the force over the depth, by cubics."""
     return float(CubicSpline(depth, force).integrate(depth[0], depth[-1]))
+
+
+def strip_pressed(cells, poisson, strength):
+    """Half-widths and forces per length of a strip that grows to one under a rigid parabola x^2 / 2, and the body.
+
+    The modulus is one.
+    """
+    body = Body(cells, poisson, strength, plane=True, far=100.0)
+    force = [body.event(k, 0.5 * body.r**2)[1] for k in range(1, cells + 1)]
+    return body.r[1 : cells + 1], np.array(force), body
+
+
+def strip_released(body, cells):
+    """How deep the middle of a strip lies after its load is gone, and how high its edge stands; it must not yield."""
+    fixed = body.fixed
+    left = -body.forces(body.stress(body.moved)[0])
+    left[fixed] = 0.0
+    fresh = copy.copy(body)
+    fresh.plastic = 0.0 * body.plastic
+    elastic = fresh.stress(0.0 * body.moved)[1]
+    moved = body.moved + cho_solve_banded((body._factor(elastic, fixed)[1], True), left, check_finite=False)
+    assert np.max(body.stress(moved)[2][..., 4] - body.plastic[..., 4]) < 1e-3 * np.max(body.plastic[..., 4])
+    surface = moved[body.surface]
+    return -surface[0], surface[cells]

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.foundation.foundation import Foundation
-from winkler.loading.loads import Depth, Force
+from winkler.loading.loads import Depth, Force, LineForce
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
@@ -20,9 +20,10 @@ from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.particles.elastic_plastic import ParticleSolution
 from winkler.problems.plastic.dent_limit import DentLimitSolution
 from winkler.problems.plastic.indentation import PlasticSolution
+from winkler.problems.plastic.line_indentation import LinePlasticIndentation, LinePlasticSolution
 from winkler.problems.plastic.strength_from_dent import StrengthFromDentSolution
 
-__all__ = ["dent_limit_sheet", "dent_strength_sheet", "particle_sheet", "plastic_sheet"]
+__all__ = ["dent_limit_sheet", "dent_strength_sheet", "line_dent_sheet", "particle_sheet", "plastic_sheet"]
 
 Yielding = ParticleSolution | PlasticSolution
 
@@ -81,6 +82,46 @@ def dent_strength_sheet(item: StrengthFromDentSolution) -> Sheet:
     tells = "these loads tell" if np.size(item.problem._sizes) > 1 else "this dent tells"
     title = f"{tells} a strength of {with_unit(item.strength, 'Pa')}"
     return dataclasses.replace(plastic_sheet(item.released), title=title)
+
+
+@without_extent(LinePlasticSolution)
+def line_dent_sheet(item: LinePlasticSolution) -> Sheet:
+    """Return half-width and mean pressure of a strip over the force per length, and the dent after its path."""
+    ends = np.append(0.0, item.force_per_length)
+    legs = [(low, high) for low, high in itertools.pairwise(ends) if high != low]
+    path = np.concatenate([np.linspace(low, high, STATES_PER_LEG) for low, high in legs] or [ends])
+    along = LinePlasticIndentation(item.problem.bed, LineForce(path)).solve()
+    across = series("force_per_length", path, LinePlasticSolution)
+    begun = Rule(item.yield_force, upright=True, colour=style.GREEN, dash=style.DASHES[2], name="yield begins")
+    panels = []
+    for name in ("half_width", "mean_pressure"):
+        row = series(name, getattr(along, name), LinePlasticSolution)
+        marks: list[Line | Rule] = []
+        named: set[bool] = set()
+        for number, (low, high) in enumerate(legs):
+            part, up = slice(number * STATES_PER_LEG, (number + 1) * STATES_PER_LEG), high > low
+            colour, dash = (style.BLUE, style.DASHES[0]) if up else (style.RED, style.DASHES[1])
+            text = "" if up in named else "loading" if up else "unloading"
+            marks.append(Line(path[part], row.content[part], colour, dash=dash, name=text))
+            named.add(up)
+        if 0.0 < item.yield_force < float(np.max(path)):
+            marks.append(begun)
+        panels.append(
+            Panel(tuple(marks), PanelAxis.of(across, margin=0.04), PanelAxis.of(row, margin=0.08), legend="lower right")
+        )
+    half = float(np.max(item.largest_half_width, initial=0.0))
+    if float(np.max(item.residual_depth, initial=0.0)) > 0.0:
+        x = np.linspace(-half, half, 2 * DENT_POINTS - 1)
+        height = item.surface(x)
+        low, high = float(np.min(height)), float(np.max(height))
+        upright = PanelAxis("height", scale_of("m", [low]), low=1.1 * low, high=high - 0.2 * low)
+        panels.append(Panel((Line(x, height, style.RED), zero()), PanelAxis("$x$", scale_of("m", [half])), upright))
+        left = with_unit(float(item.residual_depth[-1]), "m")
+        title = f"yielding begins at {with_unit(item.yield_force, 'N/m')}; the dent is {left} deep"
+    else:
+        title = "elastic: no body yields along this path"
+    titles = ("half-width over force per length", "mean pressure over force per length", "the dent")[: len(panels)]
+    return Sheet(titled(tuple(panels), *titles), height=3.5, title=title)
 
 
 def _dent_panel(item: PlasticSolution) -> Panel:

@@ -30,6 +30,7 @@ from winkler.numerics.types import Array
 __all__ = [
     "GREATEST_POISSON",
     "LEAST_POISSON",
+    "Departure",
     "Yielded",
     "ball_onset",
     "beyond_tables",
@@ -178,7 +179,7 @@ def ball_onset(poisson: float) -> float:
     return 2.0 / (3.0 * stress)
 
 
-class _Departure:
+class Departure:
     """Cubic splines of the three numbers, zero and flat at their beginning, full plasticity beyond their end.
 
     Parameters
@@ -190,16 +191,20 @@ class _Departure:
         Logarithm of x where the knots begin to count.
     sinking : float
         Greatest Gamma - 1, of a rigid, fully plastic body.
+    pressure : float
+        Mean pressure of that body over its strength [-].
     """
 
-    def __init__(self, knots: tuple[float, ...], values: Array, start: float, sinking: float) -> None:
+    def __init__(
+        self, knots: tuple[float, ...], values: Array, start: float, sinking: float, pressure: float = FULL_PRESSURE
+    ) -> None:
         from scipy.interpolate import CubicSpline
 
         self.first, self.last = knots[0], knots[-1]
         self.inner = CubicSpline(knots, values, bc_type=((1, np.zeros(3)), (2, np.zeros(3))))
         rise = self.inner(self.last, 1)
         end = self.inner(self.last)
-        self.pressure_room = math.log(FULL_PRESSURE) - (start + self.last - float(end[0]))
+        self.pressure_room = math.log(pressure) - (start + self.last - float(end[0]))
         self.pressure_rise = 1.0 - float(rise[0])
         self.sinking_room, self.sinking_rise = sinking - float(end[1]), float(rise[1])
 
@@ -219,13 +224,13 @@ def _saturating(beyond: Array, rise: float, room: float) -> Array:
 
 
 @functools.lru_cache(maxsize=64)
-def _ball(poisson: float) -> _Departure:
+def _ball(poisson: float) -> Departure:
     """Return the departure of a paraboloid over ln(x / x_onset), interpolated between the Poisson's ratios."""
     weights = [
         math.prod((poisson - other) / (one - other) for other in BALL_POISSON if other != one) for one in BALL_POISSON
     ]
     rows = [np.tensordot(weights, rows, 1) for rows in (BALL_FALL, BALL_SINKING, BALL_EVENING)]
-    return _Departure(BALL_KNOTS, np.stack(rows, axis=1), math.log(ball_onset(poisson)), FULL_BALL_SINKING)
+    return Departure(BALL_KNOTS, np.stack(rows, axis=1), math.log(ball_onset(poisson)), FULL_BALL_SINKING)
 
 
 def _of_cone(place: Array, poisson: float) -> Array:
@@ -239,6 +244,6 @@ def _of_cone(place: Array, poisson: float) -> Array:
 
 
 @functools.cache
-def _cone() -> _Departure:
+def _cone() -> Departure:
     """Return the departure of a cone over ln x for the Poisson's ratio of the tables."""
-    return _Departure(CONE_KNOTS, np.stack([CONE_FALL, CONE_SINKING, CONE_EVENING], axis=1), 0.0, FULL_CONE_SINKING)
+    return Departure(CONE_KNOTS, np.stack([CONE_FALL, CONE_SINKING, CONE_EVENING], axis=1), 0.0, FULL_CONE_SINKING)

@@ -53,6 +53,18 @@ STRESSES = Equation(
     r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
 )
+UP_AND_DOWN = (100, 500, 1000, 2000, 3000, 4000, 3000, 2000, 1000, 300, 0)
+"""Forces per length [kN/m]."""
+ROLLER_YIELDS = Equation(
+    "Each body takes the part s of the gap at which both bear the same mean pressure; p_el is what it would bear if it "
+    "stayed elastic",
+    r"p = p_{el}\,e^{-L(p_{el}/Y)}, \quad p_{el} = \frac{\pi E_i s_i a}{8R}, \quad P = 2ap, \quad "
+    r"d_0 = \frac{a^2}{2R}\left(s_1D_1+s_2D_2\right)",
+)
+ROLLER_RETURNS = Equation(
+    "The dent of the half-width a bears less on narrower strips c",
+    r"\frac{P(c)}{P} = \theta\frac{c^2}{a^2} + (1-\theta)\left(1-\sqrt{1-\frac{c^2}{a^2}}\right)",
+)
 ROLLER_GAP = Equation(
     "Pressures and gaps of a roller with the drop z(x) of its ends and the tilt θ are never negative, and one of the "
     "two is zero on every element",
@@ -325,6 +337,28 @@ LINE = Chapter(
             picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
             pictured=PicturedContact.NONE,
             formulas=line_yield_formulas,
+        ),
+        "line_plastic_indentation": answer(
+            "winkler.problems.plastic.line_indentation:LinePlasticIndentation",
+            "johnson_1985",
+            question="Which dent does a roller leave in a metal, and under which force per length?",
+            page="chapters/metals.md#lines",
+            en="cylinder pressed beyond yield permanent groove under a roller",
+            de="eindruck einer walze bleibende rille rolle überlastet plastischer linienkontakt zylinder elastisch-plastisch",
+            fr="empreinte d'un rouleau contact linéique plastique rainure permanente cylindre élastoplastique",
+            headline=("residual_depth", "largest_half_width", "dissipation"),
+            says={"residual_depth": "a dent {residual_depth} deep is left"},
+            bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
+            path={"kind": "line_force", "force_per_length": [f"{force} kN/m" for force in UP_AND_DOWN]},
+            picture=Caption(
+                "line_dent",
+                "The strip along its path, and the dent",
+                "Half-width and mean pressure over the force per length, pressed in and let go, dotted where yield "
+                "begins; the surface after the path.",
+            ),
+            curves=(("force_per_length", "half_width"),),
+            pictured=PicturedContact.NONE,  # an elastic contact bears pressures that a metal does not
+            formulas=(ROLLER_YIELDS, ROLLER_RETURNS),
         ),
         "line_shakedown": answer(
             "winkler.problems.line.shakedown:LineShakedown",

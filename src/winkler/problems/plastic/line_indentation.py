@@ -1,0 +1,437 @@
+r"""A cylinder pressed into metal, or metal into it, in plane strain: loaded, let go, and loaded again.
+
+Each of two half-planes stands against a share s of the gap, and both bear the same mean pressure, as for bodies of
+revolution (`winkler.problems.plastic.first_loading`), by the tables of `winkler.problems.plastic.yielded_line`:
+
+.. math:: p = p_1(E_1 s P) = p_2(E_2(1-s)P), \qquad P = \frac{\pi a}{8R}, \qquad
+          d_0 = \frac{a^2}{2R}\left(s D_1 + (1-s) D_2\right) .
+
+Unloading is elastic on the dent.  With :math:`\xi = c/a` a strip of the half-width c bears
+
+.. math:: \frac FP = \theta\xi^2 + (1-\theta)\left(1-\sqrt{1-\xi^2}\right) .
+
+The surface of a half-plane sinks without bound, so that a line has no depth; what is lost does not depend on where the
+depth is counted from.  With :math:`m = 1 + \theta(\ln2-\tfrac12)` and the energy k of both shapes of pressure,
+
+.. math:: W = \int F\,\mathrm dd_0 + \frac1{\pi E^*}\left[F^2(m-k) + \int F^2\left(\mathrm dm -
+          \frac{\mathrm da}a\right)\right] .
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from winkler.foundation.line import LineFoundation
+from winkler.loading.loads import LineForce
+from winkler.materials.elastic import Elastic
+from winkler.materials.hardening import Hardening
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.equations.roots import bracketed
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.line.at_strength import at_strength
+from winkler.problems.line.greatest_stress import von_mises
+from winkler.problems.line.pressing_load import pressing
+from winkler.problems.line.validity import line_notes
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.plastic.yielded_line import (
+    GREATEST_POISSON,
+    LEAST_POISSON,
+    beyond_line_tables,
+    yielded_line,
+)
+from winkler.problems.plastic.yielded_response import Yielded
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.value import value, words
+
+__all__ = ["LinePlasticIndentation", "LinePlasticSolution"]
+
+LEAST_STIFFNESS = 50.0
+SHARE_POWER = 1.5
+"""As of bodies of revolution: power of its share of the gap with which a body counts for the shape of the pressure."""
+POINTS_PER_EFOLD, NODES = 48, 4
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.3, doi:10.1017/CBO9781139171731"
+
+
+class _Half(NamedTuple):
+    """A half-plane that may yield: E / (1 - nu^2) [Pa], Y [Pa], and p_el / Y where it begins to yield."""
+
+    modulus: float
+    strength: float
+    onset: float
+
+    def answer(self, elastic: Array) -> Yielded:
+        """Return the departure from an elastic body that would bear a mean pressure [Pa]."""
+        if math.isinf(self.strength):
+            return Yielded(*(np.zeros(elastic.shape),) * 3)
+        return yielded_line(elastic / self.strength, self.onset)
+
+    def pressure(self, elastic: Array) -> Array:
+        """Return the mean pressure in place of an elastic one [Pa]."""
+        return np.asarray(elastic * np.exp(-self.answer(elastic).fall))
+
+
+class _LineLoad(NamedTuple):
+    """States of first loading `(n,)`: a [m], F [N/m], d0 [m], theta [-], s [-]."""
+
+    half_width: Array
+    force: Array
+    dent: Array
+    elastic_share: Array
+    share: Array
+
+
+class _LineLoading(NamedTuple):
+    """First loading of a cylinder on two half-planes; `onset` is the half-width where one of them yields [m]."""
+
+    radius: float
+    modulus: float
+    first: _Half
+    second: _Half
+    onset: float
+
+    def share(self, strain: Array) -> Array:
+        """Return the part of the gap that stands against the first body."""
+        first, second = self.first, self.second
+        if math.isinf(second.modulus):
+            return np.ones_like(strain)
+        if math.isinf(first.modulus):
+            return np.zeros_like(strain)
+        if first == second:
+            return np.full_like(strain, 0.5)
+
+        def excess(share: Array, index: Array) -> Array:
+            at = strain[index]
+            return first.pressure(first.modulus * share * at) - second.pressure(second.modulus * (1.0 - share) * at)
+
+        return bracketed(excess, np.zeros_like(strain), np.ones_like(strain))
+
+    def at(self, half_width: Array) -> _LineLoad:
+        """Return the states at half-widths `(n,)` [m], positive."""
+        strain = math.pi * half_width / (8.0 * self.radius)
+        share = self.share(strain)
+        dent, pressure, kept, weights = (np.zeros_like(strain) for _ in range(4))
+        for body, part in ((self.first, share), (self.second, 1.0 - share)):
+            if math.isinf(body.modulus):
+                continue
+            elastic = body.modulus * part * strain
+            answer = body.answer(elastic)
+            pressure = elastic * np.exp(-answer.fall)
+            dent += part * answer.sinking
+            weight = part**SHARE_POWER
+            kept += weight * (1.0 - answer.evening)
+            weights += weight
+        force = 2.0 * half_width * pressure
+        return _LineLoad(half_width, force, dent * half_width**2 / (2.0 * self.radius), kept / weights, share)
+
+    def under(self, force: Array) -> Array:
+        """Return the half-widths [m] under forces per length [N/m], positive."""
+        elastic = np.sqrt(4.0 * self.radius * force / (math.pi * self.modulus))
+        wide = elastic.copy()
+        yields = elastic > self.onset
+        if yields.any():
+            low, wanted = elastic[yields], force[yields]
+            high = low * wanted / self.at(low).force  # the mean pressure grows with the half-width
+            wide[yields] = bracketed(lambda a, index: self.at(a).force - wanted[index], low, high * (1.0 + 1e-12))
+        return wide
+
+    def lost(self, half_width: Array) -> Array:
+        """Return what first loading up to half-widths `(n,)` [m] has cost for good [J/m]."""
+        from scipy.interpolate import CubicSpline
+
+        lost = np.zeros_like(half_width)
+        past = half_width > self.onset
+        if not past.any():
+            return lost
+        low, high = math.log(self.onset), math.log(float(np.max(half_width)))
+        places = np.linspace(low, high, 3 + math.ceil(POINTS_PER_EFOLD * (high - low)))
+        state = self.at(np.exp(places))
+        middle, apart = _shapes(state.elastic_share)
+        force, dent, turned = (CubicSpline(places, row) for row in (state.force, state.dent, middle))
+        nodes, weights = gauss_legendre(NODES)
+        scale = 1.0 / (math.pi * self.modulus)
+
+        def spent(start: Array, end: Array) -> Array:
+            x = start[:, None] + (end - start)[:, None] * nodes
+            f = force(x)
+            rate = f * dent(x, 1) + scale * f * f * (turned(x, 1) - 1.0)
+            return np.asarray((rate @ weights) * (end - start))
+
+        whole = np.append(0.0, np.cumsum(spent(places[:-1], places[1:])))
+        reversible = scale * state.force**2 * (middle - apart)
+        at = np.log(half_width[past])
+        index = np.clip(np.searchsorted(places, at, side="right") - 1, 0, places.size - 2)
+        now = self.at(half_width[past])
+        m, k = _shapes(now.elastic_share)
+        rest = scale * now.force**2 * (m - k) - reversible[0]
+        lost[past] = np.maximum(whole[index] + spent(places[index], at) + rest, 0.0)
+        return lost
+
+
+def _shapes(share: Array) -> tuple[Array, Array]:
+    """Return m and k of pressures of which a share is Hertz's and the rest even."""
+    log, even = math.log(2.0), 1.0 - share
+    energy = share**2 * (log + 0.25) + 2.0 * share * even * (log + 1.0 / 6.0) + even**2 * (1.5 - log)
+    return 1.0 + share * (log - 0.5), energy
+
+
+@value
+class LinePlasticIndentation:
+    """A cylinder pressed on a half-plane, of which at least one yields, in plane strain.
+
+    Parameters
+    ----------
+    bed : LineFoundation
+        A `Paraboloid`, the parabolic cylinder, over a `HalfSpace`, one body of which has a strength, or both.
+    path : LineForce
+        Forces per length [N/m], one after the other, ``(steps,)``.
+
+    Raises
+    ------
+    InvalidInput
+        If no body has a strength, a body hardens, a strength is above a fiftieth of Young's modulus, the profile or the
+        medium is another one, or the path is no row.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.3, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(young=210e9, poisson=0.3, strength=1e9)
+    >>> bed = LineFoundation(Paraboloid(10e-3), HalfSpace(steel))
+    >>> pressed = LinePlasticIndentation(bed, LineForce([1e6, 3e6, 0.0])).solve()
+    >>> bool(pressed.residual_depth[0] > 5e-7), bool(pressed.half_width[2] > 0.0)
+    (True, False)
+    """
+
+    __words__ = words(
+        bed=("", None, "profile and bodies of the line contact"),
+        path=("", None, "the forces per length, one after the other"),
+        yield_force=("P_Y", "N/m", "force per length under which a body begins to yield"),
+    )
+
+    bed: LineFoundation
+    path: LineForce[Array]
+
+    references: ClassVar[tuple[str, ...]] = ("johnson_1985",)
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def __post_init__(self) -> None:
+        shape = np.shape(self.path.force_per_length)
+        if len(shape) != 1:
+            raise InvalidInput(
+                f"LinePlasticIndentation: the path has the shape {shape}; give its forces one after the other in one "
+                "row."
+            )
+        _refuse_unknown(self.bed)
+
+    @property
+    def yield_force(self) -> float:
+        """Force per length under which one of the bodies begins to yield [N/m]."""
+        loading = _line_loading(self.bed)
+        return math.pi * loading.modulus * loading.onset**2 / (4.0 * loading.radius)
+
+    def solve(self) -> LinePlasticSolution:
+        """Return the whole path.
+
+        Raises
+        ------
+        OutsideValidity
+            If a force is tensile.
+        """
+        force = pressing("LinePlasticIndentation", self.path)
+        loading = _line_loading(self.bed)
+        greatest, group = np.unique(np.maximum.accumulate(force), return_inverse=True)
+        pressed = greatest > 0.0
+        wide, dent, lost = (np.zeros_like(greatest) for _ in range(3))
+        even = np.zeros_like(greatest)
+        wide[pressed] = loading.under(greatest[pressed])
+        state = loading.at(wide[pressed])
+        dent[pressed], even[pressed], lost[pressed] = state.dent, 1.0 - state.elastic_share, loading.lost(wide[pressed])
+        even, most = even[group], greatest[group]
+        left = 1.0 - np.where(most > 0.0, force / np.where(most > 0.0, most, 1.0), 0.0)
+        root = 2.0 * left / (even + np.sqrt(even**2 + 4.0 * (1.0 - even) * left) + (left == 0.0))
+        xi = np.where(most > 0.0, np.sqrt(np.maximum((1.0 - root) * (1.0 + root), 0.0)), 0.0)
+        return LinePlasticSolution(self, force, xi * wide[group], dent[group], wide[group], even, lost[group])
+
+
+@value
+class LinePlasticSolution:
+    """The solution of a `LinePlasticIndentation`, point by point.
+
+    Parameters
+    ----------
+    problem : LinePlasticIndentation
+        The problem that was solved.
+    force_per_length, half_width : ndarray, (steps,)
+        P [N/m], compression positive, and a [m], zero without contact.
+    residual_depth : ndarray, (steps,)
+        d0 [m], by which the middle of the unloaded surfaces lies below places far away, of both bodies together.
+    largest_half_width : ndarray, (steps,)
+        Under the greatest load so far [m]: half the width of the dent.
+    even_share : ndarray, (steps,)
+        Part of the greatest load with an even pressure [-], the rest is Hertz's; zero of elastic bodies.
+    dissipation : ndarray, (steps,)
+        What loading has cost and unloading does not return [J/m]; a part of it stays as residual stress.
+    """
+
+    __words__ = words(
+        largest_half_width=("a_m", "m", "half-width of the contact under the greatest load so far"),
+        even_share=("", "", "part of the greatest load that has an even pressure"),
+        dissipation=("W", "J/m", "energy lost per length"),
+        yield_force=("P_Y", "N/m", "force per length under which a body begins to yield"),
+    )
+
+    problem: LinePlasticIndentation
+    force_per_length: Array
+    half_width: Array
+    residual_depth: Array
+    largest_half_width: Array
+    even_share: Array
+    dissipation: Array
+
+    @property
+    def yield_force(self) -> float:
+        """As of the problem [N/m]."""
+        return self.problem.yield_force
+
+    @property
+    def mean_pressure(self) -> Array:
+        """P / (2 a) [Pa]; zero without contact."""
+        width = 2.0 * self.half_width
+        return np.asarray(self.force_per_length / np.where(width > 0.0, width, 1.0))
+
+    def surface(self, x: Array) -> Array:
+        """Return the unloaded surface after the path, both bodies together.
+
+        Parameters
+        ----------
+        x : ndarray
+            Places within the dent [m], on either side of its middle.
+
+        Returns
+        -------
+        ndarray
+            Height over places far away [m], negative below; not a number beyond the dent.
+        """
+        if self.half_width.size == 0 or self.largest_half_width[-1] <= _line_loading(self.problem.bed).onset:
+            return np.zeros(np.shape(x))
+        loading, a = _line_loading(self.problem.bed), float(self.largest_half_width[-1])
+        most, even = float(np.max(self.force_per_length)), float(self.even_share[-1])
+        rho = np.asarray(x, dtype=float) / a
+        rho = np.where(np.abs(rho) <= 1.0 + 1e-12, np.clip(rho, -1.0, 1.0), np.nan)
+        strip = sum(
+            (1.0 + way * rho) * np.log(np.maximum(1.0 + way * rho, np.finfo(float).tiny)) for way in (1.0, -1.0)
+        )
+        back = 2.0 * most / (math.pi * loading.modulus) * ((1.0 - even) * rho**2 + even * 0.5 * strip)
+        return np.asarray(0.5 * (rho * a) ** 2 / loading.radius - back - self.residual_depth[-1])
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed, widest = self.problem.bed, float(np.max(self.largest_half_width, initial=0.0))
+        loading = _line_loading(bed)
+        if widest <= loading.onset:
+            return line_notes(bed, widest)
+        notes = [note for note in line_notes(bed, widest) if note.assumption is not Assumption.RESPONSE]
+        notes.append(LAW)
+        strain = np.array([math.pi * widest / (8.0 * loading.radius)])
+        share = float(loading.share(strain)[0])
+        bodies = ((loading.first, share), (loading.second, 1.0 - share))
+        strong = [(body, part) for body, part in bodies if math.isfinite(body.strength)]
+        if any(
+            beyond_line_tables(body.modulus * part * float(strain[0]) / body.strength, body.onset)
+            for body, part in strong
+        ):
+            notes.append(FULLY_PLASTIC)
+        if loading.first != loading.second and not math.isinf(max(loading.first.modulus, loading.second.modulus)):
+            notes.append(TWO_BODIES)
+        return tuple(notes)
+
+
+LAW = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "Yielding by tables fitted to finite elements in plane strain, of small strains without hardening or friction. In "
+    "their range the force at a half-width errs by up to 1 %, the residual depth by 0.02 of a^2/2R. The force at "
+    "release errs by 0.03 of the greatest. A part of the dissipation stays in the bodies as residual stress.",
+    "finite elements of this package; " + JOHNSON,
+    0.02,
+)
+FULLY_PLASTIC = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "The load is beyond the finite elements, which end at 20 times the pressure of first yield; from there the mean "
+    "pressure goes on to that of Prandtl, 2.97 times the strength, and may err by 5 %.",
+    "R. Hill, The Mathematical Theory of Plasticity, Oxford University Press 1950",
+    0.05,
+)
+TWO_BODIES = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "The bodies are unlike: each takes the part of the gap at which both bear the same mean pressure. Finite elements "
+    "have tested one body under a rigid one, not two that yield differently; the error of this is not known.",
+    "finite elements of this package, of one body only",
+)
+
+
+def _refuse_unknown(bed: LineFoundation) -> None:
+    """Refuse a bed of which it is not known how its bodies yield."""
+    owner = "LinePlasticIndentation"
+    if not isinstance(bed.medium, HalfSpace):
+        raise InvalidInput(
+            f"{owner}: the medium is a {type(bed.medium).__name__}; how lines yield is known of isotropic bodies, each "
+            "of one strength: give a HalfSpace."
+        )
+    if not bed.hertzian:
+        raise InvalidInput(
+            f"{owner}: the profile is a {type(bed.profile).__name__}; how a line yields is known of cylinders only: "
+            "give a Paraboloid."
+        )
+    parts = strong_parts(bed.medium)
+    if not parts:
+        raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
+    for part in parts:
+        solid = part.solid
+        if isinstance(solid, Hardening):
+            raise InvalidInput(
+                f"{owner}: the {part.name} hardens; how such a metal yields under a line is not known to winkler: give "
+                "Elastic(young, poisson, strength) with its flow stress."
+            )
+        if solid.strength * LEAST_STIFFNESS > solid.young:
+            raise InvalidInput(
+                f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
+                f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
+            )
+        if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
+            raise InvalidInput(
+                f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
+                f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
+            )
+
+
+@functools.lru_cache(maxsize=64)
+def _line_loading(bed: LineFoundation) -> _LineLoading:
+    medium = bed.medium
+    assert isinstance(medium, HalfSpace)
+    wide = {
+        part.first: at_strength(bed, part, 0.0, von_mises, "LinePlasticIndentation")[0] for part in strong_parts(medium)
+    }
+    halves = []
+    for first, solid in ((True, medium.first), (False, medium.second)):
+        if not isinstance(solid, Elastic):
+            halves.append(_Half(math.inf, math.inf, math.inf))
+            continue
+        onset = math.inf
+        if first in wide:
+            onset = math.pi * medium.modulus * wide[first] / (8.0 * bed.hertz_radius) / solid.strength
+        halves.append(_Half(solid.young / (1.0 - solid.poisson**2), solid.strength, onset))
+    return _LineLoading(bed.hertz_radius, medium.modulus, halves[0], halves[1], min(wide.values()))
