@@ -27,7 +27,7 @@ from winkler.study.report.figure import ReportFigure, drawn
 from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.fits.pages import curve_facts, noise_figure
-from winkler.study.report.markup import safe, section, table
+from winkler.study.report.markup import assumed_line, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.study.report.tables import batch_section, given_rows
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
@@ -104,7 +104,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None, *, 
     shown = figures_of(outcome) if shown is None else shown
     title = safe(study.title or outcome.provenance.source or "Fits")
     body = [
-        f"<header><h1>{title}</h1>{counts(outcome)}{parts.assumed_line(assumed)}</header>",
+        f"<header><h1>{title}</h1>{counts(outcome)}{assumed_line(assumed)}</header>",
         answers(outcome),
         further_section(outcome),
         batch_section("All curves", outcome.batch, outcome.doubts, CSV) if len(outcome.results) > 1 else "",

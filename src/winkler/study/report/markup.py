@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from winkler.values.readable import with_readable_numbers
 from winkler.values.validity import Note, in_words, worst
 
-__all__ = ["badge", "number", "safe", "section", "table", "with_fixed_units"]
+__all__ = ["assumed_line", "badge", "number", "safe", "section", "table", "with_fixed_units"]
 
 
 def safe(text: object) -> str:
@@ -27,6 +27,11 @@ def with_fixed_units(sentence: str) -> str:
     """Return a sentence, escaped, with readable numbers and no line break between a number and its unit."""
     readable = with_readable_numbers(sentence)
     return re.sub(r"(\d) (?=[µa-zA-Z°⁰-⁹/]{1,6}[,.;) ])", "\\1\u00a0", safe(readable))
+
+
+def assumed_line(sentence: str) -> str:
+    """Return the line that says which numbers of a study nobody has given; nothing for an empty sentence."""
+    return f'<p class="since assumed">{with_fixed_units(sentence)}</p>' if sentence else ""
 
 
 def section(title: str, *parts: str) -> str:

@@ -16,14 +16,13 @@ from winkler.study.language.study import Study
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure, figure_files, svg_element
 from winkler.study.report.headline.as_code import command_text, python_text
-from winkler.study.report.markup import badge, safe, section, table, with_fixed_units
+from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.values.readable import with_readable_numbers
 from winkler.values.validity import Note, Standing
 
 __all__ = [
     "REPORT",
-    "assumed_line",
     "code_section",
     "figure_elements",
     "folded",
@@ -95,11 +94,6 @@ def trust(notes: tuple[Note, ...], questions: tuple[str, ...] = ()) -> str:
         for note in ranked
     )
     return section("How far this can be trusted", asked, f'<ul class="notes">{items}</ul>')
-
-
-def assumed_line(sentence: str) -> str:
-    """Return the line that says which numbers of a study nobody has given; nothing for an empty sentence."""
-    return f'<p class="since assumed">{with_fixed_units(sentence)}</p>' if sentence else ""
 
 
 def papers(content: Any) -> str:

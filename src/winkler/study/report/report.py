@@ -15,7 +15,7 @@ from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of, shown_contact, shown_point
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
-from winkler.study.report.markup import badge, safe, section
+from winkler.study.report.markup import assumed_line, badge, safe, section
 from winkler.study.report.tables import (
     answer_section,
     contact_section,
@@ -64,7 +64,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None, *, ass
     notes = outcome.validity
     answers = [one for one in pictures if not one.of_method]
     body = [
-        f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}{parts.assumed_line(assumed)}</header>",
+        f"<header><h1>{title}</h1>{_standing_line(outcome)}{doubt_line(doubt_of(outcome))}{assumed_line(assumed)}</header>",
         question_section(outcome),
         section("At a glance", parts.figure_elements((*answers, *pictures)[:1])) if pictures else "",
         answer_section(outcome),

@@ -7,8 +7,7 @@ from typing import Any
 
 from nicegui import ui
 
-from winkler.study.report.markup import safe
-from winkler.study.report.page_parts import assumed_line
+from winkler.study.report.markup import assumed_line, safe
 from winkler.web.page.live import LiveHtml
 from winkler.web.page.picture import Card, PictureLoader, caption
 from winkler.web.page.pinned import PinnedAnswer
