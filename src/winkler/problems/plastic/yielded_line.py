@@ -6,7 +6,8 @@ the strength Y, lies :math:`p = p_{el}\,e^{-L(x)}`.  After unloading the middle 
 force, and that of an even pressure in the rest.
 
 The tables are fitted to finite elements in plane strain that were made for this package: small strains, von Mises'
-condition with the associated flow rule, no hardening, no friction, 24 and 48 elements per half-width, extrapolated.
+condition with the associated flow rule, no hardening, no friction, 24 and 48 elements per half-width,
+extrapolated; beyond three times the half-width of first yield by 24 and the shift found before.
 Beyond the tables the pressure goes on to that of Prandtl, :math:`(2+\pi)Y/\sqrt3`.
 """
 
