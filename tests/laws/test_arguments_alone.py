@@ -28,6 +28,7 @@ RESOLUTION = {
 GIVEN: dict[str, Any] = {
     "adhesive_cycle.machine_stiffness": 1e3,
     "band_heating.partition": wk.FixedShare(0.2),
+    "bimodal_damping.frequency": 10.0,
     "bimodal_damping.lateral_cycles": 2,
     "bimodal_damping.method": wk.Method.RINGS,
     "bimodal_damping.normal_cycles": 2,
@@ -38,6 +39,7 @@ GIVEN: dict[str, Any] = {
     "elliptic_yield_onset.angle": 0.3,
     "equilibrium.machine_stiffness": 1e3,
     "fretting_wear.layer_wears": True,
+    "friction_damping.frequency": 10.0,
     "friction_damping.method": wk.Method.RINGS,
     "friction_loops.frame_compliance": 5e-9,
     "friction_heating.first_direction": 0.2,
@@ -103,10 +105,12 @@ GIVEN: dict[str, Any] = {
 """Values of arguments that the examples leave out."""
 
 TOGETHER = {
+    "bimodal_damping.frequency": "relax",
     "bimodal_damping.method": "kernels of their own",
     "elastic_plastic_particle.work_closing": "work_opening",
     "friction_heating.second_direction": "second_speed",
     "fretting_wear.layer_wears": "no layers",
+    "friction_damping.frequency": "relax",
     "friction_damping.method": "kernels of their own",
     "sliding_wear.layer_wears": "no layers",
     "impact.inertia": "lever",

@@ -130,10 +130,21 @@ def reader(what: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
     def decorated(read: Callable[P, R]) -> Callable[P, R]:
         signature = inspect.signature(read)
+        needed = [
+            name
+            for name, one in signature.parameters.items()
+            if one.default is one.empty and name not in ("path", "kwargs")
+        ]
 
         @functools.wraps(read)
         def wrapped(*args: P.args, **kwargs: P.kwargs) -> R:
-            path = signature.bind(*args, **kwargs).arguments["path"]  # a wrong call is no fault of the file
+            given = signature.bind_partial(*args, **kwargs).arguments  # a wrong call is no fault of the file
+            missing = [name for name in needed if name not in given]
+            if "path" not in given:
+                raise TypeError(f"{read.__name__}() lacks its path")
+            path = given["path"]
+            if missing:
+                raise InvalidInput(f"{path_text(path)}: {what} is read with {' and '.join(missing)}; give it.")
             with sentence_of(path, f"{what} cannot be read from it", "check the file, or save it anew"):
                 return read(*args, **kwargs)
 

@@ -114,6 +114,7 @@ ROLLING = {
 """On ghosts of layers alone."""
 SLOW_OF_GHOSTS = ("LineShakedown", "LineViscoelasticIndentation")
 NOT_FOR_GHOSTS = {
+    "LinePlasticIndentation": "the tables of metals are those of a cylinder",
     "LineRolling": "only a round body keeps its profile while it rolls",
     "LineRollingStart": "only a round body keeps its profile while it rolls",
     "LineRollingResistance": "only a round body keeps its profile while it rolls",

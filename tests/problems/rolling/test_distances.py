@@ -107,12 +107,16 @@ def simplified(a, b, poisson, creepage):
 @pytest.mark.parametrize(
     ("creepage", "sentence"),
     [
-        (wk.Creepage(1e-3), "under longitudinal or lateral creepage alone the force stays within 0.05 of mu F_N"),
+        (wk.Creepage(1e-3), "Under longitudinal or lateral creepage alone the force stays within 0.05 of mu F_N"),
         (
             wk.Creepage(1e-3, 1e-3),
-            "under both creepages the force stays within 0.14 of mu F_N, and the moment within 0.06",
+            "Under both creepages the force stays within 0.14 of mu F_N of the exact theory. "
+            "The moment stays within 0.06",
         ),
-        (wk.Creepage(1e-3, 1e-3, 0.1), "with spin the force stays within 0.19 of mu F_N, and the moment within 0.09"),
+        (
+            wk.Creepage(1e-3, 1e-3, 0.1),
+            "With spin the force stays within 0.19 of mu F_N of the exact theory. The moment stays within 0.09",
+        ),
     ],
 )
 def test_notes_state_the_distance_under_their_own_creepage(creepage, sentence):
