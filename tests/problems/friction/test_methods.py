@@ -56,7 +56,7 @@ def test_elements_of_a_line_agree_with_sums_of_earlier_contacts():
 
 @pytest.mark.slow
 def test_sums_are_refused_where_they_do_not_hold():
-    with pytest.raises(wk.OutsideValidity, match="the method exact adds up .*: give the method elements"):
+    with pytest.raises(wk.OutsideValidity, match="the method exact adds up .*Give the method elements"):
         pressed_line(wk.Method.EXACT, COATED).solve()
     with pytest.raises(wk.OutsideValidity, match="exact needs one ratio: give the method rings"):
         bimodal(wk.Method.EXACT, COATED).solve()

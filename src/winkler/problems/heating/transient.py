@@ -31,8 +31,8 @@ from winkler.problems.heating.heat_source import HeatedContact, heat_sources
 from winkler.problems.heating.input_checks import RubbingBodies, refuse_contact
 from winkler.problems.heating.pressed_source import PressedSource
 from winkler.problems.heating.validity import STEADY_SOURCE, sliding_contact_notes
-from winkler.problems.normal.elliptic import EllipticIndentation
-from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.values.checks.number_checks import NonNegative, PositiveRow
 from winkler.values.checks.place_checks import common_places
 from winkler.values.errors import InvalidInput, OutsideValidity
@@ -188,7 +188,7 @@ class TransientHeatingSolution:
     """
 
     problem: TransientHeating
-    contact: HeatedContact
+    contact: IndentationSolution[float] | EllipticSolution[float]
     heat_rate: float
     time: Array
     first_share: Array
