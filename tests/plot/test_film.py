@@ -182,3 +182,15 @@ def test_a_pushed_body_moves_in_one_frame(monkeypatch):
 def test_one_load_does_not_move(monkeypatch):
     with pytest.raises(wk.InvalidInput, match="of one load does not move; give a path"):
         example_frames("indentation", monkeypatch)
+
+
+@pytest.mark.parametrize("argument", ["contact.load", "first_speed"])
+def test_a_contact_that_warms_up_moves_over_loads_and_speeds(argument):
+    """The bed is that of the contact which the problem takes."""
+    table = example_study("friction_heating")
+    if argument == "first_speed":
+        table["problem"]["first_speed"] = ["1 m/s", "2 m/s", "4 m/s"]
+    else:
+        table["problem"]["contact"]["load"] = {"kind": "force", "force": ["5 N", "10 N", "20 N"]}
+    point = run(parse_study(tomli_w.dumps({"title": "warm", **table}))).points[0]
+    assert len(list(frames.frames_of(point))) == 3

@@ -65,7 +65,10 @@ QUESTIONS = (
         },
     ),
     FrontExample(
-        "How hot?", "How warm is a ball of steel that slides over steel?", "friction_heating", {SECOND: dict(STEEL)}
+        "How hot?",
+        "How warm is a ball of steel that slides over steel?",
+        "friction_heating",
+        {"problem.contact.bed.medium.second": dict(STEEL)},
     ),
     FrontExample(
         "Does my seal leak?",

@@ -31,7 +31,7 @@ from winkler.values.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
 from winkler.web.pictures.comparison import numbers_of
-from winkler.web.pictures.moments import Moments, contact_at, labels_of
+from winkler.web.pictures.moments import Moments, bed_of, contact_at, labels_of
 from winkler.web.pictures.packing import packed
 from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture
 from winkler.web.pictures.solid import draw_solid
@@ -128,7 +128,7 @@ def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
     """Yield the interactive pictures one by one, so that the browser draws while the next are computed."""
     contact, view = shown_scene.contact, shown_scene.view
     if is_recovering(contact):
-        yield _made("springs", lambda: chart(moment_springs(contact, shown_scene.point.problem.bed, view)))
+        yield _made("springs", lambda: chart(moment_springs(contact, bed_of(shown_scene.point.problem), view)))
     elif contact is not None:
         yield from method_pictures(contact, view)
     if shown_scene.states and is_worn(shown_scene.states[shown_scene.moment]):

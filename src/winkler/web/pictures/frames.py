@@ -20,7 +20,7 @@ from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.contents import answer_of
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import with_unit
-from winkler.web.pictures.moments import Moments, contact_at, moments_of
+from winkler.web.pictures.moments import Moments, bed_of, contact_at, moments_of
 from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import View, fitting
 
@@ -65,9 +65,10 @@ def frames_of(point: SolvedPoint, *, most: int | None = None) -> Iterator[Sheet]
             yield Sheet(panels, width=3.8, title=_title(point, moments, moment))
         return
     contacts = [contact_at(point, moments, moment)[0] for moment in chosen]
-    if any(contact is None for contact in contacts):
+    bed = bed_of(point.problem)
+    if bed is None or any(contact is None for contact in contacts):
         raise InvalidInput(f"film: a {type(point.problem).__name__} has no springs to be shown at each moment.")
-    view, bed = _view(contacts), point.problem.bed
+    view = _view(contacts)
     rows = [_panels(contact, bed, view) for contact in contacts]
     for moment, row in zip(chosen, rows, strict=True):
         shown = tuple(

@@ -20,7 +20,7 @@ from winkler.study.language.explain import plain_symbol
 from winkler.study.report.figures import shown_contact
 from winkler.values.readable import with_unit
 
-__all__ = ["Moments", "contact_at", "initial_moment", "labels_of", "moments_of"]
+__all__ = ["Moments", "bed_of", "contact_at", "initial_moment", "labels_of", "moments_of"]
 
 
 ALONG_HISTORIES = ("time", "cycle", "distance")
@@ -88,6 +88,11 @@ def labels_of(outcome: Outcome, point: SolvedPoint, moments: Moments) -> tuple[s
     return ()
 
 
+def bed_of(problem: Any) -> Any:
+    """Return the bed of a problem, or that of the contact that it takes; None if neither has one."""
+    return getattr(problem, "bed", None) or getattr(getattr(problem, "contact", None), "bed", None)
+
+
 def contact_at(point: SolvedPoint, moments: Moments, moment: int) -> tuple[Any, bool]:
     """Return the contact drawn at a moment (None if there is none), and whether it belongs to that moment.
 
@@ -95,7 +100,7 @@ def contact_at(point: SolvedPoint, moments: Moments, moment: int) -> tuple[Any, 
     """
     if moments.states and (is_restorable(moments.states[moment]) or is_recovering(moments.states[moment])):
         return moments.states[moment], True
-    contact_kind, answers, bed = answer_of(point.problem).pictured, point.answers, getattr(point.problem, "bed", None)
+    contact_kind, answers, bed = answer_of(point.problem).pictured, point.answers, bed_of(point.problem)
     if moments.total and bed is not None and contact_kind is not PicturedContact.NONE:
         numbers = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
         if contact_kind is PicturedContact.EDGE and len(numbers) == 3 and numbers["radius"] > 0.0:
