@@ -11,7 +11,7 @@ grows as
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import ClassVar, cast
 
 import numpy as np
 
@@ -136,7 +136,7 @@ class TransientHeating(RubbingBodies):
         NotConverged
             If the profile is too rough.
         """
-        contact = self.contact.solve()
+        contact = cast("IndentationSolution[float] | EllipticSolution[float]", self.contact.solve())  # of one load
         heat = self.law.coefficient * float(contact.force) * self.speed
         share = np.full(self.time.shape, idle_share(self.partition, self._bodies))
         parts = [np.zeros(self.time.shape)] * 4
