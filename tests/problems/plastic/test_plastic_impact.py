@@ -85,7 +85,7 @@ def test_measured_oblique_blows():
 
     Balls of alumina of 5 mm on thick glass, 3.9 m/s, mu = 0.092, no metal and no dent: their tangential restitution as
     Lethe's example of oblique impact has read it off their figure, and the angle of the contact's rebound as Kratos'
-    tests have.  The tolerances are the scatter of the points about a smooth curve; a restitution of 0.98 is left out.
+    tests have.  The tolerances were set after seeing the differences; a restitution of 0.98 is left out.
     """
     radius, speed = 2.5e-3, 3.9
     mass = 4.0 / 3.0 * math.pi * radius**3 * 4000.0
