@@ -7,8 +7,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = ["DEPTH_NAMES", "FORCE_NAMES", "POSITION_NAMES", "STIFFNESS_NAMES", "TIME_NAMES", "by_preference"]
+__all__ = [
+    "CROSSHEAD_NAMES",
+    "DEPTH_NAMES",
+    "FORCE_NAMES",
+    "POSITION_NAMES",
+    "STIFFNESS_NAMES",
+    "TIME_NAMES",
+    "by_preference",
+]
 
+CROSSHEAD_NAMES = (
+    "extension",
+    "standard travel",
+    "crosshead displacement",
+    "standardweg",
+    "traversenweg",
+    "course standard",
+    "recorrido estándar",
+    "corsa standard",
+)
+"""Travel of a testing machine, which has no cantilever."""
 POSITION_NAMES = (
     "position",
     "piezo",
@@ -19,15 +38,8 @@ POSITION_NAMES = (
     "z-piezo",
     "calc ramp",
     "calc_ramp",
-    "extension",
-    "standard travel",
-    "crosshead displacement",
+    *CROSSHEAD_NAMES,
     "weg",
-    "standardweg",
-    "traversenweg",
-    "course standard",
-    "recorrido estándar",
-    "corsa standard",
     "allongement",
     "位移",
     "変位",

@@ -51,7 +51,7 @@ def swap_note(position: Array, force: Array) -> str:
         return ""
     return (
         f"doubtful: half of the depth bears {100 * share:.0f} % of the greatest force, and the loading is concave; "
-        "position and force may be exchanged"
+        "position and force may be exchanged, or a bar was pulled"
     )
 
 

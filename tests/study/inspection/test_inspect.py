@@ -12,6 +12,7 @@ from winkler.cli import main
 from winkler.io.tables.relaxation_table import read_dynamic
 from winkler.study.inspection import inspect
 from winkler.study.inspection.inspect import inspect_file, inspect_files
+from winkler.study.inspection.surfaces import SurfaceOptions
 from winkler.values.errors import InvalidInput
 
 
@@ -249,6 +250,53 @@ def test_a_pin_states_its_wear_by_area_and_force(tmp_path):
     path = table(tmp_path / "pin.csv", "distance [m], wear depth [um]", way, 0.05 * way)
     assert "k = V / (F s) = 5e-08 A/F" in " ".join(inspect_file(path).done)
     assert read_pin(path).wear_coefficient(2e-6, 10.0).value == pytest.approx(5e-6 * 2e-6 / (10.0 * 100.0), rel=1e-6)
+
+
+def test_a_pin_whose_log_has_times_needs_the_speed(tmp_path):
+    """The clock of the second step begins again; 20 s at 0.5 m/s are 10 m.  A total time stands below the rows."""
+    from winkler.io.logs.log_tables import read_pin
+
+    clock = np.concatenate([np.arange(1.0, 11.0), np.arange(1.0, 11.0)])
+    path = table(
+        tmp_path / "pin.csv", "Step, Timestamp [s], DAQ.COF ()", np.repeat([1.0, 2.0], 10), clock, 0 * clock + 0.3
+    )
+    with path.open("a") as file:
+        file.write("\nTotalTime\n00:00:20.5\n")
+    assert "give speed, that of sliding in m/s" in inspect_file(path).reason
+    log = read_pin(path, speed=0.5)
+    np.testing.assert_allclose(log.distance, 0.5 * np.arange(1.0, 21.0))
+    assert log.steady_friction.value == pytest.approx(0.3)
+    with path.open("a") as file:
+        file.write("21.0\n")
+    with pytest.raises(InvalidInput, match="the line has 1 and the header 3 cells"):
+        read_pin(path, speed=0.5)
+    way = table(tmp_path / "way.csv", "distance [m], cof", clock, clock)
+    with pytest.raises(InvalidInput, match="its header names a distance; leave speed out"):
+        read_pin(way, speed=0.5)
+
+
+def test_heights_without_places_need_the_length(tmp_path):
+    heights = np.sin(np.arange(400.0) / 9.0)
+    path = table(tmp_path / "scan.txt", "Point, Raw [um], Rough [um]", np.arange(400.0), heights, 2.0 * heights)
+    assert "its header names heights and no places; give --lengths '4 mm'" in inspect_file(path).reason
+    for channel, scale in (("", 1e-6), ("Rough", 2e-6)):
+        found = inspect_file(path, SurfaceOptions(lengths="4 mm", channel=channel))
+        assert found.taken_for == "line scan"
+        assert not found.study
+        np.testing.assert_allclose(found.content.position, np.linspace(0.0, 4e-3, 400), atol=1e-12)
+        np.testing.assert_allclose(found.content.heights, scale * heights, atol=1e-15)
+
+
+def test_a_table_of_bare_numbers_may_be_a_curve_or_moduli(tmp_path):
+    path = tmp_path / "bare.csv"
+    np.savetxt(path, np.random.default_rng(3).uniform(1.0, 2.0, (12, 7)), delimiter=",")
+    assert "of a table without names: give columns = {" in inspect_file(path).reason
+
+
+def test_moduli_over_strain_are_no_curve(tmp_path):
+    row = np.linspace(1.0, 9.0, 8)
+    path = table(tmp_path / "strain.csv", "Strain [%], Storage Modulus [Pa], Loss Modulus [Pa]", row, row, row)
+    assert "its header names moduli and no frequency" in inspect_file(path).reason
 
 
 def test_a_sweep_of_strain_is_no_path(tmp_path):

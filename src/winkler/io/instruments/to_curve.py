@@ -28,7 +28,7 @@ from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
 from winkler.io.swapped_columns import is_list, signs
-from winkler.io.tables.given_units import USUAL, GivenFacts, key_of
+from winkler.io.tables.given_units import GivenFacts, key_of, unit_asked
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
@@ -76,6 +76,10 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
         names = "; ".join(f"{role} ({', '.join(ROLES[role][0][:7])} ...)" for role in missing)
         raise InvalidInput(f"{where} has no column for {names}; there are {there}.")
     chosen = {role: column for role, column in found.items() if column is not None}
+    lacking = [role for role in chosen if not (chosen[role].unit or units.get(key_of(role)))]
+    if lacking:
+        names, keys = [chosen[role].name for role in lacking], [key_of(role) for role in lacking]
+        raise InvalidInput(f"{unit_asked(where, names, keys)}.")
     factors = {role: _factor(role, column, units, where) for role, column in chosen.items()}
     numbers = {role: column.values * factors[role] for role, column in chosen.items()}
     usable = np.all([_is_number(chosen[role].values) for role in ("depth", "force", "time") if role in chosen], axis=0)
@@ -162,10 +166,6 @@ def _stated(test: InstrumentTest, depth: Array, usable: Array, part: slice) -> S
 def _factor(role: str, column: InstrumentColumn, units: Mapping[str, str], where: str) -> float:
     key, wanted = key_of(role), ROLES[role][1]
     given = units.get(key, "")
-    if not column.unit and not given:
-        raise InvalidInput(
-            f"{where}: no unit stands with '{column.name}'; give it as units = {{ {key} = \"{USUAL[key]}\" }}."
-        )
     if column.unit and given and scale(column.unit, wanted) != scale(given, wanted):
         raise InvalidInput(
             f"{where}: the file states '{column.unit}' for '{column.name}', and units gives {key} = '{given}'; leave "

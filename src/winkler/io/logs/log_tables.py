@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -11,11 +12,14 @@ from winkler.fitting.logs.friction_log import FrictionLog
 from winkler.fitting.logs.runs import BounceTimes, PinOnDisc
 from winkler.io.foreign import in_file, reader
 from winkler.io.tables.column import Column
+from winkler.io.tables.given_units import checked_units
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import read_table
+from winkler.values.errors import InvalidInput
 
 __all__ = [
     "BOUNCE",
+    "CLOCK",
     "DISPLACEMENT",
     "DISTANCE",
     "FORCE",
@@ -32,6 +36,7 @@ __all__ = [
 BOUNCE = Column("time of a bounce", ("bounce", "bounces", "bounce time", "impact time", "bounce_time"), "s")
 DISTANCE = Column("distance", ("distance", "sliding distance", "path", "gleitweg"), "m")
 FRICTION = Column("coefficient of friction", ("cof", "mu", "friction coefficient", "coefficient of friction"), "")
+CLOCK = Column("time", ("time", "t", "timestamp", "elapsed time", "test time", "zeit", "temps", "tiempo"), "s")
 LOSS = Column("height loss", ("height loss", "wear depth", "wear", "linear wear", "verschleiss"), "m", "um")
 DISPLACEMENT = Column(
     "displacement",
@@ -141,13 +146,18 @@ def read_bounces(path: str | os.PathLike[str]) -> BounceTimes:
 
 
 @reader("a log of a pin on a disc")
-def read_pin(path: str | os.PathLike[str]) -> PinOnDisc:
+def read_pin(path: str | os.PathLike[str], *, speed: float = 0.0, units: Mapping[str, str] | None = None) -> PinOnDisc:
     """Read a log with a distance and a coefficient of friction (cof, mu), a height loss (wear depth), or both.
 
     Parameters
     ----------
     path : str or path
         The file.
+    speed : float, optional
+        Of sliding [m/s], of a log that has times and no distances.  Where its clock begins again, as with each step of
+        a program, the distance goes on.
+    units : mapping of str to str, optional
+        Of times, where the header states none: ``{"time": "s"}``.
 
     Returns
     -------
@@ -158,9 +168,19 @@ def read_pin(path: str | os.PathLike[str]) -> PinOnDisc:
     InvalidInput
         If the file cannot be read, or holds no such log.
     """
-    measured = [column for column in (FRICTION, LOSS) if names_columns(path, (DISTANCE, column))]
-    table = read_table(path, (DISTANCE, *measured))
+    has_places = names_columns(path, (DISTANCE,))
+    if has_places and speed:
+        raise InvalidInput(f"{path}: its header names a distance; leave speed out.")
+    if not (has_places or speed > 0.0) and names_columns(path, (CLOCK,)):
+        raise InvalidInput(f"{path}: its header names times and no distance; give speed, that of sliding in m/s.")
+    along = DISTANCE if has_places or not speed else CLOCK
+    measured = [column for column in (FRICTION, LOSS) if names_columns(path, (along, column))]
+    given = checked_units(units or {}) if along is CLOCK else None
+    table = read_table(path, (along, *(measured or (FRICTION,))), units=given)
     found = {column.word: table.values[:, 1 + place] for place, column in enumerate(measured)}
-    nothing = np.zeros(0)
+    distance, nothing = table.values[:, 0], np.zeros(0)
+    if along is CLOCK:
+        step = np.diff(distance, prepend=0.0)
+        distance = speed * np.cumsum(np.where(step < 0.0, distance, step))
     with in_file(table.path):
-        return PinOnDisc(table.values[:, 0], found.get(FRICTION.word, nothing), found.get(LOSS.word, nothing))
+        return PinOnDisc(distance, found.get(FRICTION.word, nothing), found.get(LOSS.word, nothing))

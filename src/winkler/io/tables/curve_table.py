@@ -26,6 +26,7 @@ from winkler.io.continuous_loading import (
     stiffness_fact,
 )
 from winkler.io.curve_columns import (
+    CROSSHEAD_NAMES,
     DEPTH_NAMES,
     FORCE_NAMES,
     POSITION_NAMES,
@@ -158,7 +159,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     position, force = of_place * position, of_load * force
     travels = place in (POSITION, GAP)
     needs_spring = travels or load is not FORCE
-    rigid = travels and stiffness is None and given.rigid
+    crosshead = place is POSITION and named(table.read_as[0], CROSSHEAD_NAMES)[0]
+    rigid = travels and stiffness is None and (given.rigid or crosshead)
     stiffness = math.inf if rigid else stiffness
     if travels and stiffness is None:
         raise InvalidInput(

@@ -12,7 +12,16 @@ from winkler.io.tables.column import Column, example_of
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.units import scale
 
-__all__ = ["GivenFacts", "checked_columns", "checked_units", "filled_units", "key_of", "refuse_contradiction"]
+__all__ = [
+    "LACKS_UNIT",
+    "GivenFacts",
+    "checked_columns",
+    "checked_units",
+    "filled_units",
+    "key_of",
+    "refuse_contradiction",
+    "unit_asked",
+]
 
 USUAL = {"position": "nm", "force": "uN", "time": "s", "deflection": "nm", "stiffness": "N/m"}
 """The quantities whose unit can be given, each with a customary unit."""
@@ -21,6 +30,7 @@ PLACES = ("position", "depth", "gap")
 LOADS = ("force", "deflection")
 NUMBERED = (*PLACES, *LOADS, "time", "stiffness", "segment")
 """The columns that can be given by their number."""
+LACKS_UNIT = "no unit stands with"
 EXAMPLE = 'units = { position = "nm", force = "uN", time = "s" }'
 
 
@@ -70,10 +80,11 @@ def checked_units(raw: Any, what: str = "units") -> dict[str, str]:
     """
     if not isinstance(raw, Mapping) or not all(isinstance(part, str) for pair in raw.items() for part in pair):
         raise InvalidInput(f"{what} is {raw!r}; give the unit of each quantity, as in {EXAMPLE}.")
-    for quantity, unit in raw.items():
+    for word, unit in raw.items():
+        quantity = key_of(word)
         if quantity not in KINDS:
-            hint = suggest(quantity, list(KINDS))
-            raise InvalidInput(f"{what}: '{quantity}' is not known{hint}; there are {', '.join(KINDS)}.")
+            hint = suggest(word, list(KINDS))
+            raise InvalidInput(f"{what}: '{word}' is not known{hint}; there are {', '.join(KINDS)}.")
         reasons = []
         for kind in KINDS[quantity]:
             try:
@@ -82,7 +93,7 @@ def checked_units(raw: Any, what: str = "units") -> dict[str, str]:
                 reasons.append(str(error))
         if len(reasons) == len(KINDS[quantity]):
             raise InvalidInput(reasons[0])
-    return dict(raw)
+    return {key_of(word): unit for word, unit in raw.items()}
 
 
 def checked_columns(raw: Any, what: str = "columns") -> dict[str, int]:
@@ -143,14 +154,20 @@ def filled_units(
             keys.append(key)
     if not lacking:
         return tuple(units)
-    listed, example = " and ".join(f"'{name}'" for name in lacking), example_of(columns)
+    example = f"write it in the header, as '{example_of(columns)}'"
     if given is None:
-        raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{example}'.")
+        raise InvalidInput(f"{where}: {LACKS_UNIT} {_listed(lacking)}; {example}.")
+    raise InvalidInput(f"{unit_asked(where, lacking, keys)}, or {example}.")
+
+
+def unit_asked(where: str, names: Sequence[str], keys: Sequence[str]) -> str:
+    """Return the sentence, without its end, that columns have no unit, and the key by which it is given."""
     pairs = ", ".join(f'{key} = "{USUAL[key]}"' for key in dict.fromkeys(keys) if key in USUAL)
-    raise InvalidInput(
-        f"{where}: no unit stands with {listed}; give it as units = {{ {pairs} }}, or write it in the header, as "
-        f"'{example}'."
-    )
+    return f"{where}: {LACKS_UNIT} {_listed(names)}; give it as units = {{ {pairs} }}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join(f"'{name}'" for name in names)
 
 
 def refuse_contradiction(column: Column, stated: str, given: Mapping[str, str] | None, where: str) -> None:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
 import os
 from pathlib import Path
+
+import numpy as np
 
 from winkler.io.foreign import in_file, reader
 from winkler.io.surfaces.instrument_scan import instrument_scan
@@ -48,7 +52,7 @@ def is_scan(path: str | os.PathLike[str]) -> bool:
 
 
 @reader("a scan")
-def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = "") -> LineScan:
+def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = "", length: float = 0.0) -> LineScan:
     """Read a scan along a line from a table, a file of an instrument, or a published container.
 
     Parameters
@@ -62,7 +66,10 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
         Of places and heights, such as um, where an instrument's file or two plain columns do not state it; two units,
         such as "mm, um", where they differ.
     channel : str, optional
-        Which one of several scans of a file, or which measurement of a container; the first by default.
+        Which one of several scans of a file, or which measurement of a container; the first by default.  With a
+        `length` the name of the column of heights.
+    length : float, optional
+        From the first to the last height [m], of a table that has heights at equal steps and no places.
 
     Returns
     -------
@@ -74,6 +81,8 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
         If the file cannot be read, or what it holds is no scan.
     """
     file = existing(path, "a scan")
+    if length:
+        return _evenly(file, unit, channel, length)
     try:
         table = read_table(file, (PLACE_COLUMN, HEIGHT_COLUMN))
     except InvalidInput as reason:
@@ -83,6 +92,22 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
         raise InvalidInput(f"{file}: a table states its columns and their units; leave {wrong} out.")
     with in_file(table.path):
         return LineScan.measured(*table.values.T)
+
+
+def _evenly(path: Path, unit: str, channel: str, length: float) -> LineScan:
+    """Return the scan of a column of heights at equal steps."""
+    if not 0.0 < length < math.inf:
+        raise InvalidInput(f"{path}: the length of its scan is {length:g} m; give a positive one.")
+    names = (channel.lower(),) if channel else HEIGHT_COLUMN.names
+    column = dataclasses.replace(HEIGHT_COLUMN, names=names)
+    try:
+        table = read_table(path, (column,), units={column.word: unit})
+    except InvalidInput as error:
+        hint = "" if channel else "; or give channel, the name of another column of heights"
+        raise error.reworded(lambda one: f"{one.rstrip('.')}{hint}.") from None
+    heights = table.values[:, 0]
+    with in_file(table.path):
+        return LineScan.measured(np.linspace(0.0, length, heights.size), heights)
 
 
 def _no_table(path: Path, reason: InvalidInput) -> LineScan:

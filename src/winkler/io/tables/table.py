@@ -44,6 +44,8 @@ MARK = re.compile(r"<[A-Za-z /]{1,40}>")
 """A line by which some instruments end a block of numbers."""
 END_OF_HEADER = re.compile(r"[A-Za-z*_-]{1,40}")
 """A single word by which some instruments end the header,"""
+MOST_FOOTER = 5
+"""Lines of words that may stand behind the last row and a blank line."""
 FIRST_ROWS = 2
 """and the number of rows above which it may stand."""
 
@@ -95,6 +97,16 @@ def _plain_rows(lines: Sequence[str], separator: str | None, count: int, wanted:
     except ValueError:
         return None
     return numbers if numbers.shape[0] == len(lines) and np.all(np.isfinite(numbers)) else None
+
+
+def _is_footer(lines: Sequence[str]) -> bool:
+    """Return whether behind a blank line follow a few words and no row, such as the total time of a test."""
+    words = [line.strip() for line in lines if line.strip()]
+    return (
+        not lines[0].strip()
+        and len(words) <= MOST_FOOTER
+        and not any(like_number(word) or re.search(r"[\t;,]", word) for word in words)
+    )
 
 
 def read_table(
@@ -180,6 +192,8 @@ def read_table(
             short = len(cells)
             cells += [""] * (len(header.cells) - short)
         if len(cells) != len(header.cells):
+            if _is_footer(lines[index - 1 :]):
+                break
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
             second = next((n + 1 for n in range(index, len(lines)) if lines[n].strip() in above), 0)

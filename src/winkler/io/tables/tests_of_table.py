@@ -37,6 +37,8 @@ ROWS_ABOVE = 4
 """Rows above the names in which temperatures are looked for."""
 SAME_START, FEWEST_AGAIN = 1e-6, 4
 """Relative difference of the first numbers of tests, and fewest rows of one, where the first number stands again."""
+FEWEST_NUMBERS = 2
+"""Of the columns asked for in a row of a test; one alone is a number beside a word above the next test."""
 MOST_TESTS, MOST_LETTERS, MOST_LINES = 200, 20_000_000, 10_000_000
 """Of tests in a table, letters of tests side by side, and lines of all tests below each other with those above them."""
 
@@ -237,7 +239,7 @@ def _begun_again(rows: list[int], lines: Sequence[str], names: _Names) -> list[l
 def _below_each_other(path: str | os.PathLike[str], lines: Sequence[str], names: _Names) -> list[TablePart]:
     """Return the tests below each other; none if there is one."""
     head = lines[names.line].strip()
-    wanted = names.places[-1][0]
+    wanted = [places[0] for places in names.places]
     counts = names.cells[0].lower() in COUNTERS or (len(names.cells) > 1 and names.cells[1].lower() in COUNTERS)
     counter = 0 if names.cells[0].lower() in COUNTERS else 1
     tests: list[list[int]] = [[]]
@@ -248,7 +250,8 @@ def _below_each_other(path: str | os.PathLike[str], lines: Sequence[str], names:
             before = math.inf
             continue
         cells = cells_of(lines[index], names.separator)
-        if len(cells) <= wanted or not like_number(cells[wanted]):
+        numbers = [place < len(cells) and like_number(cells[place]) for place in wanted]
+        if not numbers[-1] or sum(numbers) < min(FEWEST_NUMBERS, len(numbers)):
             continue
         if counts and cells[counter].isdecimal():
             number = int(cells[counter]) if len(cells[counter]) < 10 else math.inf

@@ -1,4 +1,4 @@
-"""Sheets of a workbook as rows of texts and numbers: .xls by xlrd, .xlsx by openpyxl, and .ods."""
+"""Sheets of a workbook as rows of texts and numbers: .xls by xlrd, .xlsx by openpyxl, .ods, and named arrays."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from winkler.io.archive_file import refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.memory import limited_memory
 from winkler.io.text_file import refuse_large
+from winkler.io.workbooks.array_workbook import array_sheets, is_array_workbook
 from winkler.io.workbooks.open_document import Cell, WorkbookSheet, is_open_document, open_document_sheets
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import TEXT_BYTES
@@ -21,6 +22,7 @@ __all__ = ["Cell", "WorkbookSheet", "is_workbook", "sheets_of"]
 
 OLD, NEW = b"\xd0\xcf\x11\xe0", b"PK\x03\x04"
 ENDINGS = (".xls", ".xlsx", ".xlsm", ".ods")
+ARRAY_ENDINGS = (".h5", ".hdf5", ".hdf", ".mat")
 START_BYTES = 128
 MOST_COLUMNS = 500
 MOST_ROWS = 200_000
@@ -28,7 +30,9 @@ MOST_ROWS = 200_000
 
 
 def is_workbook(path: Path) -> bool:
-    """Return whether a file is named and begins as a workbook."""
+    """Return whether a file is named and begins as a workbook, or as a file of named arrays."""
+    if path.suffix.lower() in ARRAY_ENDINGS:
+        return is_array_workbook(path)
     with path.open("rb") as file:
         start = file.read(4)
     return path.suffix.lower() in ENDINGS and start in (OLD, NEW)
@@ -47,6 +51,9 @@ def sheets_of(path: Path) -> Iterator[WorkbookSheet]:
         start = file.read(START_BYTES)
     remedy = "save it anew, or a sheet as text (CSV)"
     with sentence_of(path, "the workbook cannot be read", remedy, also=(AssertionError,)), quiet():
+        if path.suffix.lower() in ARRAY_ENDINGS:
+            yield from array_sheets(path, functools.partial(_refuse_large, path))
+            return
         if start.startswith(OLD):
             yield from _old(path)
             return

@@ -169,7 +169,10 @@ SPECIFIC = (
     TableKind("path", _headers(((path_table.TIME,),), NORMALS, LATERALS), path_table.read_path, "path"),
     TableKind("bounces by their times", ((logs.BOUNCE,),), logs.read_bounces, "bounces"),
     TableKind(
-        "log of a pin on a disc", ((logs.DISTANCE, logs.FRICTION), (logs.DISTANCE, logs.LOSS)), logs.read_pin, ""
+        "log of a pin on a disc",
+        _headers(((logs.DISTANCE,), (logs.CLOCK,)), ((logs.FRICTION,), (logs.LOSS,))),
+        logs.read_pin,
+        "",
     ),
 )
 """Tables whose names are those of no force curve."""

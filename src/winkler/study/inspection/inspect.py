@@ -26,14 +26,17 @@ from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
 from winkler.io.instruments.find import states_curves
 from winkler.io.placed_curves import UnreadCurve
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
-from winkler.io.tables.header import header_lines, names_columns
+from winkler.io.tables.given_units import LACKS_UNIT
+from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
 from winkler.io.tables.relaxation_table import MODULI, SHEAR_STORAGE, read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.tables.table import read_table
+from winkler.io.tables.table_cells import cells_of
 from winkler.io.tables.table_lines import TablePart, sheets_naming
 from winkler.io.tables.tests_of_table import parts_of_table
-from winkler.io.text_file import existing
+from winkler.io.text_file import existing, head_of
+from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.loading.loads import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 from winkler.materials.sweeps import DynamicSweeps
@@ -54,6 +57,17 @@ ANY_COLUMNS = (DEPTH, FORCE)
 NO_HEADER = "without a header above them"
 BARE_MODULI = 'give header = "frequency [Hz], storage [kPa], loss [kPa]"'
 BARE_CURVE = 'give columns = { position = 1, force = 2 } and units = { position = "mm", force = "N" }'
+NO_FREQUENCY = (
+    "its header names moduli and no frequency, as a sweep of strain or time at one frequency does; give a sweep of "
+    'frequency, or if it is one, header = "frequency [Hz], storage [kPa], loss [kPa]".'
+)
+NO_PLACES = (
+    "its header names heights and no places; give --lengths '4 mm', the length of the scan, --unit of the heights, and "
+    "--channel, the name of another column."
+)
+NO_UNIT_OF_MAP = "does not state the unit of its heights"
+MOST_OF_TABLE = 24
+"""Columns of bare numbers that may be a table and no map."""
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
@@ -130,10 +144,9 @@ def inspect_file(
         rows, wide = read.surface.heights.shape
         sides = " x ".join(with_unit(float(side), "m", 4) for side in read.surface.lengths)
         why += f": {rows} x {wide} pixels, {sides}"
-    return _finished(
-        Inspection(str(file), kind, why, 1, columns, read.numbers, (), read.doubts, content=read.statistics),
-        "height_map" if kind == "height map" else "line_scan",
-    )
+    found = Inspection(str(file), kind, why, 1, columns, read.numbers, (), read.doubts, content=read.statistics)
+    of_scan = "" if given.lengths else "line_scan"  # a study reads places
+    return _finished(found, "height_map" if kind == "height map" else of_scan)
 
 
 def inspect_files(paths: Sequence[Path], seconds: float) -> Iterator[tuple[int, Inspection]]:
@@ -180,10 +193,21 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
     if not named and NO_HEADER in last:
         return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}; of moduli {BARE_MODULI}."
+    if not named and NO_UNIT_OF_MAP in last and 2 <= _bare_columns(file) <= MOST_OF_TABLE:
+        return f"{last.rstrip('.')}; of a table without names: {BARE_CURVE}; of moduli {BARE_MODULI}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
     return f"{file}: read as {what}: {why}"
+
+
+def _bare_columns(file: Path) -> int:
+    """Return the number of cells in the first line of a text; zero of other files."""
+    try:
+        line = head_of(file, "numbers")[0]
+    except (IndexError, InvalidInput):
+        return 0
+    return max(len(cells_of(line, separator)) for separator in SEPARATORS_TRIED)
 
 
 def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[str, str]]:
@@ -197,6 +221,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
+    if not reasons and head and any(names_columns(file, pair[:2], head=head) for pair in MODULI):
+        reasons.append(("storage and loss", f"{file}: {NO_FREQUENCY}"))
     curve = _curve(file, brief=brief)
     of_moduli = [one for one in reasons if one[0] in OF_MODULI] if _has_moduli(file, head) else []
     if curve.is_read and not (of_moduli and _is_still(curve.column("position"))):
@@ -210,15 +236,17 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
-    if not head and states_curves(file):
-        return [("force curve", curve.reason)]
+    of_curve = ("force curve", curve.reason)
+    if LACKS_UNIT in curve.reason or (not head and (states_curves(file) or is_workbook(file))):
+        return [of_curve, *reasons]
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
-    of_curve = ("force curve", curve.reason)
     if is_curve:  # its header names one: no reader of surfaces, which take long to refuse a table, is tried
         # a sweep names a force and a gap, too; a test over the gap has columns of moduli without a number
         reasons = [one for one in reasons if one[0] not in OF_MODULI]
         return Inspection(str(file), "", _reason(file, curve.reason, [*of_moduli, of_curve, *reasons]))
+    if names_columns(file, (HEIGHT_COLUMN,), head=head) and not names_columns(file, (FORCE,), head=head):
+        reasons.append(("line scan", f"{file}: {NO_PLACES}"))
     return [*reasons, of_curve]
 
 
@@ -247,7 +275,8 @@ def _by_header(file: Path, head: list[str], kind: TableKind, reasons: list[tuple
     try:
         return _by_kind(file, kind, f"its header names {names}")
     except InvalidInput as error:
-        reasons.append((kind.name, str(error)))
+        if names_columns(file, columns):  # the sheet of the head, and its rows of units, may name others
+            reasons.append((kind.name, str(error)))
         return None
 
 

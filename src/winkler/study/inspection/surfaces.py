@@ -65,14 +65,16 @@ def read_surface_file(path: Path, options: SurfaceOptions) -> SurfaceRead:
         rough = _map(path, options)
     except InvalidInput as reason:
         try:
-            scan = read_scan(path, unit=options.unit, channel=options.channel)
+            sides = _lengths(options)
+            length = sides[0] if len(sides) == 1 and not is_scan(path) else 0.0
+            scan = read_scan(path, unit=options.unit, channel=options.channel, length=length)
         except InvalidInput as other:
             raise (other if "is no map" in str(reason) or _names_scan(path) else reason) from None
         whole = scan.missing + scan.heights.size
         remarks = [f"Missing: {scan.missing} of {whole} heights, left out."] if scan.missing else []
         length = float(scan.position[-1] - scan.position[0])
         doubted = doubts_of_surface(scan.heights, scan.rms_slope, (length,))
-        if options.unit and "," not in options.unit and scan.rms_slope > STEEP and not doubted:
+        if not length and options.unit and "," not in options.unit and scan.rms_slope > STEEP and not doubted:
             doubted = (
                 f"Doubtful: places and heights were both read in {options.unit}, and the root mean square slope is "
                 f"{scan.rms_slope:.2g}; if the places are in mm, give --unit 'mm, {options.unit}'.",
@@ -111,9 +113,7 @@ def _names_scan(path: Path) -> bool:
 
 
 def _map(path: Path, options: SurfaceOptions) -> Topography:
-    sides = [quantity(side.strip(), "m", what="--lengths") for side in options.lengths.split(",") if side.strip()]
-    if len(sides) > 2:
-        raise InvalidInput(f"--lengths are {options.lengths!r}; give one or two, such as '10 um, 5 um'.")
+    sides = _lengths(options)
     both = np.array(sides if len(sides) == 2 else 2 * sides) if sides else np.full(2, np.nan)
     return read_surface(
         path, lengths=both, unit=options.unit, periodic=options.periodic, channel=options.channel,
@@ -121,6 +121,13 @@ def _map(path: Path, options: SurfaceOptions) -> Topography:
         without_spikes=options.without_spikes, levelled=options.levelled,
         scan_lines_along=options.lines_along, detrend=options.detrend, filled=options.without_spikes,
     )  # fmt: skip
+
+
+def _lengths(options: SurfaceOptions) -> list[float]:
+    sides = [quantity(side.strip(), "m", what="--lengths") for side in options.lengths.split(",") if side.strip()]
+    if len(sides) > 2:
+        raise InvalidInput(f"--lengths are {options.lengths!r}; give one or two, such as '10 um, 5 um'.")
+    return sides
 
 
 def _numbers(found: MapStatistics | LineScan) -> tuple[InspectedNumber, ...]:
