@@ -150,3 +150,15 @@ def test_exchanged_columns_of_a_microscope(tmp_path):
     for header, doubtful in (("piezo (nm),force (nN)", False), ("force (nN),piezo (nm)", True)):
         curve = read_curve(write(tmp_path, "\n".join([header, *rows])), spring_constant=0.1)
         assert ("may be exchanged" in curve.reading) == doubtful
+
+
+@pytest.mark.parametrize("name", ["Extension", "Standard travel", "Course standard", "Traversenweg"])
+def test_a_testing_machine_needs_no_spring_constant(tmp_path, name):
+    rows = [f"{0.01 * h},{100 * h**1.5}" for h in LOAD]
+    path = write(tmp_path, "\n".join([f"{name} (mm),Load (N)", *rows]))
+    assert read_curve(path).machine_stiffness == np.inf
+    assert "the position is taken as that of the tip, for no spring constant is stated" in read_curve(path).reading
+    assert read_curve(path, spring_constant=5e6).machine_stiffness == 5e6
+    piezo = write(tmp_path, "\n".join(["piezo (um),Load (uN)", *rows]), name="piezo.csv")
+    with pytest.raises(wk.InvalidInput, match="give spring_constant in N/m"):
+        read_curve(piezo)
