@@ -11,27 +11,30 @@ exist the surfaces jump to the next one, and what the energy falls by is lost.
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.laws.adhesion import ShortRange
 from winkler.loading.loads import Depth
 from winkler.loading.path import numbers_of
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.attracted.attracted_surface import AttractedSurface
-from winkler.numerics.attracted.elastic_surface import ElasticSurface
+from winkler.numerics.attracted.attraction import RoundedStep
+from winkler.numerics.attracted.elastic_surface import ElasticSurface, attracted_bytes
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ATTRACTED, BALANCED
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.unknown_yield import unknown_yield
-from winkler.problems.rough.map_memory import state_memory
-from winkler.problems.surface_adhesion.input_checks import check_adhesion, memory_of
+from winkler.problems.rough.map_memory import refuse_too_large, state_memory
+from winkler.problems.rough.mapped_medium import medium_notes
+from winkler.problems.rough.surface_notes import surface_notes
 from winkler.problems.surface_adhesion.law_on_grid import AttractionOnGrid, RangedLaw, attraction_on_grid, tabor_of_map
 from winkler.problems.surface_adhesion.march import AdhesionMarch, Leapt
-from winkler.problems.surface_adhesion.notes import surface_adhesion_notes
 from winkler.problems.surface_adhesion.states import MapAdhesion, SurfaceAdhesionState, SurfaceJump
 from winkler.problems.surface_adhesion.without_range import (
     PullOffWithoutRange,
@@ -42,12 +45,13 @@ from winkler.problems.surface_adhesion.without_range import (
     two_ranges,
 )  # fmt: skip
 from winkler.profiles.rough.topography import Topography
-from winkler.values.checks.number_checks import Advice, between
-from winkler.values.errors import NotConverged, OutsideValidity
-from winkler.values.validity import Assumption, Note
+from winkler.values.checks.number_checks import Advice, affordable, between
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.limits import MOST_NUMBERS
+from winkler.values.validity import Assumption, Note, Standing, standing_left
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceAdhesion", "SurfaceAdhesionSolution"]
+__all__ = ["SurfaceAdhesion", "SurfaceAdhesionSolution", "memory_of"]
 
 FAINT = 0.01
 """Part of the strength below which pixels count as not attracted."""
@@ -288,3 +292,112 @@ class SurfaceAdhesionSolution(MapAdhesion[Array], Looped):
             *unknown_yield(stated.medium, "the stresses below attracted surfaces are not searched"),
             *self._cycle_notes,
         )  # fmt: skip
+
+
+def memory_of(rough: Topography) -> int:
+    """Return the memory [byte] that a map takes at most."""
+    return attracted_bytes(rough.heights.shape, rough.periodic)
+
+
+def check_adhesion(rough: Topography, path: Depth) -> None:
+    """Raise if a map cannot be brought through these displacements.
+
+    Raises
+    ------
+    InvalidInput
+        If heights are missing, the path is no row, or the map is too large.
+    OutsideValidity
+        If a periodic map closes.
+    """
+    around = 1 if rough.periodic else 4
+    affordable("SurfaceAdhesion", "pixels with their surroundings", around * rough.heights.size, MOST_NUMBERS)
+    refuse_too_large(rough.heights.shape, rough.periodic, "SurfaceAdhesion", memory_of(rough))
+    if rough.missing:
+        raise InvalidInput(
+            f"SurfaceAdhesion: {rough.missing} of {rough.heights.size} heights are missing; fill them with "
+            "topography.filled(), or cut a complete part out with topography.cropped(...)."
+        )
+    given = numbers_of(path)
+    if given.ndim != 1 or not given.size:
+        raise InvalidInput(
+            f"SurfaceAdhesion: the path has the shape {given.shape}; give its displacements one after the other in "
+            "one row."
+        )
+    whole = float(np.mean(rough.gaps))
+    if rough.periodic and np.any(given >= whole):
+        raise OutsideValidity(
+            f"SurfaceAdhesion: the displacement {np.max(given):.6g} m closes the periodic map, whose mean planes "
+            f"can approach by less than {whole:.6g} m; stay below it."
+        )
+
+
+REY = "V. Rey, G. Anciaux, J.-F. Molinari, Comput. Mech. 60 (2017) 69-81, doi:10.1007/s00466-017-1392-5"
+TABOR = "D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6"
+BALANCE = "work of the machine, change of the energy and losses in jumps, added up"
+
+
+def surface_adhesion_notes(
+    rough: Topography,
+    medium: MappedMedium,
+    law: RangedLaw,
+    on_grid: AttractionOnGrid,
+    tabor: float,
+    residual: float,
+    energy_misfit: float,
+    count: int,
+) -> tuple[Note, ...]:
+    """Return what was assumed of an attracted map, and what the solver left.
+
+    Parameters
+    ----------
+    rough : Topography
+        The map.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
+        Both bodies.
+    law : RangedLaw
+        As it was stated.
+    on_grid : AttractionOnGrid
+        As it was solved.
+    tabor : float
+        Tabor's parameter of a ball as curved as the map.
+    residual, energy_misfit : float
+        Greatest ones of all displacements.
+    count : int
+        Of jumps.
+    """
+    mapped = surface_notes(rough, math.inf, 0.0, 0.0, 0.0)
+    number = "is flat" if math.isinf(tabor) else f"has a Tabor number of {tabor:.3g}"
+    if isinstance(law, ShortRange):
+        stated = (
+            f"In place of an attraction without range one that fades exponentially over {on_grid.range:.3g} m, the "
+            f"shortest that the grid resolves; with it the map {number}, and forces near those without range are off "
+            "by some per cent below 5; pull_off_without_range() extrapolates the pull-off force."
+        )
+    elif isinstance(on_grid.law, RoundedStep):
+        stated = (
+            f"The constant stress ends over {2.0 * on_grid.law.half_width:.3g} of its range instead of at once, so "
+            f"that the grid does not pin it; the map {number}."
+        )
+    else:
+        stated = f"Gaps are taken between flat parts of the surfaces (Derjaguin); the map {number}."
+    return (
+        *(note for note in medium_notes(medium, rough, math.inf, 0.0, 0.0, 0.0) if note not in mapped[2:]),
+        Note(
+            Assumption.RESOLUTION,
+            standing_left(residual, Standing.ASYMPTOTIC),
+            f"The zone of attraction beside an edge spans {on_grid.span:.3g} pixels; the pull-off force of a ball is "
+            "then within about a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at "
+            f"most {residual:.1g} of the greatest.",
+            REY,
+        ),
+        Note(Assumption.ADHESION, Standing.APPROXIMATE, stated, TABOR),
+        Note(
+            Assumption.EQUILIBRIUM,
+            Standing.APPROXIMATE if energy_misfit > 0.01 else Standing.ASYMPTOTIC,
+            f"The surfaces move slowly, in {count} jumps at once, in which all that the energy falls by is lost; the "
+            f"balance of energies lacks {energy_misfit:.1g} of the greatest energy. Jumps of single pixels are part of "
+            "this.",
+            BALANCE,
+        ),
+        *mapped[3:],
+    )
