@@ -111,7 +111,7 @@ def read_wear(
     if springs and bed is None:
         raise InvalidInput(f"{path}: its states are read with the springs before wear; give bed=problem.bed.")
     _refuse_unfit(kind, rows, path)
-    last = len(rows["elapsed"]) - 1
+    last = len(rows["jump"]) - 1
 
     def field(word: str, i: int) -> Any:
         row = rows[word]
@@ -125,12 +125,12 @@ def read_wear(
 def _refuse_unfit(kind: type[State], rows: dict[str, Any], path: str | os.PathLike[str]) -> None:
     """Refuse arrays that are no numbers, or of different numbers of states or sizes."""
     absent = np.array("")
-    count = np.size(rows.get("elapsed", absent))
+    count = np.size(rows.get("jump", absent))
     size = rows.get("pressure", absent).shape[1:] or (0,)
     types = typing.get_type_hints(kind)
     for word in _field_names(kind):
         row = rows.get(word, absent)
-        shape = (count,) if types[word] is float else (count if len(size) < OF_NODES else 2, *size)
+        shape = (count if len(size) < OF_NODES else 2, *size) if types[word] == Array else (count,)
         if row.dtype.kind != "f" or row.shape != shape or not np.isfinite(row).all():
             raise InvalidInput(
                 f"{path}: no wear can be read from it ({word} is not finite numbers of the shape {shape}); give a file "

@@ -46,7 +46,7 @@ def test_a_run_that_was_stopped_goes_on_with_the_same_numbers(tmp_path):
 
     def counting(states, total):
         for state in states:
-            counted.append(state.elapsed)
+            counted.append(state.distance)
             yield state
 
     resumed = solve_march(PROBLEM, counting, keep).solution

@@ -37,7 +37,7 @@ from winkler.numerics.equations.turning import Leap, Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
-from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
+from winkler.problems.adhesion.cycle_states import AdhesiveHistory, AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachine, adhesive_edge, last_radius
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
@@ -200,39 +200,21 @@ class AdhesiveCycle:
 
 
 @value
-class AdhesiveCycleSolution(Looped):
-    """The solution of an `AdhesiveCycle`, point by point.
+class AdhesiveCycleSolution(AdhesiveHistory[Array], Looped):
+    """The solution of an `AdhesiveCycle`, point by point; its numbers are those of `AdhesiveHistory`.
 
     Parameters
     ----------
     problem : AdhesiveCycle
         The problem that was solved.
-    position, depth : ndarray, (steps,)
-        D, where the far end of the machine stands, and d [m].
-    force : ndarray, (steps,)
-        F_N [N], compression positive.
-    radius : ndarray, (steps,)
-        a [m], zero without contact.
-    dissipation, hysteresis : ndarray, (steps,)
-        Energy lost since the beginning [J], and the part of it that opening has cost more than closing gained.
-    jumps : tuple of AdhesiveJump
-        All of them, one after the other.
     """
 
     __words__ = words(
-        position=("D", "m", "where the far end of the machine stands"),
         work=("W", "J", "what the machine has spent since the beginning"),
         energy=("U", "J", "energy of bodies, machine and surfaces"),
     )
 
     problem: AdhesiveCycle
-    position: Array
-    depth: Array
-    force: Array
-    radius: Array
-    dissipation: Array
-    hysteresis: Array
-    jumps: tuple[AdhesiveJump, ...]
 
     @property
     def _loop(self) -> PathLoop:

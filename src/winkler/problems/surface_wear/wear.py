@@ -32,7 +32,7 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_contact import SurfaceContact
-from winkler.problems.surface_wear.states import STATE_WORDS, SurfaceWearState
+from winkler.problems.surface_wear.states import MapWear, SurfaceWearState
 from winkler.problems.surface_wear.worn_map import WornMap
 from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.validity import DEBRIS, SLIDES_EVERYWHERE
@@ -164,7 +164,7 @@ class SurfaceWear:
                     yield state
             else:
                 state = start
-            for goal in self.goals[self.goals > state.elapsed].tolist():
+            for goal in self.goals[self.goals > state.distance].tolist():
                 # from what the state holds, so that a march that goes on from it rounds alike
                 state = self._state(go(surface, goal, self._moment(state), self.tolerance))
                 yield state
@@ -179,7 +179,7 @@ class SurfaceWear:
             state.pressure / modulus, state.separation, state.depth, state.penetration, state.misfit, 0
         )
         carried = state.load_distance / (modulus * rough.pixel[0] * rough.pixel[1])
-        return MapMoment(state.elapsed, state.jump, carried, state.worn, contact)
+        return MapMoment(state.distance, state.jump, carried, state.worn, contact)
 
     def _state(self, moment: MapMoment) -> SurfaceWearState:
         rough, modulus = self.contact.topography, self.contact.medium.modulus
@@ -191,26 +191,27 @@ class SurfaceWear:
         force, peak = modulus * patch * float(np.sum(contact.pressure)), modulus * float(np.max(contact.pressure))
         least = force / peak if peak > 0.0 else 0.0  # worn spots bear up to their edge
         return SurfaceWearState(
-            moment.elapsed, moment.jump, contact.depth, force,
+            moment.elapsed, contact.depth, force,
             *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak,
             max(float(np.mean(contact.gap)), 0.0), worn.rms_height, worn.skewness if bumpy else 0.0,
             worn.kurtosis if bumpy else 0.0, float(np.max(moment.worn)), lost, carried,
             abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
-            contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
+            contact.penetration, contact.work,
+            moment.jump, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
         )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceWearState]) -> SurfaceWearSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        names = [field.name for field in dataclasses.fields(SurfaceWearSolution)][2:-2]
-        rows: list[list[float]] = []
         first = last = None
+        rows: list[list[float]] = []
+        names = [field.name for field in dataclasses.fields(MapWear)]
         for state in states:  # the maps of the first and the last alone are kept
             first, last = first or state, state
-            rows.append([state.elapsed, *(getattr(state, name) for name in names)])
+            rows.append([getattr(state, name) for name in names])
         if first is None or last is None:
             raise InvalidInput("SurfaceWear: there is no state to gather; give at least one.")
-        columns: dict[str, Any] = dict(zip(("distance", *names), np.array(rows).T, strict=True))
-        return SurfaceWearSolution(self, **columns, first=first, last=last)
+        columns: dict[str, Any] = dict(zip(names, np.array(rows).T, strict=True))
+        return SurfaceWearSolution(**columns, problem=self, first=first, last=last)
 
     def solve(self) -> SurfaceWearSolution:
         """Return the contact over the whole distance.
@@ -228,50 +229,24 @@ class SurfaceWear:
 
 
 @value
-class SurfaceWearSolution:
-    """The solution of a `SurfaceWear`, distance by distance.
+class SurfaceWearSolution(MapWear[Array]):
+    """The solution of a `SurfaceWear`, distance by distance; its numbers are those of `MapWear`.
 
     Parameters
     ----------
     problem : SurfaceWear
         The problem that was solved.
-    distance : ndarray, (steps,)
-        s [m].
-    depth, force, area, area_error, peak_pressure, mean_gap : ndarray, (steps,)
-        As in `SurfaceWearState`.
-    rms_height, skewness, kurtosis : ndarray, (steps,)
-        Sq [m], Ssk and Sku [-] of the worn map.
-    worn_depth, worn_volume, load_distance, imbalance, penetration, misfit : ndarray, (steps,)
-        As in `SurfaceWearState`.
     first, last : SurfaceWearState
         The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` goes on.
     """
 
     __words__ = words(
-        **STATE_WORDS,
-        distance=("s", "m", "distance slid"),
         first=("", None, "the state at the first distance"),
         last=("", None, "the state at the last distance"),
         mean_pressure=("p_m", "Pa", "force over the area of contact"),
     )
 
     problem: SurfaceWear
-    distance: Array
-    depth: Array
-    force: Array
-    area: Array
-    area_error: Array
-    peak_pressure: Array
-    mean_gap: Array
-    rms_height: Array
-    skewness: Array
-    kurtosis: Array
-    worn_depth: Array
-    worn_volume: Array
-    load_distance: Array
-    imbalance: Array
-    penetration: Array
-    misfit: Array
     first: SurfaceWearState
     last: SurfaceWearState
 
