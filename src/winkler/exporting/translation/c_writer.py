@@ -28,8 +28,8 @@ UNARY_LEVEL = 6
 LITERALS = {"nan": "NAN", "inf": "INFINITY", "-inf": "(-INFINITY)", "True": "true", "False": "false"}
 
 
-class CExpressions:
-    """Writes expressions, and notes which helpers they need.
+class CRoutines:
+    """Writes routines with their expressions, and notes which helpers they need.
 
     Parameters
     ----------
@@ -43,6 +43,9 @@ class CExpressions:
         self.functions: dict[str, None] = {}
         self.views: dict[tuple[TranslatedType, str], None] = {}
         self.rooms: dict[int, str] = {}
+        self.loops = 0
+        self.made = 0
+        self.result = VOID
 
     def type(self, kind: TranslatedType) -> str:
         """Return a type in C."""
@@ -200,54 +203,6 @@ class CExpressions:
         made = f"({item} *)(made[{part.detail}] = {self.prefix}new({count}, sizeof({item})))"
         return f"{self.prefix}make_{type_name(part.type)}({', '.join([made, *sizes])})"
 
-
-def numbers_text(kind: TranslatedType, numbers: tuple[float | int, ...]) -> str:
-    """Return literals of numbers, the last digit included."""
-    number = REAL if kind in (REAL, array_of(1)) else INT
-    texts = [repr(float(x)) if number == REAL else repr(int(x)) for x in numbers]
-    return ", ".join(LITERALS.get(text, text) for text in texts)
-
-
-INCLUDES = "#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n#include <stdlib.h>\n"
-
-
-def c_source(unit: TranslationUnit, prefix: str = "") -> str:
-    """Return the definitions of a unit, without includes.
-
-    Parameters
-    ----------
-    unit : TranslationUnit
-    prefix : str, optional
-        With which every name of the file begins.
-    """
-    writer = CRoutines(prefix)
-    routines = [writer.routine(routine) for routine in unit.routines]
-    helpers = [helper(kind, prefix) for kind in writer.types]
-    helpers += [view_helper(kind, pattern, prefix) for kind, pattern in writer.views]
-    row = f"{prefix}real1"
-    helpers += [FUNCTIONS[name].format(p=prefix, row=row) for name in writer.functions]
-    constants = [_constant(constant, prefix) for constant in unit.constants]
-    return "\n\n".join([*helpers, "\n".join(constants), *routines]).replace("\n\n\n\n", "\n\n") + "\n"
-
-
-def _constant(constant: Constant, prefix: str) -> str:
-    item = "double" if "real" in (constant.type.kind, *(part.kind for part in constant.type.parts)) else "int64_t"
-    numbers = numbers_text(constant.type, constant.numbers)
-    if constant.type.kind != "array":
-        return f"static const {item} {prefix}{constant.name} = {numbers};"
-    rows = "\n".join(textwrap.wrap(numbers, 110, initial_indent="    ", subsequent_indent="    "))
-    return f"static const {item} {prefix}{constant.name}[{len(constant.numbers)}] = {{\n{rows}\n}};"
-
-
-class CRoutines(CExpressions):
-    """Writes routines."""
-
-    def __init__(self, prefix: str) -> None:
-        super().__init__(prefix)
-        self.loops = 0
-        self.made = 0
-        self.result = VOID
-
     def routine(self, routine: Routine) -> str:
         """Return a routine."""
         self.loops, self.made, self.result = 0, routine.arrays_made, routine.result
@@ -372,3 +327,41 @@ class CRoutines(CExpressions):
 
     def _released(self) -> list[str]:
         return [f"for (int k = 0; k < {self.made}; ++k) free(made[k]);"]
+
+
+def numbers_text(kind: TranslatedType, numbers: tuple[float | int, ...]) -> str:
+    """Return literals of numbers, the last digit included."""
+    number = REAL if kind in (REAL, array_of(1)) else INT
+    texts = [repr(float(x)) if number == REAL else repr(int(x)) for x in numbers]
+    return ", ".join(LITERALS.get(text, text) for text in texts)
+
+
+INCLUDES = "#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n#include <stdlib.h>\n"
+
+
+def c_source(unit: TranslationUnit, prefix: str = "") -> str:
+    """Return the definitions of a unit, without includes.
+
+    Parameters
+    ----------
+    unit : TranslationUnit
+    prefix : str, optional
+        With which every name of the file begins.
+    """
+    writer = CRoutines(prefix)
+    routines = [writer.routine(routine) for routine in unit.routines]
+    helpers = [helper(kind, prefix) for kind in writer.types]
+    helpers += [view_helper(kind, pattern, prefix) for kind, pattern in writer.views]
+    row = f"{prefix}real1"
+    helpers += [FUNCTIONS[name].format(p=prefix, row=row) for name in writer.functions]
+    constants = [_constant(constant, prefix) for constant in unit.constants]
+    return "\n\n".join([*helpers, "\n".join(constants), *routines]).replace("\n\n\n\n", "\n\n") + "\n"
+
+
+def _constant(constant: Constant, prefix: str) -> str:
+    item = "double" if "real" in (constant.type.kind, *(part.kind for part in constant.type.parts)) else "int64_t"
+    numbers = numbers_text(constant.type, constant.numbers)
+    if constant.type.kind != "array":
+        return f"static const {item} {prefix}{constant.name} = {numbers};"
+    rows = "\n".join(textwrap.wrap(numbers, 110, initial_indent="    ", subsequent_indent="    "))
+    return f"static const {item} {prefix}{constant.name}[{len(constant.numbers)}] = {{\n{rows}\n}};"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.curves.calibration import on_frame
+from winkler.fitting.curves.corrections import on_frame
 from winkler.fitting.curves.events.kinds import EventKind
 from winkler.fitting.nanoindentation.touch import white_noise
 from winkler.fitting.unloading.unloading_law import EXPONENT_BOUNDS, LEAST_FINAL_DEPTH

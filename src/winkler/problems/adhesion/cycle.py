@@ -37,7 +37,7 @@ from winkler.numerics.equations.turning import Leap, Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
-from winkler.problems.adhesion.cycle_states import AdhesiveHistory, AdhesiveJump, AdhesiveState, EdgeState
+from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, LoadingMachine, adhesive_edge, last_radius
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
@@ -148,7 +148,7 @@ class AdhesiveCycle:
         """How many states `steps` yields: one for every point of the path."""
         return int(numbers_of(self.path).size)
 
-    def steps(self) -> Iterator[AdhesiveState]:
+    def steps(self) -> Iterator[AdhesiveState[float]]:
         """Yield the state at every point of the path.
 
         Raises
@@ -178,7 +178,7 @@ class AdhesiveCycle:
                 position = levels[index] if isinstance(edge.control, LoadingMachine) else depths[i]
                 yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
 
-    def gathered(self, states: Iterable[AdhesiveState]) -> AdhesiveCycleSolution:
+    def gathered(self, states: Iterable[AdhesiveState[float]]) -> AdhesiveCycleSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
         every = list(states)
         jumps = tuple(jump for state in every for jump in state.jumps)
@@ -200,8 +200,8 @@ class AdhesiveCycle:
 
 
 @value
-class AdhesiveCycleSolution(AdhesiveHistory[Array], Looped):
-    """The solution of an `AdhesiveCycle`, point by point; its numbers are those of `AdhesiveHistory`.
+class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
+    """The solution of an `AdhesiveCycle`, point by point; its numbers are those of `AdhesiveState`.
 
     Parameters
     ----------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from winkler.numerics.types import PerLoad, Q
 from winkler.values.value import value, words
 
-__all__ = ["AdhesiveHistory", "AdhesiveJump", "AdhesiveState", "EdgeState"]
+__all__ = ["AdhesiveJump", "AdhesiveState", "EdgeState"]
 
 
 @value
@@ -62,7 +62,7 @@ class AdhesiveJump:
 
 
 @value
-class AdhesiveHistory(EdgeState[Q]):
+class AdhesiveState(EdgeState[Q]):
     """The contact at a point of the path, or at all of them.
 
     Parameters
@@ -78,8 +78,3 @@ class AdhesiveHistory(EdgeState[Q]):
     dissipation: Q
     hysteresis: Q
     jumps: tuple[AdhesiveJump, ...]
-
-
-@value
-class AdhesiveState(AdhesiveHistory[float]):
-    """The contact at one point of the path; its numbers are those of `AdhesiveHistory`."""
