@@ -30,7 +30,7 @@ class MapRolling(PerLoad[Q]):
     misfit : float or ndarray
         What the solver left of the law of friction: the sum of mu p abs(s) - tau s over that of mu p abs(w); or, if
         they are more, the distance from a given force over what friction bears, and of friction that falls the sum of
-        |g - mu p| over that of mu p, with the bound g that was used.
+        abs(g - mu p) over that of mu p, with the bound g that was used.
     """
 
     __words__ = words(

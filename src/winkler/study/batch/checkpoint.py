@@ -96,12 +96,14 @@ class CheckpointStore:
         from winkler.io.wear_states import read_wear
 
         made = software_of(path)
-        if made:  # the states of other software may be of another format, too
-            refuse_other_software(f"states: '{path}'", made)
         try:
-            return list(read_wear(path, getattr(problem, "bed", None)))
-        except InvalidInput:  # the march begins anew
-            return []
+            states = list(read_wear(path, getattr(problem, "bed", None)))
+        except InvalidInput:
+            if not made:  # damaged: the march begins anew
+                return []
+            states = []
+        refuse_other_software(f"states: '{path}'", made)  # its states may be of another format, too
+        return states
 
     def write(self, problem: Any, states: list[Any]) -> None:
         """Store the states of a march so far, where it can be continued from them."""
