@@ -42,7 +42,8 @@ What `winkler run hertz.toml` does, and the module to read:
 3. **Springs.** `foundation.foundation` asks the profile for g(x) and the medium for k(a). The integral transforms
    between them are mathematics without physics: `numerics.transforms`.
 4. **Solve.** The problem, here `problems.normal.indentation`, finds the contact that bears the load. Problems with a
-   history move a row of springs step by step.
+   history move a row of springs step by step (`problems.row`). Each step yields a state, and the solution is the state
+   with arrays in place of numbers (`problems.round_march`).
 5. **Judge.** The solution lists in `validity` what it rests on (`values.validity`), with the error where one is known.
    The checks that problems share stand in `problems.assumptions`.
 6. **Bring back.** `fields.restoration` computes the pressure on the surface and the stress below it from the springs.

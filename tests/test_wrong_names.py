@@ -14,8 +14,7 @@ import winkler
 import winkler as wk
 from winkler.public import __all__ as PUBLIC
 from winkler.study.language.reading import parse_study
-from winkler.values.errors import nearest, suggest
-from winkler.values.synonyms import SYNONYMS
+from winkler.values.errors import SYNONYMS, nearest, suggest
 from winkler.values.value import value
 from winkler.values.vocabulary import GLOSSARY
 

@@ -39,7 +39,7 @@ draw(worn)
 
 farther = wk.SurfaceWear(contact, wear, [0.3, 0.5], tolerance=3e-3)
 *_, last = farther.steps(start=worn.last)
-print(f"after {last.elapsed} m {last.area / surface.area:.0%} touches")
+print(f"after {last.distance} m {last.area / surface.area:.0%} touches")
 again = wk.SurfaceContact(worn.worn_topography(), steel, wk.Force(50.0)).solve()
 print(f"pressed again: {again.area / surface.area:.1%}, up to {np.max(again.last.pressure) / 1e6:.0f} MPa")
 

@@ -8,7 +8,7 @@ import logging
 from rich.console import Console
 
 from winkler.cli import terminal
-from winkler.cli.messages import heard, one_line
+from winkler.cli.terminal import heard, one_line
 
 LOG = logging.getLogger("winkler.numerics.surfaces.pressed_box")
 

@@ -10,7 +10,7 @@ import pytest
 from exported_laws import PROBLEMS, random_motions
 
 from winkler.exporting.choose import law_of
-from winkler.exporting.sizes import of_every_radius
+from winkler.exporting.export import of_every_radius
 
 TOLERANCE = 1e-13
 FEW, MANY, STEPS = 5, 84, 4

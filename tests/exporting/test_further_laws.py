@@ -8,8 +8,7 @@ from exported_laws import DAMPED, GEL, GLASS, METAL, POWDER, PROBLEMS, RUBBER, S
 
 from winkler.cli import main
 from winkler.exporting.choose import law_of
-from winkler.exporting.export import export
-from winkler.exporting.sizes import of_every_radius
+from winkler.exporting.export import export, of_every_radius
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.friction import Coulomb

@@ -15,8 +15,7 @@ from lammps_here import build_plugin, includes, run_script
 from scipy.optimize import brentq
 
 from winkler.exporting.choose import law_of
-from winkler.exporting.export import export, write_export
-from winkler.exporting.sizes import of_every_radius
+from winkler.exporting.export import export, of_every_radius, write_export
 from winkler.laws.adhesion import ShortRange
 from winkler.loading.loads import Depth
 from winkler.problems.adhesion.cycle import AdhesiveCycle

@@ -17,8 +17,7 @@ from compiled_c import compiler
 from exported_laws import PROBLEMS, ran
 
 from winkler.exporting.choose import law_of
-from winkler.exporting.export import TARGETS, export, write_export
-from winkler.exporting.names import RESERVED
+from winkler.exporting.export import RESERVED, TARGETS, export, write_export
 from winkler.exporting.targets import compilers
 from winkler.exporting.targets.fmu_description import fmu_inputs
 from winkler.exporting.targets.fortran_law import fortran_law

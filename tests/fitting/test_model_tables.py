@@ -11,7 +11,7 @@ from winkler.fitting.elastic.contact import states_for
 from winkler.fitting.elastic.depth_response import HomogeneousResponse
 from winkler.fitting.elastic.film_tables import FilmTables
 from winkler.fitting.elastic.model_tables import EACH_ANEW, HomogeneousTables
-from winkler.fitting.elastic.tables_for import tables_for
+from winkler.fitting.elastic.task import tables_for
 from winkler.fitting.fit import fit
 from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 

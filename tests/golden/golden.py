@@ -43,8 +43,7 @@ from winkler.study.language.explain import example_study
 from winkler.study.language.fit_reading import read_fit_study
 from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.reading import parsed, read_study, read_text
-from winkler.study.ledger.fit_case import read_fit_case
-from winkler.study.ledger.ledger import case_files, run_case
+from winkler.study.ledger.ledger import case_files, read_fit_case, run_case
 
 NUMBERS = Path(__file__).parent / "numbers"
 FORMER = Path(__file__).parent / "former"

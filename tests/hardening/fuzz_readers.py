@@ -81,7 +81,7 @@ READERS = {
     ),
     "curves": (lambda path: list(wk.read_curves(path)), rows("depth [um],force [mN]", R * 1e3, (R * 1e3) ** 1.5)),
     "contacts": (wk.read_contacts, ""),
-    "wear": (lambda path: read_wear(BED, path), ""),
+    "wear": (lambda path: read_wear(path, BED), ""),
 }
 """Name -> reader and a table; an empty text where it reads archives only."""
 TABLES = {name: text for name, (_, text) in READERS.items() if text}

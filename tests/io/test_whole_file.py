@@ -244,7 +244,7 @@ WRITING = {
     "cli/streams.py": "messages into nothing, where stdout is closed",
     "exporting/targets/compilers.py": "sources for a compiler, in a temporary folder",
     "io/curves.py": "one member of an archive at a time, in a temporary folder",
-    "io/surfaces/repacked.py": "copies of surfaces packed as SurfaceTopography reads them, deleted afterwards",
+    "io/surfaces/instrument_channels.py": "surfaces packed as SurfaceTopography reads them, deleted afterwards",
     "io/processes/locking.py": "locks, and what the one writer opens",
     "io/software.py": "a digest of the sources, which is made again where it cannot be read",
     "io/whole_file.py": "the one writer",

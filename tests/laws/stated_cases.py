@@ -131,7 +131,7 @@ def exported_springs(rng):
     return 1.05 * said_of_law(law), change(found, true, true[-1])
 
 
-@states("RollerSolution.grid_error", "RollerState.grid_error", "problems.rollers.roller_notes")
+@states("RollerSolution.grid_error", "RollerState.grid_error", "problems.rollers.roller_contact")
 def roller(rng):
     """Depth, force and pressures of a roller, on layers every second time."""
     logarithmic = wk.LogarithmicEnds(10.0 ** rng.uniform(-4, -3), load_factor=1.5, crowned_share=0.7)
@@ -162,7 +162,7 @@ def profile_pair(rng):
     )
 
 
-@states("ProfilePairRollingSolution.grid_error", "problems.profile_pair.rolling_notes")
+@states("ProfilePairRollingSolution.grid_error", "problems.profile_pair.pair_rolling")
 def rolling_pair(rng):
     """Forces of a barrel that rolls and drifts on a flat rail."""
     y = np.linspace(-4e-3, 4e-3, 81)
@@ -288,7 +288,7 @@ def hertzian_ellipse(narrow, wide, force):
 AREAS = [
     f"{name}.area_error"
     for name in (
-        "SurfaceContactSolution", "SurfaceState", "MapSlip", "SurfaceWearSolution", "SurfaceWearState", "MapAdhesion",
+        "SurfaceContactSolution", "SurfaceState", "MapSlip", "MapWear", "MapAdhesion",
     )
 ]  # fmt: skip
 
@@ -354,7 +354,7 @@ ON_MAPS = (
 )
 
 
-@states(*ON_MAPS, "problems.pressed_maps.true_area", "problems.pressed_maps.seal_notes")
+@states(*ON_MAPS, "problems.pressed_maps.true_area", "problems.pressed_maps.seal")
 def rough_map(rng):
     """Area, greatest pressure and leak of a random map, whose heights are known on four times as many points."""
     heights, load = random_waves(rng), wk.Force(0.05 * 10.0 ** rng.uniform(-2.5, 0.0))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import logging
 import math
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -9,8 +11,13 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from winkler.cli.streams import safe
+from winkler.values.readable import scale_of, with_readable_numbers
+from winkler.values.validity import Standing, in_words
+
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.status import Status
     from rich.table import Table
     from rich.text import Text
 
@@ -18,12 +25,19 @@ if TYPE_CHECKING:
     from winkler.study.batch.outcome import Outcome, ResultColumn
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-from winkler.cli.messages import heard, one_line
-from winkler.cli.streams import safe
-from winkler.values.readable import scale_of, with_readable_numbers
-from winkler.values.validity import Standing, in_words
-
-__all__ = ["add_rows", "answers", "console", "failures", "indices", "marching", "notes", "table", "tracked"]
+__all__ = [
+    "add_rows",
+    "answers",
+    "console",
+    "failures",
+    "heard",
+    "indices",
+    "marching",
+    "notes",
+    "one_line",
+    "table",
+    "tracked",
+]
 
 T = TypeVar("T")
 WrittenColumn = tuple[str, str, list[str]]
@@ -284,3 +298,54 @@ def tracked(
             yield point
             if number >= before:
                 progress.advance(task)
+
+
+SOLVERS = "winkler"
+"""Name of the logger."""
+
+
+class _Listener(logging.Handler):
+    """Hands messages on."""
+
+    def __init__(self, show: Callable[[str], None]) -> None:
+        super().__init__(logging.INFO)
+        self.show = show
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.show(record.getMessage())
+
+
+@contextlib.contextmanager
+def heard(show: Callable[[str], None]) -> Iterator[None]:
+    """Show what solvers of this process say."""
+    logger, listener = logging.getLogger(SOLVERS), _Listener(show)
+    level = logger.level
+    logger.addHandler(listener)
+    logger.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        logger.removeHandler(listener)
+        logger.setLevel(level)
+
+
+@contextlib.contextmanager
+def one_line(out: Console) -> Iterator[Callable[[str], None]]:
+    """Give a function that shows the last message in one line, which vanishes at the end; sentences stay."""
+    status: Status | None = None
+
+    def show(text: str) -> None:
+        nonlocal status
+        if text.endswith("."):
+            out.print(text, soft_wrap=True)
+        elif status is None:
+            status = out.status(text)
+            status.start()
+        else:
+            status.update(text)
+
+    try:
+        yield show
+    finally:
+        if status is not None:
+            status.stop()

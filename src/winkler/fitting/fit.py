@@ -9,6 +9,16 @@ parameters and their covariance.
 The algorithm is the same for all models.  A response model (`winkler.fitting.task.FitTask`) defines the prediction.
 For a body that relaxes, the placeholder path of the model defines the input: with `Depth`, forces are fitted along the
 measured motion; with `Force`, positions are fitted under the measured forces.
+
+Uncertainty of the parameters of a fit, and doubts that follow from its algebra.
+
+The covariance is that of generalised least squares under white and slow noise (`winkler.fitting.noise`).
+
+A curve wholly in contact whose free tilt takes the beginning of the contact for a baseline.
+
+Under noise the foot of a contact is a straight line, so that a fit with a free tilt places the contact point inside the
+curve, with a modulus that is too low.  Then a contact that begins at the first point or before it, with its own scale,
+baseline and tilt, describes the curve as well; a curve that shows its baseline excludes it.
 """
 
 from __future__ import annotations
@@ -16,11 +26,10 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, overload
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 
-from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.curvature import stretches_of
 from winkler.fitting.curves.across_pop_ins import across_pop_ins
 from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse, without_baseline
@@ -28,24 +37,28 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.elastic.slow_jumps import of_slow_jumps
 from winkler.fitting.elastic.task import elastic_task
+from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.generalised import Generalised, generalised, likeliest
 from winkler.fitting.least_squares import solved
-from winkler.fitting.not_white import not_white
+from winkler.fitting.misfit import Misfit
+from winkler.fitting.noise.estimate import noise_of, orthonormal
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
-from winkler.fitting.task import FitTask
-from winkler.fitting.unseen_baseline import unseen_baseline
+from winkler.fitting.task import FitTask, Prediction
 from winkler.fitting.validity import Model
+from winkler.fitting.varied import Parameter
 from winkler.fitting.viscoelastic.acceleration import tip_acceleration
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading.loads import Depth
 from winkler.numerics.equations.streaming import streamed
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.readable import with_unit
 
-__all__ = ["Fit", "fit", "fit_steps"]
+__all__ = ["Fit", "doubts", "fit", "fit_steps", "not_white"]
 
 
 @overload
@@ -278,3 +291,206 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         unseen = [*without_baseline(result.curve, result.touched, both)]
         further += unseen or unseen_baseline(task, coordinates, prediction, best.noise.effective_count)
     return dataclasses.replace(result, flags=(*result.flags, *further))
+
+
+LEAST_ODDS = 20.0
+"""Of slow noise or disturbances to white noise, for which white noise is doubted."""
+
+
+def not_white(task: FitTask, best: Generalised) -> Iterator[Flag]:
+    """Yield a doubt if residuals are slow where the noise was stated to be white.
+
+    Parameters
+    ----------
+    task : FitTask
+    best : Generalised
+        The fit at its coordinates.
+    """
+    if not task.curve.has_white_noise:
+        return
+    jacobian = task.instrument(best.coordinates, best.prediction)
+    allowed = noise_of(best.residuals, jacobian, task.courses(jacobian))
+    if allowed.likelihood - best.noise.likelihood > math.log(LEAST_ODDS):
+        yield Flag(
+            "not_white",
+            f"The noise was stated to be white, but {allowed.slow_share:.0%} of its variance in the residuals is slow "
+            "or follows a drift, tilt or drag: intervals are too narrow. Leave noise_spectrum out.",
+        )
+
+
+SINGULAR_RATIO = 1e-7
+CORRELATION_LIMIT = 0.99
+POINTS_PER_PARAMETER = 5
+"""Fewest independent points for each parameter."""
+
+
+class Certainty(NamedTuple):
+    """Uncertainty of parameters under the noise of their fit.
+
+    Parameters
+    ----------
+    errors : ndarray, (p,)
+        Standard errors of the coordinates.
+    correlation : ndarray, (p, p)
+        Of these errors.
+    effective_count : float
+        Number of independent points.
+    misfit : Misfit
+    """
+
+    errors: Array
+    correlation: Array
+    effective_count: float
+    misfit: Misfit
+
+
+def certainty(covariance: Array, effective_count: float, misfit: Misfit) -> Certainty:
+    """Return the uncertainty of the parameters of a fit from the covariance of its coordinates."""
+    variances = np.diag(covariance)
+    correlation = np.clip(covariance / np.sqrt(np.outer(variances, variances)), -1.0, 1.0)
+    return Certainty(np.sqrt(variances), correlation, effective_count, misfit)
+
+
+def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest: float) -> None:
+    """Raise OutsideValidity for parameters that the curve does not determine.
+
+    Parameters
+    ----------
+    parameters : tuple of Parameter, (p,)
+    jacobian : ndarray, (n, p)
+    largest : float
+        Norm of the measured quantity.
+
+    Raises
+    ------
+    OutsideValidity
+        If a parameter has no effect, or only a combination of several has.
+    """
+    size = np.linalg.norm(jacobian, axis=0)
+    names = [p.name for p in parameters]
+    insensitive = [name for name, norm in zip(names, size, strict=True) if norm <= SINGULAR_RATIO * largest * 1e-3]
+    if insensitive:
+        raise OutsideValidity(
+            f"fit: the curve does not depend on {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
+        )
+    _, values, rows = np.linalg.svd(orthonormal(jacobian / size)[1])
+    if values[-1] <= SINGULAR_RATIO * values[0]:
+        combined = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
+        raise OutsideValidity(
+            f"fit: not identifiable: the curve does not distinguish {' from '.join(combined)}, "
+            f"only a combination of them; fix all but one.{_fewer_terms(combined)}"
+        )
+
+
+def _fewer_terms(names: list[str]) -> str:
+    is_series = any("shears[" in name or "relaxation_times[" in name for name in names)
+    return " One term fewer may suffice." if is_series else ""
+
+
+def doubts(
+    parameters: tuple[Parameter, ...], coordinates: Array, estimate: FitEstimate, uncertainty: Certainty
+) -> Iterator[Flag]:
+    """Yield the doubts about the parameters of a fit.
+
+    Parameters
+    ----------
+    parameters : tuple of Parameter, (p,)
+    coordinates : ndarray, (p,)
+    estimate : FitEstimate
+        The fit, flags of its own not yet among them.
+    uncertainty : Certainty
+    """
+    numbers = zip(parameters, coordinates.tolist(), estimate.values, estimate.standard_errors, strict=True)
+    for parameter, coordinate, number, error in numbers:
+        bounds = parameter.inward(parameter.low), parameter.inward(parameter.high)
+        if any(abs(coordinate - bound) <= 1e-6 * (1.0 + abs(coordinate)) for bound in bounds):
+            yield Flag("at_bound", f"{parameter.name} has reached its bound; its error has no meaning.")
+        elif parameter.logarithmic and error > number:
+            yield Flag("undetermined", f"{parameter.name} is smaller than its error and remains undetermined.")
+    for i, first in enumerate(parameters):
+        for j, second in enumerate(parameters[:i]):
+            correlation = uncertainty.correlation[i, j]
+            if abs(correlation) > CORRELATION_LIMIT:
+                text = f"{second.name} and {first.name} go together (correlation {correlation:.4f})."
+                yield Flag("correlated", text)
+    if uncertainty.effective_count < POINTS_PER_PARAMETER * len(parameters):
+        yield Flag(
+            "memory",
+            f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
+            "is slow, or the model misses the course of the curve.",
+        )
+    if not uncertainty.misfit.on_the_whole:
+        yield Flag(
+            "misfit",
+            f"The residuals are {math.sqrt(estimate.chi_square):.3g} times the noise, in contact "
+            f"{math.sqrt(estimate.chi_square_in_contact):.3g} times: the model does not explain the curve.",
+        )
+    elif not uncertainty.misfit.explained:
+        place = float(estimate.curve.position[uncertainty.misfit.place])
+        yield Flag(
+            "misfit",
+            f"Near the position {with_unit(place, 'm', 4)} the residuals are {uncertainty.misfit.local:.3g} times the "
+            "noise: the model does not explain this part of the curve.",
+        )
+
+
+BEGINNINGS = (0.0, 0.05, 0.15, 0.4, 1.0)
+"""Contact points before the first position, in parts of the travel."""
+EXCLUDED = 14.0
+"""Weighted squares by which a contact from the first point on has to be worse, as of models that are compared."""
+
+
+def unseen_baseline(
+    task: FitTask, coordinates: Array, prediction: Prediction, effective_count: float
+) -> Iterator[Flag]:
+    """Yield `no_baseline` for a fit with a free tilt that a contact from the first point on describes as well.
+
+    Parameters
+    ----------
+    task : FitTask
+        Of a contact without adhesion and relaxation; others have no such flag.
+    coordinates : ndarray, (p,)
+        Of the fit.
+    prediction : Prediction
+        There.
+    effective_count : float
+        Number of independent points.
+    """
+    names = [parameter.name for parameter in task.parameters]
+    if not isinstance(task.model, Indentation) or not {"tilt", "contact_point"} <= set(names):
+        return
+    if extra_squares(task, coordinates, prediction, effective_count) < EXCLUDED:
+        yield Flag(
+            "no_baseline",
+            "With a free tilt, a contact from the first point on describes the curve as well: no baseline is seen, and "
+            "contact point, tilt and modulus may be far off; fix the tilt, or begin farther out.",
+        )
+
+
+def extra_squares(task: FitTask, coordinates: Array, prediction: Prediction, effective_count: float) -> float:
+    """Return by how many weighted squares of independent points the best contact from the first point on is worse.
+
+    Scale of the force, baseline and tilt are found anew for each contact point, by linear least squares.
+    """
+    weights, position = task.weights, task.curve.position
+    squares = float(np.sum(((task.measured - prediction.fitted) * weights) ** 2))
+    count = max(int(np.count_nonzero(weights)) - len(task.parameters), 1)
+    first, travel = float(position.min()), float(np.ptp(position))
+    place = next(n for n, parameter in enumerate(task.parameters) if parameter.name == "contact_point")
+    others = []
+    for share in BEGINNINGS:
+        moved = coordinates.copy()
+        moved[place] = task.parameters[place].inward(first - share * travel)
+        numbers = task.numbers(moved)
+        contact = task.prediction(moved).fitted - task.line(numbers)
+        columns = np.stack([np.ones(position.size), (position - first) / travel, contact], axis=1) * weights[:, None]
+        size = np.linalg.norm(columns, axis=0)
+        if not size[-1] > 0.0:
+            continue
+        columns /= size
+        found = np.linalg.lstsq(columns, task.measured * weights, rcond=None)[0]
+        if found[-1] > 0.0:
+            others.append(float(np.sum((task.measured * weights - columns @ found) ** 2)))
+    if not others or squares == 0.0:
+        return np.inf
+    return (min(others) / squares - 1.0) * min(count, effective_count)

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from winkler.io.foreign import in_file, reader
-from winkler.io.height_matrix import MapContents, array_map, point_map, refuse_table, text_map
-from winkler.io.instrument_map import instrument_map
+from winkler.io.height_matrix import MapContents, array_map, point_map, refuse_many, refuse_table, text_map
 from winkler.io.maps.simple_field import is_simple_field, simple_field_map
 from winkler.io.maps.triangle_mesh import mesh_map
+from winkler.io.surfaces.instrument_channels import channel_contents, tip_radius_of
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import content_of, existing
 from winkler.io.workbooks.workbook_cells import is_workbook
+from winkler.numerics.types import Array
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput
@@ -160,3 +162,29 @@ def _per_metre(unit: str, what: str) -> float:
     """Return the number of units in a metre: dividing by it rounds once."""
     scale(unit, "m", what=what)  # raises what is wrong with the unit
     return scale("m", unit)
+
+
+def instrument_map(path: Path, channel: str) -> MapContents:
+    """Return a height map of an instrument's file, or of a container of contact.engineering.
+
+    Parameters
+    ----------
+    path : path
+        The file.
+    channel : str
+        Name of one of several channels or measurements; the first if empty.
+
+    Raises
+    ------
+    InvalidInput
+        If SurfaceTopography is not installed or cannot read the file, or the file holds no such map.
+    """
+    return channel_contents(path, channel, 2, refuse_many, _contents)
+
+
+def _contents(surface: Any) -> MapContents:
+    heights: Array = np.ma.filled(np.ma.asarray(surface.heights(), dtype=float), np.nan)
+    sizes = [np.nan if size is None else float(size) for size in surface.physical_sizes or (None, None)]
+    return MapContents(
+        heights, np.array(sizes), str(surface.unit or ""), bool(surface.is_periodic), *tip_radius_of(surface)
+    )

@@ -1,4 +1,8 @@
-"""Save and read states of wear: a stopped march is continued from the last one, with the same numbers."""
+"""Save and read states of wear: a stopped march is continued from the last one, with the same numbers.
+
+Numbers and rows of nodes are kept of all states, height maps of the first and the last one alone: a file of a thousand
+states of a map is as large as one of two.
+"""
 
 from __future__ import annotations
 
@@ -14,48 +18,46 @@ import numpy as np
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.io.array_file import read_state, write_state
 from winkler.io.foreign import reader
+from winkler.numerics.types import Array
+from winkler.problems.surface_wear.states import SurfaceWearState
 from winkler.problems.wear.line_states import LineFrettingState, LineWearState
 from winkler.problems.wear.states import FrettingState, WearState
 from winkler.values.errors import InvalidInput
 
 __all__ = ["read_wear", "write_wear"]
 
-FORMAT = "winkler wear 1"
-ABSENT = np.array("")
-KINDS: dict[str, type[WearState | LineWearState]] = {
+FORMAT = "winkler wear 2"
+State = WearState | LineWearState | SurfaceWearState
+KINDS: dict[str, type[State]] = {
     "sliding": WearState,
     "fretting": FrettingState,
     "line_sliding": LineWearState,
     "line_fretting": LineFrettingState,
+    "surface": SurfaceWearState,
 }
+OF_NODES, OF_MAPS = 2, 3
+"""Dimensions of an array of rows of nodes, one for each state, and of maps, of the first and the last state."""
 
 
-def _field_names(kind: type[WearState | LineWearState]) -> tuple[str, ...]:
+def _field_names(kind: type[State]) -> tuple[str, ...]:
     return tuple(field.name for field in dataclasses.fields(kind) if field.name != "bed")
 
 
-def _count(kind: type[WearState | LineWearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
-    """Return the number of states, if all arrays agree on it."""
-    count, nodes = (*rows.get("places" if issubclass(kind, LineWearState) else "radii", ABSENT).shape, 0, 0)[:2]
-    types = typing.get_type_hints(kind)
-    for word in _field_names(kind):
-        row, wanted = rows.get(word, ABSENT), (count,) if types[word] is float else (count, nodes)
-        if row.dtype.kind != "f" or row.shape != wanted or np.isnan(row).any():
-            raise InvalidInput(
-                f"{path}: no wear can be read from it ({word} is not numbers of the shape {wanted}); give a file "
-                "of write_wear."
-            )
-    return int(count)
+def _row(states: Sequence[State], word: str) -> Array:
+    """Return a field of all states, or a map of the first and the last."""
+    kept = (states[0], states[-1]) if np.ndim(getattr(states[0], word)) == OF_MAPS - 1 else states
+    return np.array([getattr(state, word) for state in kept])
 
 
-def write_wear(states: Sequence[WearState | LineWearState], path: str | os.PathLike[str]) -> Path:
+def write_wear(states: Sequence[State], path: str | os.PathLike[str]) -> Path:
     """Save states of wear; a file of that name is replaced only once the new one is whole.
 
     Parameters
     ----------
-    states : sequence of WearState, FrettingState, LineWearState or LineFrettingState
+    states : sequence of WearState, FrettingState, LineWearState, LineFrettingState or SurfaceWearState
         Of one problem, in their order; at least one.
     path : str or path
         The file, of NumPy's kind ``.npz``.
@@ -72,45 +74,65 @@ def write_wear(states: Sequence[WearState | LineWearState], path: str | os.PathL
     if not states:
         raise InvalidInput(f"{path}: there is no state to save; give at least one.")
     kind = next(name for name, cls in KINDS.items() if type(states[0]) is cls)
-    rows = {word: np.array([getattr(state, word) for state in states]) for word in _field_names(KINDS[kind])}
+    rows = {word: _row(states, word) for word in _field_names(KINDS[kind])}
     return write_state(path, FORMAT, {"kind": np.array(kind), **rows})
 
 
 @reader("wear")
 def read_wear(
-    bed: Foundation | LineFoundation | LayeredLineFoundation, path: str | os.PathLike[str]
-) -> tuple[WearState | LineWearState, ...]:
-    """Return states of wear as they were saved.
+    path: str | os.PathLike[str],
+    bed: Foundation | LineFoundation | LayeredLineFoundation | PowerLawLineFoundation | None = None,
+) -> tuple[State, ...]:
+    """Return states of wear as they were saved; of height maps those between the first and the last have empty maps.
 
     Parameters
     ----------
-    bed : Foundation, LineFoundation or LayeredLineFoundation
-        The springs before wear, of the problem whose states they are.
     path : str or path
         A file that `write_wear` wrote.
+    bed : Foundation, LineFoundation, LayeredLineFoundation or PowerLawLineFoundation, optional
+        The springs before wear, of the problem whose states they are; a height map needs none.
 
     Returns
     -------
-    tuple of WearState, FrettingState, LineWearState or LineFrettingState
+    tuple of WearState, FrettingState, LineWearState, LineFrettingState or SurfaceWearState
         The last is the one to continue from: ``problem.steps(start=states[-1])``.
 
     Raises
     ------
     InvalidInput
-        If the file is missing, broken, or of another kind.
+        If the file is missing, broken, or of another kind, or its springs are not given.
     """
     wanted = {word for kind in KINDS.values() for word in _field_names(kind)}
     rows: dict[str, Any] = read_state(path, FORMAT, ("kind", *sorted(wanted)), needed=("kind",), what="wear")
-    name = str(rows.pop("kind"))
-    if name not in KINDS:
+    kind: Any = KINDS.get(str(rows.pop("kind")))
+    if kind is None:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
-    kind: Any = KINDS[name]
-    count = _count(kind, rows, path)
+    springs: dict[str, Any] = {} if kind is SurfaceWearState else {"bed": bed}
+    if springs and bed is None:
+        raise InvalidInput(f"{path}: its states are read with the springs before wear; give bed=problem.bed.")
+    _refuse_unfit(kind, rows, path)
+    last = len(rows["jump"]) - 1
 
-    def state(i: int) -> WearState | LineWearState:
-        rows_of = {word: rows[word] for word in _field_names(kind)}
-        content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows_of.items()}
-        made: WearState | LineWearState = kind(bed, **content)
-        return made
+    def field(word: str, i: int) -> Any:
+        row = rows[word]
+        if row.ndim < OF_MAPS:
+            return float(row[i]) if row.ndim < OF_NODES else row[i]
+        return row[i and 1] if i in (0, last) else np.zeros((0, 0))
 
-    return tuple(state(i) for i in range(count))
+    return tuple(kind(**springs, **{word: field(word, i) for word in _field_names(kind)}) for i in range(last + 1))
+
+
+def _refuse_unfit(kind: type[State], rows: dict[str, Any], path: str | os.PathLike[str]) -> None:
+    """Refuse arrays that are no numbers, or of different numbers of states or sizes."""
+    absent = np.array("")
+    count = np.size(rows.get("jump", absent))
+    size = rows.get("pressure", absent).shape[1:] or (0,)
+    types = typing.get_type_hints(kind)
+    for word in _field_names(kind):
+        row = rows.get(word, absent)
+        shape = (count if len(size) < OF_NODES else 2, *size) if types[word] == Array else (count,)
+        if row.dtype.kind != "f" or row.shape != shape or not np.isfinite(row).all():
+            raise InvalidInput(
+                f"{path}: no wear can be read from it ({word} is not finite numbers of the shape {shape}); give a file "
+                "of write_wear."
+            )

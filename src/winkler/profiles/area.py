@@ -6,27 +6,35 @@ over heights, which :math:`h' = h\,e^{-w}` makes smooth for any exponents, howev
 
 .. math:: g(x) = x\int_0^h \frac{\mathrm dh'}{\sqrt D}, \qquad \int_0^x g = \int_0^h \sqrt D\,\mathrm dh', \qquad
           D = x^2 - \frac{A(h')}\pi = \sum_n \frac{C_n}\pi\,h^{p_n}\,(1-e^{-p_n w}) .
+
+Integrals over the heights of a body that is given by its area function.
+
+With :math:`h' = h\,e^{-w}` they are smooth for any exponents, however small:
+
+.. math:: \int_0^\infty k(h, D, h D')\,e^{-w}\,\mathrm dw , \qquad
+          D = x^2 - \frac{A(h')}\pi = \sum_n \frac{C_n}\pi\,h^{p_n}\,(1-e^{-p_n w}) .
 """
 
 from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.numerics.equations.roots import between, invert
+from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.types import Array
 from winkler.profiles.area_coefficients import AreaCoefficients
-from winkler.profiles.area_integrals import over_heights, stored, stretched, stretching
 from winkler.profiles.profile import Shape
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["AreaFunction"]
+__all__ = ["AreaFunction", "stored", "stretched", "stretching"]
 
 LEAST_HEIGHT = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
@@ -252,3 +260,45 @@ def _summit(profile: AreaFunction) -> float:
         return math.inf
     low, high = heights[shrinking[0] - 1], heights[shrinking[0]]
     return between(lambda h: float(profile._derivatives(np.array([h]))[1][0]), float(low), float(high))
+
+
+Kernel = Callable[[Array, Array, Callable[[], Array]], Array]
+"""Of the height, D and what gives h D', which not all need."""
+
+LARGEST_ROOT = 6.3
+"""Largest sqrt(w): exp(-w) is then 6e-18."""
+
+
+def stretched(h: Array, fall: Array, steep: Callable[[], Array]) -> Array:
+    """Return the kernel of g/x."""
+    return np.asarray(h / np.sqrt(fall))
+
+
+def stretching(h: Array, fall: Array, steep: Callable[[], Array]) -> Array:
+    """Return the kernel of its derivative with respect to h."""
+    return np.asarray((1.0 - 0.5 * steep() / fall) / np.sqrt(fall))
+
+
+def stored(h: Array, fall: Array, steep: Callable[[], Array]) -> Array:
+    """Return the kernel of the integral of g."""
+    return np.asarray(h * np.sqrt(fall))
+
+
+def over_heights(
+    terms: Sequence[tuple[float, float]], h: Array, kernel: Kernel, what: str, against: Array | float = 0.0
+) -> Array:
+    """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h; `against` as in `settled`."""
+    exponents = np.array([n for _, n in terms])
+    areas = np.stack([c / math.pi * h**n for c, n in terms], axis=-1)
+
+    def integrand(node: Array, index: Array) -> Array:
+        v = LARGEST_ROOT * node  # w = v^2, because D vanishes like w
+        risen = -np.expm1(-exponents[:, None] * (v * v))
+        parts = areas[index]  # sums over the terms are products of matrices, which cost least
+        found = kernel(h[index, None], parts @ risen, lambda: (parts * exponents) @ risen)
+        return found * (2.0 * LARGEST_ROOT * v * np.exp(-v * v))
+
+    # where terms of opposite signs nearly cancel, as close to the reach, A' is not better known than that
+    parts = [c * n * h**n for c, n in terms]
+    lost = sum((np.abs(part) for part in parts), 0.0 * h) / np.abs(sum(parts, 0.0 * h))
+    return settled(integrand, h.size, what, np.finfo(float).eps * lost, against)

@@ -4,6 +4,11 @@ Every problem and every solution of winkler is a value.  Two studies with equal 
 value can be a key of a cache, a point of a sweep, or one side of an assertion.  Arrays become read-only copies
 (again after unpickling), lists become tuples, so that nothing changes behind the reader's back.
 What its names mean stands in the glossary, or, if they mean something else in one class, there in ``__words__``.
+
+A wrong name of an attribute or an argument of a value, with the right one suggested.
+
+What is right costs nothing more: ``__getattr__`` is called for attributes only that are not there, and arguments are
+compared with the signature only after Python has refused them.
 """
 
 from __future__ import annotations
@@ -11,9 +16,10 @@ from __future__ import annotations
 import dataclasses
 import functools
 import hashlib
+import inspect
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Any, TypeVar, dataclass_transform
+from typing import Any, NoReturn, TypeVar, dataclass_transform
 
 import numpy as np
 
@@ -21,9 +27,8 @@ from winkler.values.checks.field_checks import checks_of
 from winkler.values.checks.float_range import guarded, guarded_result, guarded_stream
 from winkler.values.checks.outline import refuse_outline, refuse_relaxing
 from winkler.values.display import html_table, short
-from winkler.values.errors import InvalidInput, WinklerError
+from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.vocabulary import Word, word
-from winkler.values.wrong_names import checked_arguments, unknown_attribute
 
 __all__ = ["frozen_array", "value", "words"]
 
@@ -174,7 +179,7 @@ def value(cls: type[T]) -> type[T]:
     runs, the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
     properties of a solution, state in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
     takes a few lines (`winkler.values.display`); ``quantity("depth")`` gives a number with its unit (`quantity`);
-    a wrong name raises an error with the right one (`winkler.values.wrong_names`).
+    a wrong name raises an error with the right one.
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
     check = getattr(check, "own", check)  # the fields of a parent are checked with one's own
@@ -230,3 +235,62 @@ def value(cls: type[T]) -> type[T]:
     FROZEN_TYPES.add(made)
     result: type[T] = made
     return result
+
+
+def unknown_attribute(self: Any, name: str) -> NoReturn:
+    """Raise for an attribute that a value does not have; it becomes the ``__getattr__`` of its class.
+
+    Raises
+    ------
+    AttributeError
+        With the attribute that was probably meant; or, if a property of that name failed, what made it fail.
+    """
+    cls = self.__class__
+    if name in _public(cls) and hasattr(cls, name):
+        object.__getattribute__(self, name)  # raises once more what a property hides behind its absence
+    raise AttributeError(_sentence(cls, name), name=name)
+
+
+@functools.lru_cache(maxsize=1024)
+def _sentence(cls: type, name: str) -> str:
+    near = "" if name.startswith("_") else suggest(name, _public(cls) - {name})
+    return f"'{cls.__name__}' object has no attribute '{name}'{near}"
+
+
+@functools.cache
+def _public(cls: type) -> frozenset[str]:
+    """Return the public fields, properties and methods of a class."""
+    return frozenset(
+        name for name in (*getattr(cls, "__dataclass_fields__", ()), *dir(cls)) if not name.startswith("_")
+    )
+
+
+def checked_arguments(cls: type, construct: Callable[..., None]) -> Callable[..., None]:
+    """Return the ``__init__`` of a class, which suggests for an unknown argument the one that was probably meant.
+
+    Parameters
+    ----------
+    cls : type
+        The class that is constructed.
+    construct : callable
+        Its ``__init__``.
+    """
+
+    @functools.wraps(construct)
+    def __init__(self: Any, *positional: Any, **named: Any) -> None:
+        try:
+            construct(self, *positional, **named)
+        except TypeError as error:
+            if error.__traceback__ is not None and error.__traceback__.tb_next is None:  # the call itself was refused
+                _refuse_unknown(cls, construct, named)
+            raise
+
+    return __init__
+
+
+def _refuse_unknown(cls: type, construct: Callable[..., None], named: dict[str, Any]) -> None:
+    names = [name for name in inspect.signature(construct).parameters if name != "self"]
+    for name in named:
+        if name not in names:
+            takes = f"it takes {', '.join(names)}" if names else "it takes none"
+            raise TypeError(f"{cls.__name__}: there is no argument '{name}'{suggest(name, names)}; {takes}.") from None

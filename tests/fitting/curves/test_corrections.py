@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from synthetic import hertz, jkr, there_and_back
 
-from winkler.fitting.curves import calibration, corrections
+from winkler.fitting.curves import corrections
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.values.errors import InvalidInput
 
@@ -69,17 +69,10 @@ def test_the_rate_of_drift_is_read_from_a_hold():
     assert corrections.drift_rate(hold) == pytest.approx(4e-10, rel=1e-10)
 
 
-def test_drift_of_force():
-    curve = clean()
-    drifting = dataclasses.replace(curve, force=curve.force + 3e-10 * (curve.time - curve.time[0]))
-    np.testing.assert_allclose(corrections.without_force_drift(drifting, 3e-10).force, curve.force, atol=1e-24)
-
-
 def test_drift_needs_times():
     curve = dataclasses.replace(clean(), time=np.zeros(0))
-    for correct in (corrections.without_drift, corrections.without_force_drift):
-        with pytest.raises(InvalidInput, match="curve 'clean' has no times"):
-            correct(curve, 1e-9)
+    with pytest.raises(InvalidInput, match="curve 'clean' has no times"):
+        corrections.without_drift(curve, 1e-9)
     with pytest.raises(InvalidInput, match="all times of curve 'clean' are the same"):
         corrections.drift_rate(dataclasses.replace(clean(), time=np.zeros(600)))
 
@@ -97,44 +90,23 @@ def test_drag_needs_both_directions():
         corrections.drag_force(clean().approach)
 
 
-def test_from_volts_to_newtons():
-    position = np.linspace(0.0, 1e-6, 50)
-    volts = 0.3 + position / 40e-9
-    sensitivity = calibration.deflection_sensitivity(position, volts)
-    assert sensitivity == pytest.approx(40e-9, rel=1e-12)
-    np.testing.assert_allclose(
-        calibration.force_from_deflection(volts - 0.3, sensitivity, 0.2), 0.2 * position, rtol=1e-9, atol=1e-22
-    )
-
-
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: calibration.force_from_deflection([1.0], 0.0, 1.0), "sensitivity is 0.0"),
-        (lambda: calibration.force_from_deflection([1.0], 1e-8, -1.0), "spring_constant is -1.0"),
-        (lambda: calibration.deflection_sensitivity([0.0, 1.0], [0.0, 1.0]), "give at least 5 of each"),
-        (lambda: calibration.deflection_sensitivity(np.arange(9.0), -np.arange(9.0)), "reversed: the signal"),
-        (lambda: calibration.on_frame(clean(), -1.0), "frame_compliance is -1.0"),
-        (lambda: calibration.on_frame(clean(), math.inf), "frame_compliance is inf"),
+        (lambda: corrections.on_frame(clean(), -1.0), "frame_compliance is -1.0"),
+        (lambda: corrections.on_frame(clean(), math.inf), "frame_compliance is inf"),
     ],
 )
-def test_calibration_refuses(call, message):
+def test_a_frame_that_is_no_spring_is_refused(call, message):
     with pytest.raises(InvalidInput, match=message):
         call()
 
 
-def test_the_travel_of_the_tip():
-    curve = dataclasses.replace(clean(), machine_stiffness=0.1)
-    tip = calibration.tip_travel(curve)
-    np.testing.assert_allclose(tip.position, curve.depth(0.0), rtol=1e-15)
-    assert tip.machine_stiffness == math.inf
-
-
 def test_frame_and_cantilever_are_springs_in_series():
     curve = dataclasses.replace(clean(), machine_stiffness=4e6)
-    framed = calibration.on_frame(curve, 1e-7)
+    framed = corrections.on_frame(curve, 1e-7)
     assert framed.compliance == pytest.approx(0.25e-6 + 1e-7, rel=1e-14)
-    assert calibration.on_frame(clean(), 0.0).machine_stiffness == math.inf
+    assert corrections.on_frame(clean(), 0.0).machine_stiffness == math.inf
 
 
 @pytest.mark.parametrize("tilt", [-60.0, -20.0, 20.0, 60.0])

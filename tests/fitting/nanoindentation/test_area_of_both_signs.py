@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from winkler.fitting.nanoindentation.touch import fitted_touch
-from winkler.fitting.nanoindentation.touch_laws import TouchByArea, apex_of
+from winkler.fitting.nanoindentation.touch import TouchByArea, apex_of, fitted_touch
 
 # of a Hysitron, in nm^(2 - 2^(1-n)); negative from 2.257 to 3.376 nm, falling from 0 to 2.76 nm
 HYSITRON = np.array([24.5, 2460.555732, -185073.933454, 2197392.23639, -5682984.151049, 3678718.2292])

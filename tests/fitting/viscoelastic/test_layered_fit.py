@@ -10,8 +10,7 @@ from scipy.stats import binom
 
 import winkler as wk
 from winkler.fitting.layered.response import along_path, stack_waves
-from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
-from winkler.fitting.viscoelastic.layered_task import UNKNOWN
+from winkler.fitting.viscoelastic.drive import UNKNOWN, driven_task, examined_stroke
 
 BALL, THICK = 10e-6, 5e-6
 FILM = "bed.medium.layers[0].solid."

@@ -57,7 +57,7 @@ READERS = {
     "spectrum": wk.read_spectrum,
     "study": read_study,
     "surface_load": wk.read_surface_load,
-    "wear": lambda path: read_wear(BED, path),
+    "wear": lambda path: read_wear(path, BED),
 }
 
 

@@ -30,7 +30,7 @@ def test_the_payload_works(tmp_path):
 
 
 def worn(path):
-    return read_wear(wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace(wk.Elastic(1e9, 0.3))), path)
+    return read_wear(path, wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace(wk.Elastic(1e9, 0.3))))
 
 
 READERS = (read_contacts, worn, wk.read_profile, wk.read_curve, wk.read_bed)

@@ -13,7 +13,7 @@ import winkler as wk
 from winkler.numerics.attracted.attraction import EightTwo, Exponential, RoundedStep
 from winkler.problems.rough import map_memory
 from winkler.problems.surface_adhesion import march
-from winkler.problems.surface_adhesion.input_checks import memory_of
+from winkler.problems.surface_adhesion.adhesion import memory_of
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))

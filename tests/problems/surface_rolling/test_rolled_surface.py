@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from winkler.numerics.surfaces import rolled_surface
-from winkler.numerics.surfaces.halved_rolling import doubled_traction, halved_grid, halved_means
-from winkler.numerics.surfaces.rolled_surface import roll
+from winkler.numerics.surfaces.rolled_surface import doubled_traction, halved_grid, halved_means, roll
 from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.values.errors import NotConverged
 

@@ -7,7 +7,7 @@ import pytest
 
 import winkler as wk
 from winkler.io.processes.stopping import INTERRUPTED
-from winkler.io.surface_wear_states import read_surface_wear, write_surface_wear
+from winkler.io.wear_states import read_wear, write_wear
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
@@ -46,7 +46,7 @@ def test_a_run_that_was_stopped_goes_on_with_the_same_numbers(tmp_path):
 
     def counting(states, total):
         for state in states:
-            counted.append(state.elapsed)
+            counted.append(state.distance)
             yield state
 
     resumed = solve_march(PROBLEM, counting, keep).solution
@@ -60,19 +60,20 @@ def test_a_run_that_was_stopped_goes_on_with_the_same_numbers(tmp_path):
 
 def test_a_file_that_is_spoilt_is_refused(tmp_path):
     states = list(PROBLEM.steps())
-    path = write_surface_wear(states, tmp_path / "worn.npz")
+    path = write_wear(states, tmp_path / "worn.npz")
     content = dict(np.load(path))
     for name, spoilt in (
-        ("numbers", content["numbers"][:, :-1]),
+        ("force", content["force"][:-1]),
+        ("area", content["area"].astype(str)),
         ("worn", content["worn"][:1]),
         ("pressure", np.full_like(content["pressure"], np.nan)),
         ("separation", content["separation"][:, :3]),
     ):
         np.savez(tmp_path / "spoilt.npz", **{**content, name: spoilt})
-        with pytest.raises(wk.InvalidInput, match="do not fit together"):
-            read_surface_wear(tmp_path / "spoilt.npz")
+        with pytest.raises(wk.InvalidInput, match=f"{name} is not finite numbers of the shape"):
+            read_wear(tmp_path / "spoilt.npz")
     np.savez(tmp_path / "other.npz", **{**content, "format": np.array("winkler wear 1")})
-    with pytest.raises(wk.InvalidInput, match="it does not hold 'winkler surface wear 1'"):
-        read_surface_wear(tmp_path / "other.npz")
+    with pytest.raises(wk.InvalidInput, match="it does not hold 'winkler wear 2'"):
+        read_wear(tmp_path / "other.npz")
     with pytest.raises(wk.InvalidInput, match="at least one"):
-        write_surface_wear([], tmp_path / "none.npz")
+        write_wear([], tmp_path / "none.npz")

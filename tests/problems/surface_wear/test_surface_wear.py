@@ -166,13 +166,13 @@ def test_nothing_comes_back_and_the_volume_is_balanced():
 
 
 def test_a_march_goes_on_from_a_state_with_the_same_numbers(tmp_path):
-    from winkler.io.surface_wear_states import read_surface_wear, write_surface_wear
+    from winkler.io.wear_states import read_wear, write_wear
 
     contact = wk.SurfaceContact(wave(12, 0.02), UNIT, wk.Force(0.01))
     problem = wk.SurfaceWear(contact, wk.Archard(1.0), [0.0, 0.01, 0.05, 0.2], tolerance=1e-2)
     states = list(problem.steps())
     assert list(problem.steps(start=states[1])) == states[2:]
-    kept = read_surface_wear(write_surface_wear(states[:3], tmp_path / "worn.npz"))
+    kept = read_wear(write_wear(states[:3], tmp_path / "worn.npz"))
     assert (kept[0], kept[2]) == (states[0], states[2])
     assert kept[1].area == states[1].area
     assert kept[1].worn.size == 0

@@ -242,7 +242,7 @@ def slid(cycles):
 def test_a_march_that_was_stopped_and_kept_goes_on_with_the_same_numbers(made, tmp_path):
     problem = made(np.array([0.0, 0.3, 3.0, 10.0]))
     whole = list(problem.steps())
-    kept = read_wear(problem.bed, write_wear(whole[:3], tmp_path / "states.npz"))
+    kept = read_wear(write_wear(whole[:3], tmp_path / "states.npz"), problem.bed)
     assert list(kept) == whole[:3]
     assert list(problem.steps(start=kept[-1])) == whole[3:]
 

@@ -306,7 +306,7 @@ def test_a_march_on_layers_that_was_stopped_and_kept_goes_on_with_the_same_numbe
     load = force(layered(0.1))
     problem = fretting(layered(0.1), load, 0.6 * MU * load, [0.0, 0.5, 1.0], count=40)
     whole = list(problem.steps())
-    kept = read_wear(problem.bed, write_wear(whole[:2], tmp_path / "states.npz"))
+    kept = read_wear(write_wear(whole[:2], tmp_path / "states.npz"), problem.bed)
     assert list(kept) == whole[:2]
     assert list(problem.steps(start=kept[-1])) == whole[2:]
 

@@ -8,8 +8,13 @@ from pressed_elements import HALF_WIDTH, Elements, extrapolated, layer_excess, r
 
 import winkler as wk
 from winkler.problems.assumptions.pyramid_film import ERRORS, pyramid_layer_error
-from winkler.profiles.pyramids.angles import edge_angle_of, face_angle_of
-from winkler.profiles.pyramids.pyramid import AREA_CONSTANTS, CONTACT_OUTLINES, FORCE_CONSTANTS
+from winkler.profiles.pyramids.pyramid import (
+    AREA_CONSTANTS,
+    CONTACT_OUTLINES,
+    FORCE_CONSTANTS,
+    edge_angle_of,
+    face_angle_of,
+)
 from winkler.values.validity import Standing
 
 UNIT = wk.HalfSpace(wk.Elastic(1.0, 0.0))

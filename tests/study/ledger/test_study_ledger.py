@@ -11,10 +11,8 @@ import pytest
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import read_study
 from winkler.study.language.study import Study
-from winkler.study.ledger.fit_case import read_fit_case
-from winkler.study.ledger.function_case import read_function_case
-from winkler.study.ledger.functions import FUNCTIONS
-from winkler.study.ledger.ledger import CASES, case_files, run_case
+from winkler.study.ledger.function_case import FUNCTIONS, read_function_case
+from winkler.study.ledger.ledger import CASES, case_files, read_fit_case, run_case
 from winkler.study.ledger.ledger_page import chapters, markdown
 from winkler.study.ledger.physics import CHAPTERS, FITS, physics_of
 from winkler.values.errors import InvalidInput

@@ -10,13 +10,11 @@ from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.lammps_contact import CONTACT, MADE
 from winkler.exporting.targets.lammps_granular import granular_law
-from winkler.exporting.targets.lammps_pair import PAIR
-from winkler.exporting.targets.lammps_wall import WALL
 from winkler.exporting.targets.one_export import marked
 from winkler.exporting.translation.plain import plain
 from winkler.values.errors import InvalidInput
 
-__all__ = ["farthest_hold", "lammps_law"]
+__all__ = ["PAIR", "WALL", "farthest_hold", "lammps_law"]
 
 MOTIONS = {
     "depth": "depth",
@@ -117,3 +115,230 @@ def _filled(law: StepLaw, name: str, hold: float) -> str:
     for word, content in words.items():
         text = text.replace(f"@{word}@", content)
     return text
+
+
+PAIR = r"""
+class ContactPair : public Pair {
+public:
+    explicit ContactPair(LAMMPS *lmp) : Pair(lmp) {
+        single_enable = 0;
+        restartinfo = 0;
+        one_coeff = 1;
+        no_virial_fdotr_compute = 1;
+    }
+
+    ~ContactPair() override {
+        if (allocated) {
+            memory->destroy(setflag);
+            memory->destroy(cutsq);
+        }
+    }
+
+    void settings(int count, char **words) override {
+        if (count != 1) error->all(FLERR, "pair_style @name@: give the greatest distance of touching centres");
+        size = utils::numeric(FLERR, words[0], false, lmp);
+    }
+
+    void coeff(int count, char **words) override {
+        if (count != 2 || std::strcmp(words[0], "*") != 0 || std::strcmp(words[1], "*") != 0)
+            error->all(FLERR, "pair_coeff of @name@ is * *: the law has no other coefficients");
+        if (!allocated) {
+            const int n = atom->ntypes + 1;
+            memory->create(setflag, n, n, "pair:setflag");
+            memory->create(cutsq, n, n, "pair:cutsq");
+            allocated = 1;
+        }
+        for (int i = 1; i <= atom->ntypes; ++i)
+            for (int j = i; j <= atom->ntypes; ++j) setflag[i][j] = 1;
+    }
+
+    void init_style() override {
+        if (std::strcmp(update->unit_style, "si") != 0) error->all(FLERR, "pair_style @name@ needs units si");
+        if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag || !atom->tag_enable)
+            error->all(FLERR, "pair_style @name@ needs atom_style sphere, and atoms with IDs");
+        if (SLIDES && !comm->ghost_velocity) error->all(FLERR, "pair_style @name@ needs comm_modify vel yes");
+        if (REMEMBERS && (comm->nprocs > 1 || !force->newton_pair))
+            error->all(FLERR, "pair_style @name@ remembers its contacts on one process, with newton on");
+        neighbor->add_request(this);
+    }
+
+    /* Greater spheres attract farther, at most in proportion. */
+    double init_one(int, int) override {
+        return size + HOLD * (GIVEN > 0.0 ? std::fmax(1.0, 0.25 * size / SHARED / GIVEN) : 1.0);
+    }
+
+    void compute(int eflag, int vflag) override {
+        ev_init(eflag, vflag);
+        const double step = update->setupflag ? 0.0 : update->dt;
+        contacts.begin();
+        double **x = atom->x, **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
+        const double *radius = atom->radius;
+        for (int row = 0; row < list->inum; ++row) {
+            const int i = list->ilist[row];
+            for (int place = 0; place < list->numneigh[i]; ++place) {
+                const int j = list->firstneigh[i][place] & NEIGHMASK;
+                const int a = atom->tag[i] < atom->tag[j] ? i : j, b = a == i ? j : i;
+                double n[3], distance = 0.0;
+                for (int k = 0; k < 3; ++k) n[k] = x[a][k] - x[b][k];
+                distance = std::sqrt(dot(n, n));
+                const double overlap = radius[a] + radius[b] - distance;
+                Remembered *own = nullptr, fresh;
+                if (REMEMBERS) {
+                    own = contacts.find(atom->tag[a], atom->tag[b], overlap);
+                    if (!own) continue;
+                    if (contacts.twice)
+                        error->one(FLERR, "pair_style @name@: two images of one sphere are near: use a larger box");
+                } else {
+                    if (!(overlap > 0.0)) continue;
+                    own = &fresh;
+                }
+                if (overlap > 0.0) check_radii(radius[a], radius[b]);
+                for (int k = 0; k < 3; ++k) n[k] /= distance;
+                const double arm_a = radius[a] - 0.5 * overlap, arm_b = radius[b] - 0.5 * overlap;
+                double slide[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};
+                if (SLIDES) {
+                    double swept[3];
+                    for (int k = 0; k < 3; ++k) {
+                        spin[k] = arm_a * omega[a][k] + arm_b * omega[b][k];
+                        turn[k] = step * (omega[a][k] - omega[b][k]);
+                    }
+                    cross(spin, n, swept);
+                    for (int k = 0; k < 3; ++k) {
+                        slide[k] = step * (v[a][k] - v[b][k] - swept[k]);
+                        spin[k] = 0.5 * step * (omega[a][k] + omega[b][k]);
+                    }
+                }
+                double push[3], moment[3] = {0.0, 0.0, 0.0}, lever[3];
+                @name@_answer answer;
+                const double R = radius[a] * radius[b] / (radius[a] + radius[b]) / SHARED;
+                if (!moved(own, n, SHARED * overlap, R, step, slide, turn, spin, answer, push, moment))
+                    error->one(FLERR, "pair_style @name@: an overlap of {} m is deeper than the law goes", overlap);
+                cross(n, push, lever);
+                const bool with_a = force->newton_pair || a < atom->nlocal;
+                const bool with_b = force->newton_pair || b < atom->nlocal;
+                for (int k = 0; k < 3; ++k) {
+                    if (with_a) f[a][k] += push[k], torque[a][k] += moment[k] - arm_a * lever[k];
+                    if (with_b) f[b][k] -= push[k], torque[b][k] -= moment[k] + arm_b * lever[k];
+                }
+                if (evflag)
+                    ev_tally_xyz(a, b, atom->nlocal, force->newton_pair, @stored@, 0.0, push[0], push[1], push[2],
+                                 distance * n[0], distance * n[1], distance * n[2]);
+            }
+        }
+        contacts.end();
+    }
+
+private:
+    double size = 0.0;
+    Memory contacts;
+
+    void check_radii(double a, double b) {
+        if (a + b > size * (1.0 + 1e-12))
+            error->one(FLERR, "pair_style @name@: {} m was given, but spheres touch at {} m", size, a + b);
+        const double radius = a * b / (a + b) / SHARED;
+        if (RADIUS > 0.0 && std::fabs(radius - RADIUS) > 1e-6 * RADIUS)
+            error->one(FLERR, "pair_style @name@ was made for R = {} m, two spheres have {} m", RADIUS, radius);
+        if (SHARED < 1.0 && std::fabs(a - b) > 1e-6 * a)
+            error->one(FLERR, "pair_style @name@ is for pairs of equal spheres, two have {} m and {} m", a, b);
+    }
+};
+"""
+
+
+WALL = r"""
+/* Spheres against the surface of a region, which may move. */
+class ContactWall : public Fix {
+public:
+    ContactWall(LAMMPS *lmp, int count, char **words) : Fix(lmp, count, words) {
+        if (count != 4) error->all(FLERR, "fix @name@/wall: give the region whose surface is the wall");
+        place = words[3];
+        vector_flag = 1;
+        size_vector = 3;
+        global_freq = 1;
+        extvector = 1;
+    }
+
+    int setmask() override { return FixConst::POST_FORCE; }
+
+    void init() override {
+        region = domain->get_region_by_id(place);
+        if (!region) error->all(FLERR, "fix @name@/wall: there is no region {}", place);
+        if (std::strcmp(update->unit_style, "si") != 0) error->all(FLERR, "fix @name@/wall needs units si");
+        if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag || !atom->tag_enable)
+            error->all(FLERR, "fix @name@/wall needs atom_style sphere, and atoms with IDs");
+        if (REMEMBERS && comm->nprocs > 1)
+            error->all(FLERR, "fix @name@/wall remembers its contacts on one process");
+    }
+
+    void setup(int) override { post_force(0); }
+
+    void post_force(int) override {
+        const double step = update->setupflag ? 0.0 : update->dt;
+        const bool moves = region->dynamic_check();
+        region->prematch();
+        if (moves) region->set_velocity();
+        contacts.begin();
+        for (int k = 0; k < 3; ++k) pressed[k] = 0.0;
+        for (int i = 0; i < atom->nlocal; ++i) {
+            double *x = atom->x[i];
+            const double R = atom->radius[i];
+            if (!(atom->mask[i] & groupbit) || !region->match(x[0], x[1], x[2])) continue;
+            const double hold = SHARED * HOLD * (GIVEN > 0.0 ? std::fmax(1.0, R / GIVEN) : 1.0);
+            const int count = region->surface(x[0], x[1], x[2], R + hold + (REMEMBERS ? neighbor->skin : 0.0));
+            for (int k = 0; k < count; ++k) touch(i, k, step, moves);
+        }
+        contacts.end();
+    }
+
+    double compute_vector(int k) override {
+        if (comm->nprocs > 1) error->all(FLERR, "fix @name@/wall adds up its force on one process");
+        return pressed[k];
+    }
+
+private:
+    std::string place;
+    Region *region = nullptr;
+    double pressed[3] = {0.0, 0.0, 0.0};
+    Memory contacts;
+
+    void touch(int i, int which, double step, bool moves) {
+        const Region::Contact &met = region->contact[which];
+        const double R = atom->radius[i], arm = met.r, overlap = R - arm;
+        Remembered *own = nullptr, fresh;
+        if (REMEMBERS) {
+            own = contacts.find(atom->tag[i], met.iwall, overlap);
+            if (!own) return;
+            if (contacts.twice) error->one(FLERR, "fix @name@/wall: a sphere meets one face of region {} twice", place);
+        } else {
+            if (!(overlap > 0.0)) return;
+            own = &fresh;
+        }
+        if (overlap > 0.0 && RADIUS > 0.0 && std::fabs(R - RADIUS) > 1e-6 * RADIUS)
+            error->one(FLERR, "fix @name@/wall was made for R = {} m, a sphere on the wall has {} m", RADIUS, R);
+        const double n[3] = {met.delx / arm, met.dely / arm, met.delz / arm};
+        double slide[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};
+        if (SLIDES) {
+            const double none[3] = {0.0, 0.0, 0.0}, *omega = atom->omega[i];
+            const double *whirl = moves && region->rotateflag ? region->omega : none;
+            double swept[3], wall[3] = {0.0, 0.0, 0.0};
+            if (moves) region->velocity_contact(wall, atom->x[i], which);
+            cross(omega, n, swept);
+            for (int k = 0; k < 3; ++k) {
+                slide[k] = step * (atom->v[i][k] - wall[k] - arm * swept[k]);
+                turn[k] = step * (omega[k] - whirl[k]);
+                spin[k] = 0.5 * step * (omega[k] + whirl[k]);
+            }
+        }
+        double push[3], moment[3] = {0.0, 0.0, 0.0}, lever[3];
+        @name@_answer answer;
+        if (!moved(own, n, overlap, R, step, slide, turn, spin, answer, push, moment))
+            error->one(FLERR, "fix @name@/wall: an overlap of {} m is deeper than the law goes", overlap);
+        cross(n, push, lever);
+        for (int k = 0; k < 3; ++k) {
+            atom->f[i][k] += push[k];
+            atom->torque[i][k] += moment[k] - arm * lever[k];
+            pressed[k] -= push[k];
+        }
+    }
+};
+"""

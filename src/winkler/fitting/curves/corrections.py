@@ -6,6 +6,7 @@ r"""Corrections of a force curve: baseline, drift, drag, interference, clock.  E
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.events.found import drag_in, kept_points
 from winkler.fitting.curves.events.interference import Interference
 from winkler.numerics.types import Array
+from winkler.values.checks.number_checks import NON_NEGATIVE, checked
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
@@ -22,11 +24,11 @@ __all__ = [
     "drift_rate",
     "free_line",
     "free_part",
+    "on_frame",
     "without_baseline",
     "without_clock_offset",
     "without_drag",
     "without_drift",
-    "without_force_drift",
     "without_interference",
 ]
 
@@ -136,23 +138,6 @@ def without_drift(curve: ForceCurve, rate: float) -> ForceCurve:
     return _with(curve, curve.position - rate * _elapsed(curve), curve.force)
 
 
-def without_force_drift(curve: ForceCurve, rate: float) -> ForceCurve:
-    """Return a curve whose forces do not drift, counted from its first time.
-
-    Parameters
-    ----------
-    curve : ForceCurve
-    rate : float
-        [N/s].
-
-    Raises
-    ------
-    InvalidInput
-        If the times are unknown.
-    """
-    return _with(curve, curve.position, curve.force - rate * _elapsed(curve))
-
-
 def drag_force(curve: ForceCurve) -> float:
     """Return the force of the liquid on the moving tip [N]: half the difference between approach and retraction.
 
@@ -247,3 +232,17 @@ def _rate(curve: ForceCurve, column: Array) -> float:
     if spread == 0.0:
         raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a range of times.")
     return float(centred @ column) / spread
+
+
+def on_frame(curve: ForceCurve, frame_compliance: float) -> ForceCurve:
+    """Return the curve with the compliance of the frame added to its compliance.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    frame_compliance : float
+        [m/N], not negative.
+    """
+    checked(NON_NEGATIVE, "on_frame", "frame_compliance", frame_compliance, "m/N")
+    compliance = curve.compliance + frame_compliance
+    return dataclasses.replace(curve, machine_stiffness=1.0 / compliance if compliance > 0.0 else math.inf)

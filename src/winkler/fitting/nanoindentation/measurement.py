@@ -26,29 +26,80 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.fitting.curves.corrections import without_drift
+from winkler.fitting.curves.corrections import on_frame, without_drift
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.nanoindentation.doubts import doubts_of
+from winkler.fitting.curves.events.kinds import EventKind
+from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.fitting.nanoindentation.notes import nanoindentation_notes
-from winkler.fitting.nanoindentation.readings import Peaks, Readings, factors_of, moved_by, readings_of
+from winkler.fitting.nanoindentation.readings import Peaks, Readings, area_of, factors_of, moved_by, readings_of
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift, found_drift
-from winkler.fitting.nanoindentation.tip_touch import touched
+from winkler.fitting.nanoindentation.touch import white_noise
 from winkler.fitting.nanoindentation.unloadings import FittedUnloadings, fitted_unloadings
-from winkler.fitting.nanoindentation.zero_point import ZeroPoint
+from winkler.fitting.nanoindentation.zero_point import ZeroPoint, found_zero_point
 from winkler.fitting.unloading.contact_reading import intercept_factor
+from winkler.fitting.unloading.unloading_law import EXPONENT_BOUNDS, LEAST_FINAL_DEPTH
 from winkler.numerics.types import Array
 from winkler.values.checks.number_checks import Fraction, NonNegative, PoissonRatio
 from winkler.values.errors import InvalidInput
+from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["COMMON_SOURCES", "Nanoindentation", "NanoindentationSolution", "Prepared", "contributions", "prepared"]
+__all__ = [
+    "COMMON_SOURCES",
+    "Nanoindentation",
+    "NanoindentationSolution",
+    "Prepared",
+    "contributions",
+    "prepared",
+    "touched",
+]
+
+INTERCEPT = 0.75
+SECANT = (0.75, 0.95)
+"""Parts of the peak between which an unloading is taken as straight: its compliance is needed to a few per cent."""
+MOST_DOUBT = 3.0
+"""Greatest contribution of the difference of the two laws, in standard errors of the better one."""
+
+
+def touched(curve: ForceCurve, area: Sequence[float] | Array) -> ZeroPoint:
+    """Return the touch by a power of the depth or, where it is known, by the area function of the tip.
+
+    The two laws fail differently, the power where the exponent changes, the area function where the hardness
+    does: their difference is taken as the half-width of a uniform distribution, and added to the error.
+    """
+    plain = found_zero_point(curve)
+    rim = _rim(curve, plain, np.asarray(area, dtype=float)) if len(area) else 0.0
+    if not rim > 0.0:
+        return plain
+    known = found_zero_point(curve, area, rim)
+    doubt = min(abs(known.position - plain.position), MOST_DOUBT * known.error) / math.sqrt(3.0)
+    return dataclasses.replace(known, error=math.hypot(known.error, doubt))
+
+
+def _rim(curve: ForceCurve, touch: ZeroPoint, area: Array) -> float:
+    """Return epsilon F/(S sqrt(A)) at the peak of the deepest unloading; zero if it cannot be read."""
+    unloadings = [
+        part for part in curve.segments if part.kind in (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)
+    ]
+    if not unloadings:
+        return 0.0
+    part = max(unloadings, key=lambda one: float(curve.force[one.first : one.last + 1].max()))
+    depth, force = (x[part.first : part.last + 1] for x in (curve.depth(touch.position), curve.force - touch.baseline))
+    peak = float(force.max())
+    chosen = (force > SECANT[0] * peak) & (force < SECANT[1] * peak)
+    if np.count_nonzero(chosen) < 3:
+        return 0.0
+    elastic = INTERCEPT * peak * float(np.polyfit(force[chosen], depth[chosen], 1)[0])
+    size = float(area_of(area, np.asarray(float(depth.max()) - elastic)))
+    return elastic / math.sqrt(size) if size > 0.0 else 0.0
+
 
 USUAL_INTERCEPT = 0.75
 COMMON_SOURCES = ("calibration", "epsilon", "constants")
@@ -367,3 +418,58 @@ class NanoindentationSolution:
     def _own(self, shares: Array) -> float:
         own = [place for place, source in enumerate(self.sources) if source not in COMMON_SOURCES]
         return float(np.sqrt(np.sum(np.square(shares[own, self.deepest]))))
+
+
+LEAST_ERRORS, LEAST_FORCE_TO_NOISE = 4.0, 20.0
+"""Least distance of touch and baseline in standard errors, and least force between them over its noise, of a doubt."""
+ON_BOUND = 1e-3
+"""Relative distance from a bound of a number that ends on it."""
+
+
+def doubts_of(solution: Any) -> tuple[str, ...]:
+    """Return sentences on what makes the readings of an indentation doubtful; empty if nothing does.
+
+    Parameters
+    ----------
+    solution : NanoindentationSolution
+    """
+    return (*_two_touches(solution), *_on_bounds(solution))
+
+
+def _two_touches(solution: Any) -> Iterator[str]:
+    """Yield whether the list of events ends the baseline elsewhere than at the point of first touch."""
+    problem, zero = solution.problem, solution.zero_point
+    curve = on_frame(problem.curve, problem.indenter.frame_compliance)
+    baselines = [one for one in curve.events if one.kind is EventKind.BASELINE_BEFORE]
+    if not baselines:
+        return
+    depth, force = curve.depth(zero.position), curve.force - zero.baseline
+    begin, end = baselines[0].first, baselines[0].last
+    noise = white_noise(force[begin : end + 1])
+    ahead, rise = float(depth[end]), float(np.median(force[max(begin, end - 4) : end + 1]))
+    if ahead > LEAST_ERRORS * zero.error and rise > LEAST_FORCE_TO_NOISE * noise:
+        yield (
+            f"Touch: two touches are seen. The first is taken, but {with_unit(rise, 'N', 2)} over "
+            f"{with_unit(ahead, 'm', 2)} follow before the point where the list of events ends the baseline: dust, or "
+            "a soft layer, may come before the sample; clean it, or give contact_point."
+        )
+
+
+def _on_bounds(solution: Any) -> Iterator[str]:
+    """Yield which numbers of the fitted unloadings end on a bound."""
+    least, most = (math.exp(end) for end in EXPONENT_BOUNDS)
+    over = solution.exponent - 1.0
+    for name, bound, reached in (
+        (f"exponent of {1.0 + most:.4g}", "greatest", over >= most * (1.0 - ON_BOUND)),
+        ("exponent of 1", "least", over <= least * (1.0 + ON_BOUND)),
+        (
+            f"final depth of {LEAST_FINAL_DEPTH:g} times that of the peak", "least",
+            solution.final_depth <= LEAST_FINAL_DEPTH * solution.depth * (1.0 - ON_BOUND),
+        ),
+    ):  # fmt: skip
+        if np.any(reached):
+            which = ", ".join(str(place + 1) for place in np.flatnonzero(reached)[:5].tolist())
+            yield (
+                f"Bound: unloading {which} ends on the {bound} {name} that is tried, and its numbers have no meaning; "
+                "check segments, drift and contact point, or fit another part of it (upper, lower)."
+            )

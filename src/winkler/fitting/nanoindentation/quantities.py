@@ -119,8 +119,7 @@ def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuan
 
 
 def _placed(problem: Nanoindentation, zero: ZeroPoint, drift: ThermalDrift, indenter: CalibratedIndenter) -> ForceCurve:
-    from winkler.fitting.curves.calibration import on_frame
-    from winkler.fitting.curves.corrections import without_drift
+    from winkler.fitting.curves.corrections import on_frame, without_drift
 
     stiff = on_frame(problem.curve, indenter.frame_compliance)
     steady = without_drift(stiff, drift.rate) if drift.rate else stiff

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import zipfile
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from winkler.io.instruments.archive import is_archive_of_tests, tests_of_archive
+from winkler.io.archive_file import refuse_large_archive
+from winkler.io.foreign import path_text
 from winkler.io.instruments.asylum_pair import (
     ENDING,
     is_asylum_half,
@@ -17,18 +19,18 @@ from winkler.io.instruments.fischerscope import is_fischerscope, tests_of_fische
 from winkler.io.instruments.hysitron import is_hld, is_nano_dma, tests_of_hld, tests_of_nano_dma
 from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.jpk_text import is_jpk_text, tests_of_jpk_text
-from winkler.io.instruments.micro_materials import is_micro_materials, tests_of_micro_materials
+from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tests_of_micro_materials
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
-from winkler.io.instruments.nanosuite import refuse_method
 from winkler.io.instruments.nanosurf import is_nanosurf_text, tests_of_nanosurf_text
 from winkler.io.instruments.nanosurf_nid import is_nanosurf_nid, tests_of_nanosurf_nid
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
-from winkler.io.text_file import head_of, lines_of
+from winkler.io.text_file import head_of, lines_of, lines_of_bytes
 from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.values.errors import InvalidInput
+from winkler.values.limits import HEADER_LETTERS
 
-__all__ = ["instrument_tests", "states_curves"]
+__all__ = ["instrument_tests", "refuse_method", "states_curves"]
 
 UNREAD = (".tdm", ".tdx")
 """Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
@@ -92,3 +94,57 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
     ]
     read = next((read for fits, read in readers if fits), None)
     return read(lines_of(path, "a force curve")) if read is not None else None
+
+
+def refuse_method(head: Sequence[str], path: object) -> None:
+    """Refuse a text that holds the method of a test.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if any(line.startswith("Method Name :") for line in head[:3]):
+        method = head[0].partition(":")[2].strip().rpartition("\\")[2]
+        raise InvalidInput(
+            f"{path}: there is no table of a force curve in this text; it is the method '{method}' of NanoSuite "
+            "(channels and inputs), and its curves are in the workbook (.xls) that NanoSuite exports."
+        )
+
+
+MOST_BYTES = 20_000_000
+"""Of one test; those of NanoTest have some 30 kB."""
+
+
+def is_archive_of_tests(path: Path) -> bool:
+    """Return whether an archive holds exports of Micro Materials and nothing else."""
+    if path.suffix.lower() != ".zip" or not zipfile.is_zipfile(path):
+        return False
+    with zipfile.ZipFile(path) as archive:
+        names = _texts(archive)
+        if not names or not all(NAME.fullmatch(Path(name).name) for name in names):
+            return False
+        refuse_large_archive(path, "save a part of the tests")
+        with archive.open(names[0]) as file:
+            start = file.read(HEADER_LETTERS)
+    try:
+        head = lines_of_bytes(start, names[0], "a curve", is_cut=len(start) == HEADER_LETTERS)
+    except InvalidInput:  # its reader names what it cannot read
+        return False
+    return is_micro_materials(head, Path(names[0]).name)
+
+
+def tests_of_archive(path: Path) -> Iterator[InstrumentTest]:
+    """Yield the tests of an archive, in the order of their names."""
+    with zipfile.ZipFile(path) as archive:
+        for name in _texts(archive):
+            where, size = f"{path_text(path)}, {name}", archive.getinfo(name).file_size
+            if size > MOST_BYTES:
+                raise InvalidInput(
+                    f"{where}: {size / 1e6:.0f} MB are too much; at most {MOST_BYTES / 1e6:.0f} MB are read."
+                )
+            lines = lines_of_bytes(archive.read(name), where, "a curve")
+            yield from tests_of_micro_materials(lines, Path(name).name, where)
+
+
+def _texts(archive: zipfile.ZipFile) -> list[str]:
+    return sorted(name for name in archive.namelist() if not name.endswith("/") and "__MACOSX" not in name)

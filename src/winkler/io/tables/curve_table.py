@@ -40,13 +40,12 @@ from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import is_list, is_reversed, signs
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
-from winkler.io.tables.place_lines import place_in
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.table_cells import cells_of, named
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
-from winkler.values.units import comma_hint
+from winkler.values.units import comma_hint, scale
 
 __all__ = ["is_curve_table", "read_curve_tables"]
 
@@ -340,3 +339,43 @@ def _results(
     found = {one.word: table.values[:, 1 + index] for index, one in enumerate(columns)}
     nothing = np.full(table.values.shape[0], math.nan)
     return stated_results(table.values[:, 0], found.get("modulus", nothing), found.get("hardness", nothing))
+
+
+PLACE_LINE = re.compile(
+    r"[#%\s]*+(?P<axis>[xy])\s*+[\[(](?P<unit>[nuµm]?m)[\])]\s*+[:=]\s*+(?P<number>[0-9.,eE+-]{1,100}+)\s*+"
+)
+
+
+def place_in(head: Sequence[str], where: object) -> tuple[float, float]:
+    """Return the place [m] that lines above a table state, NaN for what they do not.
+
+    Parameters
+    ----------
+    head : sequence of str
+        Lines above the table.
+    where
+        The file, for messages.
+
+    Raises
+    ------
+    InvalidInput
+        If a place is no finite number.
+
+    Examples
+    --------
+    >>> place_in(["# x [um]: 3.5", "# y [um]: 2", "depth [nm], force [nN]"], "gel.csv")
+    (3.5e-06, 2e-06)
+    """
+    found = {"x": math.nan, "y": math.nan}
+    for match in filter(None, map(PLACE_LINE.fullmatch, head)):
+        try:
+            number = float(match["number"])
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
+            raise InvalidInput(
+                f"{where}: the place {match['axis']} is '{match['number']}', which is no number; write it with a "
+                "decimal point, as in 'x [um]: 3.5', or leave the line out."
+            )
+        found[match["axis"]] = number * scale(match["unit"], "m")
+    return found["x"], found["y"]

@@ -72,7 +72,7 @@ def _spread(content: Array) -> float:
 def surface_wear_sheet(item: SurfaceWearSolution) -> Sheet:
     """Return heights, worn depth and pressures; of several distances also area, pressures, heights and volume."""
     rough = item.problem.contact.topography
-    far = [with_unit(state.elapsed, "m", 3) for state in (item.first, item.last)]
+    far = [with_unit(state.distance, "m", 3) for state in (item.first, item.last)]
     lost = series("worn", np.where(item.last.worn > 0.0, item.last.worn, np.nan), type(item.last))
     panels = [
         _cut_panel(item),

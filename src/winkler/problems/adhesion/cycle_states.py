@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
+from winkler.numerics.types import PerLoad, Q
 from winkler.values.value import value, words
 
 __all__ = ["AdhesiveJump", "AdhesiveState", "EdgeState"]
 
 
 @value
-class EdgeState:
-    """Where machine and edge stand at one moment.
+class EdgeState(PerLoad[Q]):
+    """Where machine and edge stand at a moment, or at the points of a path.
 
     Parameters
     ----------
-    position : float
+    position : float or ndarray, (steps,)
         D [m], where the far end of the machine stands; the depth itself under fixed grips and dead loads.
-    depth : float
+    depth : float or ndarray, (steps,)
         d [m].
-    force : float
+    force : float or ndarray, (steps,)
         F_N [N], compression positive.
-    radius : float
+    radius : float or ndarray, (steps,)
         a [m], zero without contact.
     """
 
     __words__ = words(position=("D", "m", "where the far end of the machine stands"))
 
-    position: float
-    depth: float
-    force: float
-    radius: float
+    position: Q
+    depth: Q
+    force: Q
+    radius: Q
 
 
 @value
@@ -45,8 +46,8 @@ class AdhesiveJump:
 
     __words__ = words(pull_off=("", None, "whether the bodies came apart in a jump"))
 
-    before: EdgeState
-    after: EdgeState
+    before: EdgeState[float]
+    after: EdgeState[float]
     loss: float
 
     @property
@@ -61,19 +62,19 @@ class AdhesiveJump:
 
 
 @value
-class AdhesiveState(EdgeState):
-    """The contact at one point of the path.
+class AdhesiveState(EdgeState[Q]):
+    """The contact at a point of the path, or at all of them.
 
     Parameters
     ----------
-    dissipation : float
+    dissipation : float or ndarray, (steps,)
         Energy lost since the beginning [J]: in jumps and by hysteresis.
-    hysteresis : float
+    hysteresis : float or ndarray, (steps,)
         The part of it that opening has cost more than closing gained [J].
     jumps : tuple of AdhesiveJump
-        Those since the point before.
+        Of a point those since the point before, of the path all of them, one after the other.
     """
 
-    dissipation: float
-    hysteresis: float
+    dissipation: Q
+    hysteresis: Q
     jumps: tuple[AdhesiveJump, ...]

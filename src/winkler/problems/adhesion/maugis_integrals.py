@@ -1,6 +1,6 @@
 r"""The integrals of which the ring of a constant stress is made.
 
-With :math:`J(x)` and :math:`M` of `winkler.problems.adhesion.maugis_zone`.  The integral of
+With :math:`J(x)` and :math:`M` of `winkler.problems.adhesion.maugis`.  The integral of
 :math:`g'J` goes from kink to kink; above a kink b everything is smooth in the angle
 
 .. math:: x^2 = b^2 + w^2\sin^2\varphi, \qquad c^2 - x^2 = w^2\cos^2\varphi, \qquad w^2 = c^2 - b^2 ,

@@ -9,37 +9,50 @@ has gained.  A ball leaves with
           \tfrac12 m v_\mathrm{s}^2 = 7.092\left(\frac{w^5R^4}{E^{*2}}\right)^{1/3},
 
 and not at all if it arrives more slowly than that.
+
+How a body moves into an adhesive contact and back: two curves of force over the depth, and the motion along them.
+
+In each direction the force is smooth between the depths at which the edge runs on, comes free, or passes a kink of the
+profile; there it is laid on panels, and the motion :math:`m\ddot d=-F(d)` is integrated from one such depth to the
+next.
 """
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.loading.loads import Depth
+from winkler.numerics.equations.marching import IntegratedStates, StopCondition, integrate_to_stop
+from winkler.numerics.equations.roots import between
+from winkler.numerics.equations.turning import Leap, Slopes
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
+from winkler.problems.adhesion.edge import AdhesiveEdge, LoadingMachine, adhesive_edge
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.impact.approach_and_rebound import impact_motion
 from winkler.problems.impact.states import AdhesiveImpactHistory, AdhesiveImpactState
 from winkler.problems.impact.validity import Moments, gravity_note
+from winkler.problems.normal.force_curve import rough_depth
 from winkler.values.checks.number_checks import Advice, Positive, PositiveNotTiny
+from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
-
 
 RANGE_ADVICE = Advice("attraction from afar begins before the touch")
 
@@ -227,3 +240,187 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
                 "Griffith's balance at every limit of stability, under fixed grips",
             ),
         )
+
+
+PRECISION = 3e-14
+LONGEST_DURATION = 1e6
+FORCE_RESOLUTION = 1e-12
+"""Of the greatest force: close to where the edge loses its hold, rounding of its radius matters."""
+DOUBLINGS = 200
+STEPS_PER_PANEL = 8
+
+
+class ImpactMotion(NamedTuple):
+    """The motion from first touch until the bodies part, or turn back in contact.
+
+    Parameters
+    ----------
+    legs : tuple of IntegratedStates
+        Depth [m] and velocity [m/s], piece after piece.
+    turn : float
+        When the depth is greatest [s].
+    deepest : float
+        Greatest depth [m].
+    parting : float
+        Depth at which nothing holds the edge any more [m].
+    captured : bool
+        Whether the body turns back before it comes free.
+    """
+
+    legs: tuple[IntegratedStates, ...]
+    turn: float
+    deepest: float
+    parting: float
+    captured: bool
+
+    @property
+    def duration(self) -> float:
+        """When it ends [s]."""
+        return self.legs[-1].end
+
+    def at(self, time: float) -> tuple[float, float]:
+        """Return depth [m] and velocity [m/s]."""
+        leg = next((leg for leg in self.legs if time <= leg.end), self.legs[-1])
+        depth, velocity = leg.at(time)
+        return float(depth), float(velocity)
+
+
+def impact_motion(bed: Bed, law: ShortRange, mass: float, velocity: float) -> ImpactMotion:
+    """Return the motion of a body into contact and back.
+
+    Raises
+    ------
+    OutsideValidity
+        If the profile ends before the body is stopped.
+    NotConverged
+        If the march comes to a halt.
+    """
+    energy = 0.5 * mass * velocity**2
+    edge, forces = _approach_path(bed, law, energy)
+    stop = _first_passage(forces, energy)
+    place = float(edge.closing.rise(0.0, np.array([stop]))[0][0])
+    back, parting = _rebound_path(edge, place, stop)
+    legs = _march(forces, mass, 0.0, np.array([0.0, velocity]))
+    turn = legs[-1].end
+    legs += _march(back[::-1], mass, turn, np.array([stop, 0.0]))
+    return ImpactMotion(tuple(legs), turn, stop, parting, legs[-1].stopped[1])
+
+
+def _breaks(bed: Bed, curve: Slopes, leaps: list[Leap], low: float, high: float, more: float = np.inf) -> Array:
+    """Return the depths from `low` to `high` between which the force is smooth."""
+    kinks = np.array([b for b, _ in bed.kinks if 0.0 < b < curve.places[-1]])
+    levels = curve.curve(kinks) if kinks.size else kinks
+    inner = np.array([*levels, *(leap.level for leap in leaps), more])
+    space = 1e-9 * (high - low)
+    return np.unique([low, *inner[(inner > low + space) & (inner < high - space)], high])
+
+
+def _fitted(
+    edge: AdhesiveEdge, path: Callable[[Array], tuple[Array, list[Leap]]], breaks: Array, order: int
+) -> list[Panels]:
+    """Return the force on every stretch between breaks; the path is followed with depths rising (1) or falling (-1)."""
+
+    def force(depths: Array) -> Array:
+        flat = depths.ravel()
+        sorting = np.argsort(order * flat)
+        places, _ = path(flat[sorting])
+        result = np.empty(flat.shape)
+        result[sorting] = edge.state(places, flat[sorting])[1]
+        return result.reshape(depths.shape)
+
+    greatest = float(np.max(np.abs(force(breaks))))
+    return [fit_panels(force, np.array(ends), FORCE_RESOLUTION * greatest) for ends in pairwise(breaks)]
+
+
+def _approach_path(bed: Bed, law: ShortRange, energy: float) -> tuple[AdhesiveEdge, list[Panels]]:
+    """Return the edge and the forces of the approach, as far as they need to stop the body."""
+    highest = 2.0 * rough_depth(bed, energy)
+    for _ in range(DOUBLINGS):
+        edge = adhesive_edge(bed, law, LoadingMachine(0.0), highest)
+        ends = bed.reach < bed.rim and edge.closing.places[-1] >= bed.reach
+        last = min(highest, float(edge.closing.levels[-1])) if ends else highest
+        _, leaps = edge.closing.rise(0.0, np.array([last]))
+        breaks = _breaks(bed, edge.closing, leaps, 0.0, last)
+        forces = _fitted(edge, lambda depths, edge=edge: edge.closing.rise(0.0, depths), breaks, 1)  # type: ignore[misc]
+        if sum(_gained(piece) for piece in forces) > energy:
+            return edge, forces
+        if last < highest:
+            raise OutsideValidity(
+                f"AdhesiveImpact: {energy:.6g} J press the body beyond its reach ({bed.reach:.6g} m); describe more "
+                "of the profile, or give a slower or lighter body."
+            )
+        highest *= 2.0
+    raise NotConverged(f"AdhesiveImpact: no depth was found that stops {energy:.6g} J.")
+
+
+def _gained(piece: Panels) -> float:
+    return float(piece.integral(piece.edges[-1:])[0])
+
+
+def _first_passage(forces: list[Panels], energy: float) -> float:
+    """Return the first depth at which the work of the forces reaches an energy."""
+    done = 0.0
+    for piece in forces:
+        work = piece.integral
+        part = np.linspace(0.0, 1.0, STEPS_PER_PANEL + 1)[:-1]
+        depths = np.append((piece.edges[:-1, None] + np.diff(piece.edges)[:, None] * part).ravel(), piece.edges[-1])
+        spent = done + work(depths) - energy
+        beyond = np.flatnonzero(spent >= 0.0)
+        if beyond.size and beyond[0] == 0:  # rounding: the last piece has reached it
+            return float(depths[0])
+        if beyond.size:
+            low, high = depths[beyond[0] - 1], depths[beyond[0]]
+            return between(functools.partial(_missing, work=work, energy=energy - done), low, high)
+        done += _gained(piece)
+    raise NotConverged(f"AdhesiveImpact: no depth was found that stops {energy:.6g} J.")
+
+
+def _missing(depth: float, work: Panels, energy: float) -> float:
+    return float(work(np.array(depth))) - energy
+
+
+def _rebound_path(edge: AdhesiveEdge, place: float, stop: float) -> tuple[list[Panels], float]:
+    """Return the forces of the rebound, deepest last, and where the bodies part."""
+    levels = edge.opening.levels
+    below = float(np.min(levels)) - 0.01 * float(np.ptp(levels))
+    _, leaps = edge.opening.fall(place, np.array([below]))
+    parting = next((leap.level for leap in leaps if leap.end == 0.0), 0.0)
+    free = float(edge.opening.curve(np.array([place]))[0])
+    breaks = _breaks(edge.bed, edge.opening, leaps, parting, stop, free)
+    return _fitted(edge, lambda depths: edge.opening.fall(place, depths), breaks, -1), parting
+
+
+def _march(forces: list[Panels], mass: float, time: float, state: Array) -> list[IntegratedStates]:
+    """Return the motion through stretches of force, until they end or the body stands."""
+    inward = bool(state[1] > 0.0)
+    legs = []
+    for piece in forces:
+        legs.append(_through(piece, mass, time, state, inward))
+        time, state = legs[-1].end, legs[-1].last
+        if legs[-1].stopped[1]:
+            break
+    return legs
+
+
+def _through(piece: Panels, mass: float, time: float, state: Array, inward: bool) -> IntegratedStates:
+    low, high = float(piece.edges[0]), float(piece.edges[-1])
+    goal, direction = (high, 1) if inward else (low, -1)
+    width = high - low
+    fast = abs(float(state[1])) + (float(np.max(np.abs(piece(piece.edges)))) * width / mass) ** 0.5
+
+    def rates(time: float, state: Array) -> list[float]:
+        return [float(state[1]), -float(piece(np.clip(state[0], low, high))) / mass]
+
+    passed = StopCondition(lambda time, state: float(state[0]) - goal, direction)
+    stands = StopCondition(lambda time, state: float(state[1]), -direction)
+    span = (time, time + LONGEST_DURATION * width / fast)
+    scales, stops = np.array([width, fast]), (passed, stands)
+    integrated = integrate_to_stop(
+        rates, span, state, unit=width / fast, precision=PRECISION, scales=scales, stops=stops
+    )
+    if not any(integrated.stopped):
+        raise NotConverged(
+            f"AdhesiveImpact: the body hangs between {low:.6g} m and {high:.6g} m, where hardly a force moves it; "
+            "change its velocity a little."
+        )
+    return integrated

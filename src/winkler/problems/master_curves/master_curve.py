@@ -3,7 +3,7 @@ r"""Sweeps at several temperatures shifted into one master curve, with the error
 Temperature multiplies all times of a thermorheologically simple solid by one factor :math:`a_T`, and its moduli by
 another, :math:`b_T`, which is often taken as one.  Spectrum, shifts, and scatter are found together, by the likelihood
 of all measurements (`winkler.numerics.springs.relaxation_spectrum`), and the laws of temperature are fitted to the
-shifts with their covariance (`winkler.problems.master_curves.shift_laws`).
+shifts with their covariance (`winkler.problems.master_curves.shifted_solid`).
 """
 
 from __future__ import annotations

@@ -6,6 +6,12 @@ Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
 
 are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`); layers add a kernel
 (`winkler.numerics.pixels.layered`).  The stiffness dF/dd is that of a flat punch of the shape of the contact.
+
+Where the hardness limits the pressure of a height map: how many pixels, and the area F / H that follows.
+
+If nearly all pixels in contact bear the hardness H, the area is :math:`A = F/H`, whatever the surface and the moduli
+(Bowden and Tabor).  What flows needs a place to go: measured areas follow :math:`A/A_0 = W/(1+W)` with
+:math:`W = F/(HA_0)` (Pullen and Williamson), so that cut pressures give 1 + W times too much.
 """
 
 from __future__ import annotations
@@ -26,27 +32,91 @@ from winkler.numerics.arrays import given, library_of, to_numpy
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
-from winkler.numerics.types import Array, PerLoad, Q, shaped
+from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
-from winkler.problems.rough.hardness_limit import hardened_share, hardness_notes
-from winkler.problems.rough.map_advice import last_load_notes
-from winkler.problems.rough.map_loads import check_loads
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
 from winkler.problems.rough.mapped_medium import homogeneous, medium_notes
+from winkler.problems.rough.surface_notes import border_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import greatest_share
+from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, PositiveOrInfinite, affordable, between
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.limits import MOST_NUMBERS
-from winkler.values.validity import Assumption, Note
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value
 
-__all__ = ["SurfaceContact", "SurfaceContactSolution"]
+__all__ = ["SurfaceContact", "SurfaceContactSolution", "hardened_share"]
+
+PULLEN = "J. Pullen, J. B. P. Williamson, Proc. R. Soc. A 327 (1972) 159-173"
+TABOR = "F. P. Bowden, D. Tabor, Proc. R. Soc. A 169 (1939) 391-413"
+AT_HARDNESS = 1.0 - 1e-9
+"""Part of the hardness from which a pixel bears it."""
+NEARLY_ALL, HARDLY_ANY = 0.9, 0.1
+FLAT_SHARE = 0.9
+"""Of the root mean square height that is left without a paraboloid: less, and the map is a curved body."""
+LIGHT_LOAD, HEAVY_LOAD = 0.01, 0.3
+"""Force over hardness times the area of the map."""
+
+
+def hardened_share(pressure: Array, hardness: float) -> float:
+    """Return which part of the pixels in contact bears the hardness."""
+    touching = int(np.count_nonzero(pressure > 0.0))
+    return float(np.count_nonzero(pressure >= AT_HARDNESS * hardness)) / touching if touching else 0.0
+
+
+def hardness_notes(
+    rough: Topography, hardness: float, force: Quantity, area: Quantity, hardened: Quantity
+) -> tuple[Note, ...]:
+    """Return what the hardness means for the contact; nothing of elastic bodies.
+
+    Parameters
+    ----------
+    rough
+        The map; of one that is curved nothing is said about where the metal goes, which is beside it.
+    hardness
+        [Pa].
+    force, area, hardened
+        Of every load [N], [m^2], [-].
+    """
+    if math.isinf(hardness):
+        return ()
+    last = int(np.argmax(np.ravel(np.asarray(force))))
+    share = float(np.ravel(np.asarray(hardened))[last])
+    greatest = float(np.ravel(np.asarray(force))[last])
+    mean = greatest / float(np.ravel(np.asarray(area))[last]) / hardness
+    if share >= NEARLY_ALL:
+        regime = "the plastic limit A = F / H, in which the moduli hardly count"
+    elif share <= HARDLY_ANY:
+        regime = "elastic for the most part"
+    else:
+        regime = "between the elastic contact and the plastic limit A = F / H"
+    limit = Note(
+        Assumption.ELASTIC,
+        Standing.APPROXIMATE,
+        f"Under the greatest force {share:.0%} of the pixels in contact bear the hardness, and the mean pressure is "
+        f"{mean:.0%} of it: {regime}.",
+        TABOR,
+    )
+    if not rough.periodic and rough.detrended(2).rms_height < FLAT_SHARE * rough.rms_height:
+        return (limit,)
+    heavy = greatest / (hardness * rough.area)
+    return (
+        limit,
+        Note(
+            Assumption.ELASTIC,
+            standing_of(heavy, LIGHT_LOAD, HEAVY_LOAD),
+            f"The force is {heavy:.2g} of hardness times the area of the map. The metal that flows has to go "
+            f"somewhere, which makes measured areas smaller than cut pressures do: by about {heavy:.2g} for plastic "
+            "contacts.",
+            PULLEN,
+        ),
+    )
+
 
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
@@ -299,3 +369,52 @@ class SurfaceContactSolution(BelowSurface, PerLoad[Q]):
             why = "pressures are stored of the last load, which is not the greatest"
             return (*notes, *unknown_yield(stated.medium, why))
         return (*notes, *last_load_notes(stated.medium, self.surface_load))
+
+
+def last_load_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
+    """Return what the border bears, and whether bodies stay elastic; of layers with a strength, that it is unknown."""
+    border = border_notes(load.pressure, load.periodic)
+    if isinstance(medium, HomogeneousMedium):
+        return (*border, *map_yield_notes(medium, load))
+    return (*border, *unknown_yield(medium, "the stresses below a height map are not computed in layers"))
+
+
+def check_loads(rough: Topography, load: Force | Depth, hardness: float, compressible: bool) -> None:
+    """Refuse loads that do not press, depths that close a periodic map, and forces that its hardness does not bear.
+
+    Parameters
+    ----------
+    rough : Topography
+    load : Force or Depth
+        What is prescribed of a `SurfaceContact`.
+    hardness : float
+        Greatest pressure [Pa].
+    compressible : bool
+        Whether a uniform pressure of all the surface has a depth.
+
+    Raises
+    ------
+    InvalidInput
+        Of a load that is not positive.
+    OutsideValidity
+        Of one that is too great.
+    """
+    flat = numbers_of(load).ravel()
+    bad = np.flatnonzero(~(flat > 0.0))
+    if bad.size:
+        raise InvalidInput(
+            f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
+            "give positive loads."
+        )
+    most = float(np.max(flat))
+    whole = float(np.mean(rough.gaps))
+    if rough.periodic and not compressible and isinstance(load, Depth) and most >= whole:
+        raise OutsideValidity(
+            f"SurfaceContact: the depth {most:.6g} m closes the periodic map, whose mean planes can "
+            f"approach by less than {whole:.6g} m; prescribe a Force."
+        )
+    if isinstance(load, Force) and most >= hardness * rough.area:
+        raise OutsideValidity(
+            f"SurfaceContact: the force {most:.6g} N is more than hardness times the area of the map, "
+            f"{hardness * rough.area:.6g} N; press less."
+        )

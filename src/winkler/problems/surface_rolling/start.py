@@ -32,7 +32,7 @@ from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
 from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
-from winkler.problems.surface_rolling.state import SurfaceRollingStartState
+from winkler.problems.surface_rolling.state import MapRollingStart, SurfaceRollingStartState
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, Positive, affordable, between
 from winkler.values.errors import NotConverged, OutsideValidity
@@ -192,19 +192,13 @@ class SurfaceRollingStart:
 
 
 @value
-class SurfaceRollingStartSolution(RolledMap):
-    """The solution of a `SurfaceRollingStart`, pixel by pixel; all arrays ``(points,)``.
+class SurfaceRollingStartSolution(MapRollingStart[Array], RolledMap):
+    """The solution of a `SurfaceRollingStart`, pixel by pixel; its numbers are those of `MapRollingStart`.
 
     Parameters
     ----------
     problem : SurfaceRollingStart
         The problem that was solved.
-    distance, longitudinal_creepage, lateral_creepage, spin_creepage : ndarray
-        X [m], xi and eta [-], phi [1/m].
-    longitudinal_force, lateral_force, moment : ndarray
-        F_x and F_y [N], with which the second body drags the first, and M_z [N m].
-    stick_share, misfit : ndarray
-        As in `SurfaceRollingStartState`.
     last : SurfaceRollingStartState
         The contact at the end, with its maps.
     heaviest : tuple of LoadedMap
@@ -214,21 +208,11 @@ class SurfaceRollingStartSolution(RolledMap):
     """
 
     __words__ = words(
-        **{name: SurfaceRollingStartState.__words__[name] for name in ("stick_share", "misfit", "moment")},
         heaviest=("", None, "states among which the greatest stress is sought"),
         frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceRollingStart
-    distance: Array
-    longitudinal_creepage: Array
-    lateral_creepage: Array
-    spin_creepage: Array
-    longitudinal_force: Array
-    lateral_force: Array
-    moment: Array
-    stick_share: Array
-    misfit: Array
     last: SurfaceRollingStartState
     heaviest: tuple[LoadedMap, ...]
     frames: tuple[TractionFrame, ...]

@@ -34,7 +34,7 @@ from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
 from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
-from winkler.problems.surface_rolling.state import SurfaceRollingState
+from winkler.problems.surface_rolling.state import MapRolling, SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, NonNegative, between
 from winkler.values.errors import NotConverged, OutsideValidity
@@ -209,19 +209,13 @@ def _stated(given: Array, by_force: Array) -> str:
 
 
 @value
-class SurfaceRollingSolution(RolledMap, PerLoad[Q]):
-    """The solution of a `SurfaceRolling`; quantities have the shape of what was prescribed.
+class SurfaceRollingSolution(MapRolling[Q], RolledMap):
+    """The solution of a `SurfaceRolling`; its numbers are those of `MapRolling`, of the shape of what was prescribed.
 
     Parameters
     ----------
     problem : SurfaceRolling
         The problem that was solved.
-    longitudinal_creepage, lateral_creepage, spin_creepage : float or ndarray
-        xi, eta [-] and phi [1/m], given or found.
-    longitudinal_force, lateral_force : float or ndarray
-        F_x and F_y [N], with which the second body drags the first.
-    depth, force, moment, rolling_resistance, stick_share, misfit : float or ndarray
-        As in `SurfaceRollingState`.
     last : SurfaceRollingState
         The last contact, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
@@ -231,26 +225,11 @@ class SurfaceRollingSolution(RolledMap, PerLoad[Q]):
     """
 
     __words__ = words(
-        **{
-            name: SurfaceRollingState.__words__[name]
-            for name in ("stick_share", "misfit", "moment", "rolling_resistance")
-        },
         heaviest=("", None, "states among which the greatest stress is sought"),
         frames=("", None, "what touches, sticks and slips in states along the history"),
     )
 
     problem: SurfaceRolling[Q]
-    longitudinal_creepage: Q
-    lateral_creepage: Q
-    spin_creepage: Q
-    longitudinal_force: Q
-    lateral_force: Q
-    depth: Q
-    force: Q
-    moment: Q
-    rolling_resistance: Q
-    stick_share: Q
-    misfit: Q
     last: SurfaceRollingState
     heaviest: tuple[LoadedMap, ...]
     frames: tuple[TractionFrame, ...]

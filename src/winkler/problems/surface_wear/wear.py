@@ -5,13 +5,18 @@ r"""A height map that slides and wears: Archard's law in every pixel, and how a 
 with the pressures of the worn map by boundary elements.  Peaks that bear most lose most: pressures even out, under a
 force to :math:`F/A`.  Where a periodic map touches all over, each of its waves q decays like
 :math:`e^{-\kappa E^* q s/2}`.
+
+How the wear of a height map is followed: in steps that are taken once whole and once in halves.
+
+What both differ by, over three, is the error of the halves, which are kept; it decides how far the next step goes.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable, Iterator
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -19,24 +24,25 @@ from winkler.laws.wear import Archard
 from winkler.loading.loads import Depth
 from winkler.loading.path import numbers_of
 from winkler.media.mapped import layers_of
+from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_contact import SurfaceContact
-from winkler.problems.surface_wear.march import MapMoment, begin, go
-from winkler.problems.surface_wear.notes import wear_notes
-from winkler.problems.surface_wear.states import STATE_WORDS, SurfaceWearState
+from winkler.problems.surface_wear.states import MapWear, SurfaceWearState
 from winkler.problems.surface_wear.worn_map import WornMap
 from winkler.problems.wear.states import goals_of
+from winkler.problems.wear.validity import DEBRIS, SLIDES_EVERYWHERE
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import FiniteQuantity, between
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.values.validity import Assumption, Note
+from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceWear", "SurfaceWearSolution"]
+__all__ = ["SurfaceWear", "SurfaceWearSolution", "begin", "go"]
 
 
 @value
@@ -158,7 +164,7 @@ class SurfaceWear:
                     yield state
             else:
                 state = start
-            for goal in self.goals[self.goals > state.elapsed].tolist():
+            for goal in self.goals[self.goals > state.distance].tolist():
                 # from what the state holds, so that a march that goes on from it rounds alike
                 state = self._state(go(surface, goal, self._moment(state), self.tolerance))
                 yield state
@@ -173,7 +179,7 @@ class SurfaceWear:
             state.pressure / modulus, state.separation, state.depth, state.penetration, state.misfit, 0
         )
         carried = state.load_distance / (modulus * rough.pixel[0] * rough.pixel[1])
-        return MapMoment(state.elapsed, state.jump, carried, state.worn, contact)
+        return MapMoment(state.distance, state.jump, carried, state.worn, contact)
 
     def _state(self, moment: MapMoment) -> SurfaceWearState:
         rough, modulus = self.contact.topography, self.contact.medium.modulus
@@ -185,26 +191,27 @@ class SurfaceWear:
         force, peak = modulus * patch * float(np.sum(contact.pressure)), modulus * float(np.max(contact.pressure))
         least = force / peak if peak > 0.0 else 0.0  # worn spots bear up to their edge
         return SurfaceWearState(
-            moment.elapsed, moment.jump, contact.depth, force,
+            moment.elapsed, contact.depth, force,
             *contact_area(contact.pressure > 0.0, rough.pixel, rough.periodic, least), peak,
             max(float(np.mean(contact.gap)), 0.0), worn.rms_height, worn.skewness if bumpy else 0.0,
             worn.kurtosis if bumpy else 0.0, float(np.max(moment.worn)), lost, carried,
             abs(lost / expected - 1.0) if expected > 0.0 else 0.0,
-            contact.penetration, contact.work, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
+            contact.penetration, contact.work,
+            moment.jump, moment.worn, modulus * contact.pressure, np.maximum(contact.gap, 0.0),
         )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceWearState]) -> SurfaceWearSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
-        names = [field.name for field in dataclasses.fields(SurfaceWearSolution)][2:-2]
-        rows: list[list[float]] = []
         first = last = None
+        rows: list[list[float]] = []
+        names = [field.name for field in dataclasses.fields(MapWear)]
         for state in states:  # the maps of the first and the last alone are kept
             first, last = first or state, state
-            rows.append([state.elapsed, *(getattr(state, name) for name in names)])
+            rows.append([getattr(state, name) for name in names])
         if first is None or last is None:
             raise InvalidInput("SurfaceWear: there is no state to gather; give at least one.")
-        columns: dict[str, Any] = dict(zip(("distance", *names), np.array(rows).T, strict=True))
-        return SurfaceWearSolution(self, **columns, first=first, last=last)
+        columns: dict[str, Any] = dict(zip(names, np.array(rows).T, strict=True))
+        return SurfaceWearSolution(**columns, problem=self, first=first, last=last)
 
     def solve(self) -> SurfaceWearSolution:
         """Return the contact over the whole distance.
@@ -222,50 +229,24 @@ class SurfaceWear:
 
 
 @value
-class SurfaceWearSolution:
-    """The solution of a `SurfaceWear`, distance by distance.
+class SurfaceWearSolution(MapWear[Array]):
+    """The solution of a `SurfaceWear`, distance by distance; its numbers are those of `MapWear`.
 
     Parameters
     ----------
     problem : SurfaceWear
         The problem that was solved.
-    distance : ndarray, (steps,)
-        s [m].
-    depth, force, area, area_error, peak_pressure, mean_gap : ndarray, (steps,)
-        As in `SurfaceWearState`.
-    rms_height, skewness, kurtosis : ndarray, (steps,)
-        Sq [m], Ssk and Sku [-] of the worn map.
-    worn_depth, worn_volume, load_distance, imbalance, penetration, misfit : ndarray, (steps,)
-        As in `SurfaceWearState`.
     first, last : SurfaceWearState
         The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` goes on.
     """
 
     __words__ = words(
-        **STATE_WORDS,
-        distance=("s", "m", "distance slid"),
         first=("", None, "the state at the first distance"),
         last=("", None, "the state at the last distance"),
         mean_pressure=("p_m", "Pa", "force over the area of contact"),
     )
 
     problem: SurfaceWear
-    distance: Array
-    depth: Array
-    force: Array
-    area: Array
-    area_error: Array
-    peak_pressure: Array
-    mean_gap: Array
-    rms_height: Array
-    skewness: Array
-    kurtosis: Array
-    worn_depth: Array
-    worn_volume: Array
-    load_distance: Array
-    imbalance: Array
-    penetration: Array
-    misfit: Array
     first: SurfaceWearState
     last: SurfaceWearState
 
@@ -289,3 +270,170 @@ class SurfaceWearSolution:
             *medium_notes(stated.medium, stated.topography, stated.hardness, blurred, self.penetration, self.misfit),
             *wear_notes(stated, self.problem.tolerance, self.last),
         )
+
+
+FIRST_SHARE = 1e-2
+"""Part of the depth that the first step takes off where the pressure is greatest."""
+ERROR_OF_HALVES = 1.0 / 3.0
+"""Error of two halves over what they differ by from the whole, at second order."""
+SAFETY, LEAST_FACTOR, MOST_FACTOR = 0.8, 0.2, 5.0
+SHORTEST_STEP = 1e-13
+"""Part of the way at which steps are given up."""
+
+
+class MapMoment(NamedTuple):
+    """How far wear has come.
+
+    Parameters
+    ----------
+    elapsed
+        Distance slid [m].
+    jump
+        How far the next step would go [m].
+    load_distance
+        Sum of p / E* over the pixels, integrated over the distance [m].
+    worn
+        What has been lost [m], (nx, ny).
+    contact
+        The contact.
+    """
+
+    elapsed: float
+    jump: float
+    load_distance: float
+    worn: Array
+    contact: PressedSurface
+
+
+def begin(surface: WornMap) -> MapMoment:
+    """Return the moment before wear.
+
+    Raises
+    ------
+    NotConverged
+        If the contact is not solved.
+    """
+    worn = np.zeros(surface.gaps.shape)
+    contact = surface.pressed(worn, 0.0, ())
+    jump = FIRST_SHARE * contact.depth / (surface.softness * float(np.max(contact.pressure)))
+    return MapMoment(0.0, jump, 0.0, worn, contact)
+
+
+def go(surface: WornMap, goal: float, moment: MapMoment, tolerance: float) -> MapMoment:
+    """Return how far wear has come at a goal.
+
+    Parameters
+    ----------
+    surface
+        The map.
+    goal
+        Distance [m], beyond that of the moment.
+    moment
+        Where it begins.
+    tolerance
+        Greatest error of the worn depth in a step, over the greatest worn depth.
+
+    Raises
+    ------
+    NotConverged
+        If steps become too short to go on.
+    """
+    while moment.elapsed < goal:
+        moment = _stepped(surface, moment, goal, tolerance)
+    return moment
+
+
+def _stepped(surface: WornMap, moment: MapMoment, goal: float, tolerance: float) -> MapMoment:
+    """Return the moment after one step, the longest of those tried whose error is small enough."""
+    left, jump = goal - moment.elapsed, moment.jump
+    while True:
+        last = jump >= left
+        length = left if last else jump
+        if length < SHORTEST_STEP * goal and not last:
+            raise NotConverged(
+                f"after {moment.elapsed:.6g} m the steps become too short to go on; allow a larger tolerance of the "
+                "wear, or a smaller one of the contact."
+            )
+        try:
+            whole = surface.step(moment.worn, moment.contact, length)
+            half = surface.step(moment.worn, moment.contact, 0.5 * length)
+            end = surface.step(half.worn, half.contact, 0.5 * length)
+        except NotConverged:
+            jump = LEAST_FACTOR * length
+            if jump < SHORTEST_STEP * goal:
+                raise
+            continue
+        differing = float(np.max(np.abs(end.worn - whole.worn)))
+        error = ERROR_OF_HALVES * differing / (tolerance * float(np.max(end.worn)))
+        factor = SAFETY * error ** (-1.0 / 3.0) if error > 0.0 else math.inf
+        factor = min(max(factor, LEAST_FACTOR), MOST_FACTOR)
+        if error <= 1.0:
+            following = max(factor * length, jump if last else 0.0)  # a goal that was near does not limit what follows
+            elapsed = goal if last else moment.elapsed + length
+            carried = moment.load_distance + half.load_distance + end.load_distance
+            return MapMoment(elapsed, following, carried, end.worn, end.contact)
+        jump = min(factor, 1.0) * length
+
+
+ALEXANDER = "R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, doi:10.1137/0714068"
+OWN_CHECK = "comparison of the worn depth with layer or grading"
+THIN_WEAR, DEEP_WEAR = 0.01, 0.3
+"""Part of the uppermost layer that may be worn off without and with a warning."""
+
+
+def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState) -> tuple[Note, ...]:
+    """Return what was assumed of the wear of a map, beside its contact.
+
+    Parameters
+    ----------
+    contact
+        Before wear.
+    tolerance
+        Of each step.
+    last
+        The state that has worn most.
+    """
+    notes = [
+        DEBRIS,
+        SLIDES_EVERYWHERE,
+        Note(
+            Assumption.RESOLUTION,
+            Standing.APPROXIMATE,
+            f"Each step errs by at most {tolerance:.0e} of the greatest worn depth. Greatest pressures err by more: a "
+            "pixel that has just come into contact bears much for a short way; a smaller tolerance shows by how much.",
+            ALEXANDER,
+        ),
+    ]
+    if offers(contact.medium, LayerStack):
+        share = last.worn_depth / contact.medium.layers[0].thickness
+        notes.append(
+            Note(
+                Assumption.WEAR,
+                standing_of(share, THIN_WEAR, DEEP_WEAR),
+                f"The layers keep their thickness for the elastic response; {share:.2g} of the uppermost one was worn "
+                "off where most was.",
+                OWN_CHECK,
+            )
+        )
+    if offers(contact.medium, GradedInDepth):
+        notes.append(
+            Note(
+                Assumption.WEAR,
+                Standing.APPROXIMATE,
+                "The grading counts from the surface before wear for the elastic response: what was worn off must be "
+                f"shallow against it; the greatest worn depth is {last.worn_depth:.3g} m.",
+                OWN_CHECK,
+            )
+        )
+    if math.isfinite(contact.hardness):
+        notes.append(
+            Note(
+                Assumption.ELASTIC,
+                Standing.APPROXIMATE,
+                "Where pressures are cut at the hardness only wear changes the heights for good; what flows is not "
+                "kept.",
+                "assumption of the cut of pressures",
+            )
+        )
+    why = "the tractions of friction are not stated, and the stresses under the worn map are not computed"
+    return (*notes, *unknown_yield(contact.medium, why))

@@ -8,28 +8,53 @@ behind the middle where it would pull,
 
 so that the front bears more than the back.  Sliding breaks the symmetry of revolution, and the line of springs is an
 approximation: for any body of revolution it gives twice the true resistance at low speed and the true one at high
-speed (`winkler.problems.viscoelastic.sliding_factor`).
+speed.
+
+A spring of a viscoelastic line under a body that passes over it at a steady speed.
+
+In the frame of the body the spring is pressed in from the leading edge on, relaxes meanwhile, and lets go where it
+would pull.
+
+How much of the sliding resistance of a line of relaxing springs a body in three dimensions has.
+
+A pressure that moves along a surface at the speed v is a sum of waves in all directions; one with the wave number k
+in the direction :math:`\varphi` shakes the body with the frequency :math:`v k\cos\varphi`.  For a pressure of
+revolution, whose transform is that of its line load,
+
+.. math:: F_x = \frac1\pi\int_0^\infty k\,|\hat q(k)|^2\,\bar J''(vk)\,\mathrm dk , \qquad
+          \bar J''(\omega) = \frac2\pi\int_0^{\pi/2}\cos\varphi\;J''(\omega\cos\varphi)\,\mathrm d\varphi .
+
+On the line all waves go straight ahead and :math:`J''` itself stands there.  For a retardation time :math:`\lambda`
+and :math:`w=\omega\lambda` that is :math:`(1-1/\sqrt{1+w^2})/w` against :math:`w/(1+w^2)`: half of it when slow, all of
+it when fast.
 """
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar
+import functools
+import math
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
+from winkler.loading.loads import Depth, Force
 from winkler.loading.path import OnePositiveNormal
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.equations.roots import between
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.springs.exponential_sums import CreepSeries
+from winkler.numerics.springs.free_relaxation import Recovery
+from winkler.numerics.springs.spring_pass import pass_over
 from winkler.numerics.types import Array, PerLoad, Q, like, shaped
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
+from winkler.problems.normal.solve_contact import at_depth, at_end, at_force
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
-from winkler.problems.viscoelastic.passing import pass_at_depth, pass_under_load
-from winkler.problems.viscoelastic.sliding_factor import share_of_line
 from winkler.values.checks.number_checks import POSITIVE_QUANTITY, Whole
-from winkler.values.errors import InvalidInput
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
@@ -229,3 +254,168 @@ APPROXIMATE = Note(
     "a hundred times, and by less away from the peak.",
     "energy of the moving pressure, compared with the half-space's hereditary integral on a grid",
 )
+
+
+DOUBLINGS = 200
+NODES = 8
+"""For what fades within an interval by no more than e: exact to rounding."""
+RECONTACT_MARGIN = 1e-6
+"""A spring behind the contact is touched again when the body is this part of the depth below it."""
+
+
+class SlidPast(NamedTuple):
+    """What a spring has met under a body at one depth, place by place, with force, resistance and trailing edge."""
+
+    depth: float
+    radius: float
+    place: Array
+    loads: Array
+    force: float
+    shear_force: float
+    trailing_edge: float
+
+    @property
+    def touching(self) -> tuple[Array, Array]:
+        """Places and loads from the trailing to the leading edge."""
+        inside = self.place > self.trailing_edge
+        place = np.append(self.place[inside], self.trailing_edge)
+        return place[::-1], np.append(self.loads[inside], 0.0)[::-1]
+
+
+def pass_under_load(bed: Bed, normal: Depth | Force, count: int, speed: float) -> SlidPast:
+    """Return what the springs have met at the depth that is prescribed, or that gives the force."""
+    if isinstance(normal, Depth):
+        return pass_at_depth(bed, count, float(normal.depth), speed)
+    wanted = float(normal.force)
+    elastic = elastic_like(bed)
+    series = relaxation_of("", bed)
+    finite = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
+    modulus = finite[0] if finite else float(series.viscosity / np.max(series.times, initial=1.0))
+    end, most = at_end(elastic)
+    high = low = end if wanted / modulus >= most else float(at_force(elastic, np.array([wanted / modulus]))[0][0])
+    for _ in range(DOUBLINGS):
+        if pass_at_depth(bed, count, low, speed).force <= wanted:
+            break
+        high, low = low, 0.5 * low
+    for _ in range(DOUBLINGS):
+        if pass_at_depth(bed, count, high, speed).force >= wanted:
+            break
+        if high == end:
+            raise OutsideValidity(
+                f"SlidingResistance: at {speed:.6g} m/s the force {wanted:.6g} N presses the body beyond what is "
+                "known of its profile; give less."
+            )
+        low, high = high, min(2.0 * high, end)
+    else:
+        raise NotConverged(f"SlidingResistance: at {speed:.6g} m/s no depth bears the force {wanted:.6g} N.")
+    depth = high
+    if high > low:
+
+        def missing(logarithm: float) -> float:
+            return pass_at_depth(bed, count, math.exp(logarithm), speed).force / wanted - 1.0
+
+        depth = math.exp(between(missing, math.log(low), math.log(high), absolute=1e-15))
+    return pass_at_depth(bed, count, depth, speed)
+
+
+def pass_at_depth(bed: Bed, count: int, depth: float, speed: float) -> SlidPast:
+    """Return what a spring meets when the body passes over it at a depth [m]."""
+    elastic = elastic_like(bed)
+    _, radii = at_depth(elastic, np.array([depth]))
+    radius = float(radii[0])
+    if radius >= elastic.rim:
+        raise OutsideValidity(
+            f"SlidingResistance: at the depth {depth:.6g} m the contact fills the body up to its rim, whose "
+            "leading corner would cut into the other one; give a rounded body, or less load."
+        )
+    x = np.linspace(radius, 0.0, count // 2 + 1)
+    x = np.unique(np.concatenate([x, [b for b, _ in elastic.kinks if b < radius]]))
+    before, after = _slopes(elastic, x)
+    gaps = elastic.gap(x)
+    recess = np.concatenate([depth - gaps[::-1], depth - gaps[1:]])
+    recess[0] = recess[-1] = 0.0
+    place = np.concatenate([radius - x[::-1], radius + x[1:]])
+    series = relaxation_of("", bed)
+    memory, loads, sums = np.zeros(series.moduli.size), np.empty(place.size), np.empty(3)
+    pass_over(
+        series.relaxed, series.viscosity * speed, series.moduli, series.times * speed, place, recess,
+        np.concatenate([after[::-1], -before]), np.concatenate([before[::-1], -after]), memory, loads,
+        gauss_legendre(NODES), sums,
+    )  # fmt: skip
+    force, work, let_go = sums.tolist()
+    _refuse_again(bed, place, recess, memory, let_go, depth, speed)
+    return SlidPast(depth, radius, radius - place, loads, force, work, radius - let_go)
+
+
+def _refuse_again(
+    bed: Bed, place: Array, recess: Array, memory: Array, let_go: float, depth: float, speed: float
+) -> None:
+    """Refuse bodies that touch the spring again after it has let go."""
+    behind = place > let_go
+    recovery = Recovery.of(relaxation_of("", bed))
+    left = depth - float(bed.gap(np.abs(np.array([0.5 * float(place[-1]) - let_go])))[0])
+    weights = recovery.from_displacement * left + recovery.from_memory @ memory
+    free = np.exp(-(place[behind, None] - let_go) / speed * recovery.rates) @ weights
+    if np.any(recess[behind] - free > RECONTACT_MARGIN * depth):
+        raise OutsideValidity(
+            f"SlidingResistance: at {speed:.6g} m/s the body touches the surface again behind the contact, which "
+            "is no disc then; give a body whose flanks grow steeper, or another speed."
+        )
+
+
+def _slopes(bed: Bed, x: Array) -> tuple[Array, Array]:
+    """Return g' at the near and at the far end of every interval between places (n,), with their mean as it is."""
+    mean = np.diff(bed.gap(x)) / np.diff(x)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope = bed.gap_slope(x)
+    near = np.where(np.isfinite(slope[:-1]), slope[:-1], mean)
+    far = np.where(np.isfinite(slope[1:]), slope[1:], mean)
+    excess = mean - 0.5 * (near + far)
+    return near + excess, far + excess
+
+
+LINE_PIECES = 256
+"""Straight pieces that stand for a load."""
+LEAST_WAVE_NUMBER = 1e-9
+"""Least wave number, times half of the width."""
+GREATEST_WAVE_NUMBER = 200.0
+"""Greatest one: a load that ends straight has |q^|^2 ~ k^-4."""
+
+
+@functools.lru_cache(maxsize=1)
+def _waves() -> tuple[Array, Array, Array]:
+    """Return wave numbers, their weights, and what every corner of a load between -1 and 1 gives to them."""
+    corner = np.linspace(-1.0, 1.0, LINE_PIECES + 1)
+    edges = np.concatenate([np.geomspace(LEAST_WAVE_NUMBER, 1.0, 37), np.arange(3.0, GREATEST_WAVE_NUMBER + 1.0, 2.0)])
+    node, share = gauss_legendre(8)
+    middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
+    number = (middle[:, None] + half[:, None] * node).ravel()
+    # a load that is straight between corners is a sum of hats, all with the same transform but for their place
+    step = 2.0 / LINE_PIECES
+    hat = step * np.sinc(number * step / (2.0 * np.pi)) ** 2
+    angle = number[:, None] * corner
+    return number, (half[:, None] * share).ravel() * hat**2, np.stack([np.cos(angle), np.sin(angle)])
+
+
+def share_of_line(creep: CreepSeries, speed: float, position: Array, loads: Array) -> float:
+    """Return the resistance of the body over that of the line [-], between 1/2 and 1.
+
+    Parameters
+    ----------
+    creep : CreepSeries
+        1/E* as it grows [1/Pa].
+    speed : float
+        v [m/s].
+    position, loads : ndarray, (n,)
+        x [m], ascending from edge to edge, and q [N/m] there.
+    """
+    number, weight, turns = _waves()
+    half = 0.5 * float(position[-1] - position[0])
+    load = np.interp(np.linspace(position[0], position[-1], LINE_PIECES + 1), position, loads)
+    energy = np.sum((turns @ load) ** 2, axis=0) * weight
+    turn = number[:, None] * (speed / half) * creep.times
+    root = np.sqrt(1.0 + turn * turn)
+    # k J'' of both, but for v; 1 - 1/root without cancelling
+    ahead = (turn * turn / (1.0 + turn * turn)) @ (creep.compliances / creep.times)
+    around = (turn * turn / (root * (1.0 + root))) @ (creep.compliances / creep.times)
+    return float(energy @ (around + creep.fluidity) / (energy @ (ahead + creep.fluidity)))

@@ -4,9 +4,9 @@ In every cycle each point slips four times its amplitude s,
 
 .. math:: \frac{\mathrm df}{\mathrm dn} = 4\,\kappa\,p(r)\,s(r) , \qquad s = U - u_x(r) ,
 
-with pressure and slip of the profile as it is then (`winkler.problems.wear.line`): the rapid procedure of Dimaki and
-co-workers.  Under partial slip the core that sticks does not wear; the slipping ring wears until it bears nothing any
-more (`winkler.problems.wear.limiting_profile`).  In gross slip the contact grows without end.
+with pressure and slip of the profile as it is then (`winkler.problems.wear.round_grid`): the rapid procedure of
+Dimaki and co-workers.  Under partial slip the core that sticks does not wear; the slipping ring wears until it bears
+nothing any more (`winkler.problems.wear.limiting_profile`).  In gross slip the contact grows without end.
 """
 
 from __future__ import annotations

@@ -10,6 +10,16 @@ computed by boundary elements (`FORCE_CONSTANTS`).  The springs under :math:`g(x
 force, stiffness and energy at every depth.  They belong to the cone :math:`f = r/\tan\theta'`,
 :math:`\tan\theta'=\tfrac\pi2C_N\tan\theta`, whose radius of contact is the :math:`a` above.  The contact of the pyramid
 itself is a star with its tips on the edges, of another area, and with other pressures.
+
+Angles of a regular pyramid of N faces, all measured from its axis unless stated otherwise.
+
+- Face angle :math:`\theta`: between axis and face, in the plane through the axis that is perpendicular to the edge of
+  the base.  It is half of the angle between opposite faces.
+- Edge angle :math:`\theta_e`: between axis and edge, :math:`\tan\theta_e=\tan\theta/\cos(\pi/N)`.
+- The angle between face and base plane is :math:`\pi/2-\theta`.
+
+Heights above the apex are :math:`f = \max_i(\mathbf n_i\cdot\mathbf x)/\tan\theta`, with unit vectors
+:math:`\mathbf n_i` across the faces.
 """
 
 from __future__ import annotations
@@ -19,7 +29,6 @@ from typing import Annotated
 
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term
-from winkler.profiles.pyramids.angles import edge_angle_of, face_angle_of
 from winkler.values.checks.number_checks import Whole
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
@@ -33,6 +42,8 @@ __all__ = [
     "PyramidShape",
     "Sides",
     "cross_section_constant",
+    "edge_angle_of",
+    "face_angle_of",
 ]
 
 FORCE_CONSTANTS = {3: 0.882413, 4: 0.737617, 5: 0.693339, 6: 0.673299, 7: 0.662391, 8: 0.655758}
@@ -185,3 +196,21 @@ class PyramidByEdges(PyramidShape):
     @property
     def _tangent(self) -> float:
         return math.tan(self.face_angle)
+
+
+def edge_angle_of(face_angle: float, sides: int) -> float:
+    """Return the angle between axis and edge [rad] of a pyramid with this angle between axis and face [rad].
+
+    Examples
+    --------
+    A cube corner, whose edges are at right angles to each other:
+
+    >>> round(math.degrees(edge_angle_of(math.atan(math.sqrt(0.5)), 3)), 4)
+    54.7356
+    """
+    return math.atan(math.tan(face_angle) / math.cos(math.pi / sides))
+
+
+def face_angle_of(edge_angle: float, sides: int) -> float:
+    """Return the angle between axis and face [rad] of a pyramid with this angle between axis and edge [rad]."""
+    return math.atan(math.tan(edge_angle) * math.cos(math.pi / sides))

@@ -20,14 +20,13 @@ from winkler.values.value import value
 __all__ = ["CheckpointStore", "refuse_other_software"]
 
 RESUMABLE_PROBLEMS = (
+    "winkler.problems.surface_wear.wear:SurfaceWear",
     "winkler.problems.wear.fretting:FrettingWear",
     "winkler.problems.wear.line_fretting:LineFrettingWear",
     "winkler.problems.wear.line_sliding:LineSlidingWear",
     "winkler.problems.wear.sliding:SlidingWear",
 )
-"""Classes of problems of wear whose march can be continued from a state of springs,"""
-RESUMABLE_MAPS = ("winkler.problems.surface_wear.wear:SurfaceWear",)
-"""and from a worn height map."""
+"""Classes of problems whose march can be continued from a state."""
 ENDING = ".states.npz"
 
 
@@ -80,7 +79,7 @@ class CheckpointStore:
     @staticmethod
     def resumes(problem: Any) -> bool:
         """Return whether the march of a problem can be continued from a state."""
-        return path_of(type(problem)) in (*RESUMABLE_PROBLEMS, *RESUMABLE_MAPS)
+        return path_of(type(problem)) in RESUMABLE_PROBLEMS
 
     def stored_states(self, problem: Any) -> list[Any]:
         """Return the states that an earlier run has stored; none if there was none, or its file is damaged.
@@ -94,28 +93,24 @@ class CheckpointStore:
         if not self.resumes(problem) or not path.exists():
             return []
         from winkler.io.array_file import software_of
-        from winkler.io.surface_wear_states import read_surface_wear
         from winkler.io.wear_states import read_wear
 
+        made = software_of(path)
         try:
-            states: list[Any] = []
-            states += read_surface_wear(path) if self._maps(problem) else read_wear(problem.bed, path)
-        except InvalidInput:  # the march begins anew
-            return []
-        refuse_other_software(f"states: '{path}'", software_of(path))
+            states = list(read_wear(path, getattr(problem, "bed", None)))
+        except InvalidInput:
+            if not made:  # damaged: the march begins anew
+                return []
+            states = []
+        refuse_other_software(f"states: '{path}'", made)  # its states may be of another format, too
         return states
 
     def write(self, problem: Any, states: list[Any]) -> None:
         """Store the states of a march so far, where it can be continued from them."""
         if self.resumes(problem) and Path(self.folder).is_dir():
-            from winkler.io.surface_wear_states import write_surface_wear
             from winkler.io.wear_states import write_wear
 
-            (write_surface_wear if self._maps(problem) else write_wear)(states, self.path(problem))
-
-    @staticmethod
-    def _maps(problem: Any) -> bool:
-        return path_of(type(problem)) in RESUMABLE_MAPS
+            write_wear(states, self.path(problem))
 
     def remove(self) -> None:
         """Remove the files of all problems with this stem: their results are written, or the states are not wanted."""

@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.fitting.curves.calibration import on_frame
 from winkler.fitting.curves.checks import unsaturated
 from winkler.fitting.curves.corrections import (
     drag_force,
     drift_rate,
     free_line,
+    on_frame,
     without_baseline,
     without_clock_offset,
     without_drag,

@@ -3,6 +3,10 @@
 A case is a study with ``[[expect]]``, a ``source`` and a ``grade``; those of the package lie in ``winkler/cases``.  A
 case with ``[fit]`` fits a curve, and expects its fitted numbers; one with ``[function]`` evaluates a function of a
 closed list.
+
+Literature cases that fit a curve: a study with ``[fit]``, and ``[[expect]]`` for its fitted numbers.
+
+The quantity of an expectation is the key of a free number, ``problem.bed.medium.first.young``.
 """
 
 from __future__ import annotations
@@ -11,16 +15,23 @@ import dataclasses
 import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
+
+from winkler.study.batch.fit_outcome import Fitted
+from winkler.study.batch.fit_run import fit_study
 from winkler.study.batch.outcome import ComparedNumber, Outcome
 from winkler.study.batch.run import gather
 from winkler.study.batch.sweep import solve_points
+from winkler.study.batch.verdicts import deviation
 from winkler.study.language import keys
+from winkler.study.language.compared.expectations import expectations
+from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.reading import parsed, read_study, read_text
-from winkler.study.language.study import GRADES, Study
+from winkler.study.language.study import GRADES, Expectation, Study
 from winkler.study.language.varied import Axis
-from winkler.study.ledger.fit_case import FitCase, fit_verdicts, read_fit_case
 from winkler.study.ledger.function_case import FunctionCase, function_verdicts, read_function_case
 from winkler.study.ledger.physics import FITS, physics_of
 from winkler.study.nanoindentation.reading import NanoindentationStudy, read_nanoindentation_study
@@ -28,7 +39,7 @@ from winkler.study.nanoindentation.running import evaluated_files, gathered, rea
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.value import value
 
-__all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "remarks", "run_case"]
+__all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "read_fit_case", "remarks", "run_case"]
 
 CASES = Path(__file__).parents[2] / "cases"
 """The folder of the cases that come with the package."""
@@ -189,3 +200,57 @@ def ledger(paths: Iterable[Path]) -> Iterator[LedgerEntry]:
 def remarks() -> str:
     """Return the remarks on the ledger of the package as a whole, in Markdown."""
     return (CASES / "remarks.md").read_text(encoding="utf-8")
+
+
+class FitCase(NamedTuple):
+    """A study with ``[fit]``, its expected numbers, and their source."""
+
+    study: FitStudy
+    source: str
+    grade: str
+    expect: tuple[Expectation, ...]
+
+    @property
+    def title(self) -> str:
+        """Title of the study."""
+        return self.study.title
+
+
+def read_fit_case(path: Path) -> FitCase:
+    """Read a case with ``[fit]``.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+    """
+    import tomli_w
+
+    raw = parsed(read_text(path), path.name)
+    source, grade = str(raw.pop("source", "")), str(raw.pop("grade", ""))
+    expected = expectations(raw.pop("expect", []), path.name)
+    study = parse_fit_study(tomli_w.dumps(raw), file=path.name, folder=path.parent)
+    free = [line.key for line in study.free]
+    for item in expected:
+        if item.quantity not in free:
+            raise InvalidInput(
+                f"{path.name}: expect asks for '{item.quantity}', which is not free; give one of {', '.join(free)}."
+            )
+    return FitCase(study, source, grade, expected)
+
+
+def fit_verdicts(case: FitCase) -> tuple[ComparedNumber, ...]:
+    """Return the verdicts on the fitted numbers of a case, curve by curve.
+
+    Raises
+    ------
+    InvalidInput, NotConverged, OutsideValidity
+        If no curve can be fitted.
+    """
+    paths = {line.key: line.path for line in case.study.free}
+    verdicts = []
+    for place, result in enumerate(fit_study(case.study).results):
+        for item in case.expect:
+            got = result.fit.value(paths[item.quantity]) if isinstance(result, Fitted) else np.nan
+            verdicts.append(ComparedNumber((place,), item, got, deviation(got, item)))
+    return tuple(verdicts)

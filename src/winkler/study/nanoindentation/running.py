@@ -1,12 +1,20 @@
-"""The curves of a study of nanoindentations as a stream, and their outcome; one that fails does not stop the others."""
+"""The curves of a study of nanoindentations as a stream, and their outcome; one that fails does not stop the others.
+
+Expected numbers of nanoindentations: ``[[expect]]`` in studies with ``[indentation]`` or ``[calibration]``.
+
+Of an indentation the quantities are its answers (young, hardness, stiffness, contact_depth, modulus, ...), at the
+greatest force of each curve; with a number behind the name, at that unloading, ``young.0`` the first.  A calibration
+has frame_compliance, and by their number what it has of each unloading.
+"""
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import hashlib
 import math
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +24,13 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.calibration import calibrate_indenter
 from winkler.fitting.nanoindentation.calibration_solution import IndenterCalibration
+from winkler.fitting.nanoindentation.continuous import (
+    ContinuousIndentation,
+    ContinuousIndentationSolution,
+    WindowMean,
+)
 from winkler.fitting.nanoindentation.measurement import Nanoindentation, NanoindentationSolution
-from winkler.fitting.nanoindentation.pop_ins import PopInStatistics
+from winkler.fitting.nanoindentation.pop_ins import PopInStatistics, pop_in_statistics
 from winkler.fitting.nanoindentation.quantities import IndentationQuantities, indentation_quantities
 from winkler.fitting.nanoindentation.repetition import RepeatedMean, compared_quantities, repeated_mean
 from winkler.fitting.nanoindentation.thermal_drift import ThermalDrift
@@ -25,18 +38,119 @@ from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.fitting.several.standing_out import BatchQuantity, copies, doubts_of_batch
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.placed_curves import PlacedCurve
-from winkler.study.batch.outcome import ComparedNumber, Provenance
+from winkler.study.batch.outcome import ComparedNumber, Provenance, answers_of
 from winkler.study.batch.run import provenance
+from winkler.study.batch.verdicts import deviation
 from winkler.study.language.segmenting import segmented
-from winkler.study.nanoindentation.continuous_curve import EvaluatedContinuously, evaluated_continuously
-from winkler.study.nanoindentation.expected import verdicts_of
-from winkler.study.nanoindentation.first_yield import first_pop_in, first_yield
+from winkler.study.language.study import Expectation
 from winkler.study.nanoindentation.reading import NanoindentationStudy
-from winkler.values.errors import InvalidInput, Mistake, WinklerError
+from winkler.values.errors import InvalidInput, Mistake, WinklerError, suggest
+from winkler.values.readable import with_unit
 from winkler.values.validity import Note, worst_of_each
 from winkler.values.value import value
 
-__all__ = ["Evaluated", "NanoindentationOutcome", "Unevaluated", "evaluated_files", "gathered", "read_references"]
+__all__ = [
+    "FEWEST",
+    "Evaluated",
+    "NanoindentationOutcome",
+    "Unevaluated",
+    "evaluated_files",
+    "first_yield",
+    "gathered",
+    "read_references",
+]
+
+DEEPER = 0.5
+"""Part of the greatest depth from which on a curve is averaged where no depths are stated."""
+MOST_ERRORS = 2.0
+"""Greatest difference to the instrument's own result, in standard uncertainties, that is not named."""
+
+
+@value
+class EvaluatedContinuously:
+    """A curve with modulus and hardness at every depth.
+
+    Parameters
+    ----------
+    name : str
+        Origin of the curve.
+    solution : ContinuousIndentationSolution
+        Its readings.
+    own_touch : bool
+        Whether the touch was found or given; else depth is as the instrument states it.
+    window : tuple of float
+        Depths [m] between which means are taken: those of the study, else the deeper half.
+    mean : WindowMean
+        Means of E and H there.
+    stated : tuple of float
+        The instrument's own E and H [Pa] there; nan where the file has none.
+    """
+
+    name: str
+    solution: ContinuousIndentationSolution
+    own_touch: bool
+    window: tuple[float, float]
+    mean: WindowMean
+    stated: tuple[float, float] = (math.nan, math.nan)
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """Sentences on results of the instrument that differ by more than the uncertainty."""
+        mean, found = self.mean, []
+        ours = (
+            ("E", mean.young, mean.young_error, mean.young_scatter),
+            ("H", mean.hardness, mean.hardness_error, mean.hardness_scatter),
+        )
+        for (word, number, error, scatter), theirs in zip(ours, self.stated, strict=True):
+            whole = math.hypot(error, scatter / math.sqrt(mean.points))
+            if abs(number - theirs) > MOST_ERRORS * whole:
+                texts = [with_unit(one, "Pa", 3) for one in (theirs, number, whole)]
+                found.append(f"{word} {texts[0]}, here {texts[1]}, uncertain by {texts[2]}")
+        if not found:
+            return ()
+        low, high = (with_unit(end, "m", 3) for end in self.window)
+        return (
+            f"Instrument: its own results at {low} to {high} differ ({'; '.join(found)}): compare area function, "
+            "frame, touch and Poisson's ratio.",
+        )
+
+
+def evaluated_continuously(
+    study: NanoindentationStudy, placed: PlacedCurve, name: str, unloadings: NanoindentationSolution | None
+) -> EvaluatedContinuously | str:
+    """Return E and H over depth, or the reason why there are none.
+
+    Touch and drift of the unloadings of the same curve correct the depth, or a given touch; without them it stays as
+    the file states it.
+    """
+    data, given = placed.continuous, study.given
+    assert data is not None
+    error = given.get("contact_point_error", 0.0)
+    if unloadings is not None:
+        zero, drift = unloadings.zero_point, unloadings.drift
+        steady = drift.rate * (data.time - unloadings.problem.curve.time[0]) if data.time.size else 0.0
+        data = dataclasses.replace(
+            data, depth=data.depth - zero.position - np.asarray(steady), force=data.force - zero.baseline
+        )
+        error = zero.error
+    elif "contact_point" in given:
+        data = dataclasses.replace(data, depth=data.depth - given["contact_point"])
+    try:
+        found = ContinuousIndentation(
+            data,
+            study.indenter,
+            given["poisson"],
+            depth_offset_error=error,
+            stiffness_error=given.get("stiffness_error", 0.0),
+        ).solve()
+        deepest = float(found.depth.max())
+        low, high = study.window or (DEEPER * deepest, deepest)
+        mean = found.mean(low, high)
+    except WinklerError as failure:
+        return f"continuous stiffness: {failure}"
+    stated = placed.stated.mean(low, high) if placed.stated is not None else (math.nan, math.nan)
+    own_touch = unloadings is not None or "contact_point" in given
+    return EvaluatedContinuously(name, found, own_touch, (low, high), mean, stated)
 
 
 UNLOADINGS = (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)
@@ -255,3 +369,76 @@ def _hash(study: NanoindentationStudy) -> str:
     for path in study.sources:
         whole.update(Path(path).read_bytes())
     return whole.hexdigest()
+
+
+def verdicts_of(
+    expect: tuple[Expectation, ...], found: Sequence[tuple[str, Any]]
+) -> tuple[tuple[ComparedNumber, str], ...]:
+    """Return the verdicts on expectations, with the names of the curves.
+
+    Parameters
+    ----------
+    expect : tuple of Expectation
+    found : sequence of (str, solution)
+        Name and evaluation of each curve; None where there is none, and its numbers are missed.
+
+    Raises
+    ------
+    InvalidInput
+        If an evaluation has no such number.
+    """
+    verdicts = []
+    for place, (name, solution) in enumerate(found):
+        for item in expect:
+            got = np.nan if solution is None else _number(solution, item)
+            verdicts.append((ComparedNumber((place,), item, got, deviation(got, item)), name))
+    return tuple(verdicts)
+
+
+def _number(solution: Any, item: Expectation) -> float:
+    if item.place or np.ndim(item.expected):
+        raise InvalidInput(
+            f"expect: {item.quantity} is one number of a curve; give one value without a place, and the number of an "
+            f"unloading behind the name, as {item.quantity}.0."
+        )
+    answers = answers_of(solution)
+    whole, _, last = item.quantity.rpartition(".")
+    index = int(last) if whole and last.removeprefix("-").isdecimal() else None
+    name = item.quantity if index is None else whole
+    if name not in answers:
+        raise InvalidInput(f"expect: '{name}' is no answer{suggest(name, answers)}; there are {', '.join(answers)}.")
+    numbers = np.ravel(answers[name])
+    if np.ndim(answers[name]) == 0:
+        return float(numbers[0])
+    if index is None and not hasattr(solution, "deepest"):
+        raise InvalidInput(f"expect: {name} has {numbers.size} values; name one, as {name}.0.")
+    index = solution.deepest if index is None else index
+    if not -numbers.size <= index < numbers.size:
+        raise InvalidInput(f"expect: {item.quantity} asks for one of {numbers.size} unloadings; count from 0.")
+    return float(numbers[index])
+
+
+FEWEST = 3
+"""Curves with a pop-in of which statistics are made."""
+
+
+def first_pop_in(solution: NanoindentationSolution) -> float:
+    """Return the force [N] at the first pop-in of the first loading; nan where there is none."""
+    curve = solution.problem.curve
+    loading = next((part for part in curve.segments if part.kind is SegmentKind.LOADING), None)
+    for event in curve.events.of("pop-in"):
+        force = float(curve.force[max(event.first - 1, 0)]) - solution.zero_point.baseline
+        if (loading is None or event.first <= loading.last) and force > 0.0:
+            return force
+    return math.nan
+
+
+def first_yield(
+    solutions: Sequence[NanoindentationSolution], forces: Sequence[float], tip_radius: float, tip_radius_error: float
+) -> PopInStatistics | None:
+    """Return the statistics of first yield with the mean reduced modulus of the curves; None with fewer than three."""
+    known = [one for one in forces if math.isfinite(one)]
+    if len(known) < FEWEST:
+        return None
+    modulus = float(np.mean([one.modulus[one.deepest] for one in solutions]))
+    return pop_in_statistics(known, modulus, tip_radius, tip_radius_error=tip_radius_error)

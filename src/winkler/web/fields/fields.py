@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import functools
+import json
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Protocol
 
 from nicegui import ui
+from nicegui.elements.mixins.disableable_element import DisableableElement
+from nicegui.elements.mixins.value_element import ValueElement
 
 from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.values.vocabulary import Word
-from winkler.web.fields.field_actions import FieldActions
-from winkler.web.fields.live_fields import LiveInput, PlaceSlider
 from winkler.web.fields.material_field import draw_material
 from winkler.web.fields.number_field import UnitMenu
-from winkler.web.fields.range_field import draw_range_boxes
+from winkler.web.fields.range_field import RangeActions, draw_range_boxes
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 from winkler.web.form.materials_menu import NAMED
 from winkler.web.form.ranges import SPACINGS, is_range, range_texts, spacing_of
@@ -332,3 +333,75 @@ def _close(label: str, drop: Callable[[], None]) -> None:
 
 def _may_slide(entry: FormEntry) -> bool:
     return entry.takes.startswith(("quantity", "number"))
+
+
+class FieldActions(RangeActions, Protocol):
+    """Changes that a form makes to its study."""
+
+    def change(self, path: str, text: str, takes: str) -> None:
+        """Set the typed content of a key."""
+        ...
+
+    def choose(self, path: str, kind: str) -> None:
+        """Set a kind at a path; an empty one removes it."""
+        ...
+
+    def add(self, path: str, kind: str) -> None:
+        """Add a kind to a list."""
+        ...
+
+    def read(self, path: str, name: str) -> None:
+        """Replace numbers by a file; an empty name restores numbers."""
+        ...
+
+    def pick(self, path: str) -> None:
+        """Set the path for which the next upload is meant."""
+        ...
+
+    def content(self, path: str) -> Any:
+        """Return the content of a key."""
+        ...
+
+    def is_assumed(self, path: str) -> bool:
+        """Return whether a key holds what an example says, and nobody has given."""
+        ...
+
+
+PUT = """
+const field = getElement({id});
+if (field && field.inputValue !== {text}) {{
+  field.emitting = false;
+  field.inputValue = {text};
+  field.$nextTick(() => (field.emitting = true));
+}}
+"""
+"""Writes into a field as its own script does; nothing is sent back."""
+
+
+class PlaceSlider(ValueElement[float], DisableableElement, component="slide.js"):
+    """A slider for the places from ``-most`` to ``most`` in steps of one."""
+
+    VALUE_PROP = "value"
+    LOOPBACK = None  # it moves by itself
+
+    def __init__(self, most: int) -> None:
+        super().__init__(value=0, throttle=0.05)
+        self.props.update({"min": -most, "max": most, "step": 1})
+
+    def _handle_value_change(self, value: Any) -> None:
+        is_mine, self._send_update_on_value_change = self._send_update_on_value_change, False
+        super()._handle_value_change(value)
+        self._send_update_on_value_change = is_mine
+        if is_mine:
+            self.run_method("put", value)
+
+
+class LiveInput(ui.input):
+    """A text field."""
+
+    def _handle_value_change(self, value: Any) -> None:
+        is_mine, self._send_update_on_value_change = self._send_update_on_value_change, False
+        super()._handle_value_change(value)
+        self._send_update_on_value_change = is_mine
+        if is_mine:
+            self.client.run_javascript(PUT.format(id=self.id, text=json.dumps(value or "")))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,13 +15,11 @@ from winkler.web.fields.fields import FormFields
 from winkler.web.fields.fit_fields import draw_curve, draw_free, draw_measurement, show_curve
 from winkler.web.fields.sweep_fields import draw_sweep
 from winkler.web.form import fit_form, form
+from winkler.web.form.front_examples import FRONT_EXAMPLES, QUESTIONS
 from winkler.web.form.sample_curve import SAMPLE
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.taken import assumed_in, taken, with_assumed
-from winkler.web.page.astext import AsText
-from winkler.web.page.front import Front
 from winkler.web.page.kept_studies import KeptStudies
-from winkler.web.page.looked_at import LookedAt
 from winkler.web.page.question import Question
 from winkler.web.page.result import Result
 from winkler.web.page.stopping import Stopping
@@ -316,3 +315,125 @@ class Page:
         path = form.owner_of(sentence)
         short = sentence.removeprefix(path.rpartition(".")[0] + ".") if path else sentence
         return bool(path) and self.fields.show_mistake(path, short)
+
+
+class AsText:
+    """A study as text that opens below the form.
+
+    Parameters
+    ----------
+    table
+        Returns the table of the study as it stands.
+    take, edit
+        Called with the text of another study, and with the edited one; return its mistakes, empty if there are none.
+    """
+
+    def __init__(
+        self, table: Callable[[], dict[str, Any]], take: Callable[[str], str], edit: Callable[[str], str]
+    ) -> None:
+        self.table, self.take, self.edit = table, take, edit
+        with ui.expansion("The study as text", on_value_change=self.show).classes("astext") as self.fold:
+            self.area = ui.textarea().props("outlined input-class=code autogrow").classes("text")
+            self.area.props["aria-label"] = "The study as text"
+            self.wrong = ui.label().classes("wrong").props('role="alert"')
+            ui.button("Use this text", on_click=lambda: self._use(str(self.area.value), self.edit)).props(
+                "outline no-caps"
+            )
+
+    def show(self) -> None:
+        """Update the text, if it is open."""
+        if self.fold.value:
+            self.area.set_value(tomli_w.dumps(self.table()))
+
+    def _use(self, text: str, take: Callable[[str], str]) -> None:
+        """Take a study from its text, and show its mistakes below the text."""
+        self.wrong.text = take(text)
+        if self.wrong.text:
+            self.area.set_value(text)
+
+    def open(self, text: str) -> None:
+        """Take and show an opened study file."""
+        self.fold.open()
+        self._use(text, self.take)
+
+
+class Front:
+    """Cards that begin a study.
+
+    Parameters
+    ----------
+    take
+        Called with the table of the chosen example.
+    """
+
+    def __init__(self, take: Callable[[dict[str, Any]], None]) -> None:
+        self.take = take
+        with ui.element("section").classes("front").props('aria-label="Examples"') as self.place:
+            with ui.element("div").classes("front-head"):
+                ui.label("Begin with a question or an example, or change the study on the left")
+                close = ui.button(icon="close", on_click=lambda: self.show(visible=False)).props("flat dense round")
+                close.props["aria-label"] = "close the examples"
+            questions = ui.element("div").classes("front-cards front-questions")
+            examples = ui.element("div").classes("front-cards")
+            for place, one in enumerate(FRONT_EXAMPLES):
+                with questions if place < len(QUESTIONS) else examples:
+                    with ui.element("button").classes("front-card") as card:
+                        ui.label(one.title).classes("front-title")
+                        ui.label(one.question).classes("meaning")
+                    card.props["type"] = "button"
+                    card.props["data-example"] = str(place)
+                    card.on("click", functools.partial(self._choose, place))
+        self.show(visible=False)
+
+    def _choose(self, place: int) -> None:
+        self.show(visible=False)
+        self.take(FRONT_EXAMPLES[place].table)
+
+    def show(self, *, visible: bool) -> None:
+        """Show or hide the cards."""
+        self.place.set_visibility(visible)
+
+    def toggle(self) -> None:
+        """Show the cards, or hide them if they are shown."""
+        self.show(visible=not self.place.visible)
+
+
+class LookedAt:
+    """The window that says what a file is.
+
+    Parameters
+    ----------
+    take
+        Takes a study by its text; returns its mistakes.
+    """
+
+    def __init__(self, take: Callable[[str], str]) -> None:
+        self.take = take
+        self.file: InspectedFile | None = None
+        with ui.dialog() as self.window, ui.card().classes("looked-at"):
+            self.page = ui.html("", sanitize=False).classes("paper")
+            with ui.row():
+                self.begin = ui.button("Begin the study", icon="play_arrow", on_click=self._begin).props("no-caps")
+                self.begin.props["data-look"] = "begin"
+                self.save = ui.button("Save the study", icon="description", on_click=self._save).props("flat no-caps")
+                self.save.props["data-look"] = "save"
+                ui.button("Close", on_click=self.window.close).props("flat no-caps")
+
+    def show(self, file: InspectedFile) -> None:
+        """Show what a file is taken for."""
+        self.file = file
+        self.page.set_content(file.html)
+        self.begin.set_visibility(file.shown)
+        self.save.set_visibility(bool(file.study))
+        self.window.open()
+
+    def _begin(self) -> None:
+        if self.file is None:
+            return
+        self.window.close()
+        if mistakes := self.take(self.file.study):
+            ui.notify(mistakes, type="negative")
+
+    def _save(self) -> None:
+        if self.file is not None:
+            ui.download.content(self.file.study.encode(), "study.toml")

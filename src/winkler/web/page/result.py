@@ -8,13 +8,11 @@ from typing import Any
 from nicegui import ui
 
 from winkler.study.report.markup import assumed_line, safe
-from winkler.web.page.live import LiveHtml
-from winkler.web.page.picture import Card, PictureLoader, caption
-from winkler.web.page.pinned import PinnedAnswer
+from winkler.web.pictures.comparison import comparison
 from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.batch import Progress
 
-__all__ = ["Result"]
+__all__ = ["Result", "caption"]
 
 STEP = 0.12
 """Time between two frames of an animation [s]."""
@@ -233,3 +231,166 @@ class Result:
         self.clock.show_around(visible=False, button=True)
         if self.answer is not None:
             self.state("done")
+
+
+class LiveHtml(ui.element, component="live.js"):
+    """HTML that is replaced without a new look at the rest of the page."""
+
+    content = ""
+    around = (True, True)
+
+    def set_content(self, content: str) -> None:
+        """Replace the HTML, unless it is the same."""
+        if content == self.content:
+            return
+        self.content = content
+        with self.props.suspend_updates():
+            self.props["first"] = content
+        self.run_method("show", content)
+
+    def show_state(self, word: str) -> None:
+        """Set the state of the enclosing answer."""
+        self.run_method("mark", word)
+
+    def show_around(self, *, visible: bool, button: bool) -> None:
+        """Show or hide the enclosing element, and the button in it."""
+        if (visible, button) != self.around:
+            self.around = (visible, button)
+            self.run_method("showAround", visible, button)
+
+
+DRAWN = "Dotted curves in the pictures are A."
+
+
+class PinnedAnswer:
+    """The button that pins an answer, and the comparison with it.
+
+    Parameters
+    ----------
+    redraw
+        Called when the pinned pictures have changed.
+    """
+
+    def __init__(self, redraw: Callable[[], None]) -> None:
+        self.redraw = redraw
+        self.answer: AnswerText | None = None
+        self.charts: dict[str, str] = {}
+        self.current: tuple[AnswerText | None, dict[str, str]] = (None, {})
+        with ui.element("section").classes("pinned").props('aria-label="Comparison"'):
+            with ui.row().classes("pin-line"):
+                self.button = ui.button("Pin as A, to compare", icon="push_pin", on_click=self._toggle)
+                self.button.props("outline dense no-caps").props["data-pin"] = "pin"
+            self.table = ui.html("", sanitize=False).classes("paper compared")
+        self.table.set_visibility(False)
+
+    def _toggle(self) -> None:
+        answer, charts = self.current
+        self._pin(*((None, {}) if self.answer else (answer, dict(charts))))
+
+    def drop(self) -> None:
+        """Forget both answers, as the next ones are of another task."""
+        self.current = (None, {})
+        self._pin(None, {})
+
+    def _pin(self, answer: AnswerText | None, charts: dict[str, str]) -> None:
+        self.answer, self.charts = answer, charts
+        self.button.text = "Unpin A" if self.answer else "Pin as A, to compare"
+        self.show(*self.current)
+        self.redraw()
+
+    def show(self, answer: AnswerText | None, charts: dict[str, str]) -> None:
+        """Compare an answer, and remember it with its pictures as what may be pinned."""
+        self.current = (answer, charts)
+        self.table.set_visibility(self.answer is not None)
+        if self.answer is not None and answer is not None:
+            pair = ((self.answer.text, self.answer.numbers), (answer.text, answer.numbers))
+            self.table.set_content(f"<h3>A against B</h3>{comparison(*pair)}<p class='small'>{DRAWN}</p>")
+
+
+PLOTLY = ui.plotly
+"""Loads plotly.js, which the script of the drawing imports by name."""
+
+BODY_PICTURE = "shape"
+"""Name of the three-dimensional picture."""
+
+
+class PictureLoader(ui.element, component="loader.js"):
+    """Loads what draws pictures, while the first ones are computed."""
+
+
+class PlotlyFigure(ui.element, component="picture.js", esm={"winkler-redraw": "redraw"}):
+    """A figure: ``data``, ``layout`` and ``config`` for plotly.js, as JSON."""
+
+
+class Solid(ui.element, component="solid.js"):
+    """The body in space: the ``data`` of its curves, as JSON."""
+
+
+NOT_PINNED = (BODY_PICTURE, "springs")
+"""Pictures of bodies, over which nothing else is drawn."""
+FORMATS = {"png": "PNG", "svg": "SVG", "csv": "CSV: the numbers of the curves"}
+
+
+class Card:
+    """A picture with its title, or the reason for its absence.
+
+    Parameters
+    ----------
+    one
+        The picture.
+    pinned
+        Pictures of an answer that is drawn below, by name.
+    choose
+        Called with the number of the moment, or of the curve, that was clicked.
+    """
+
+    def __init__(self, one: InteractivePicture, pinned: dict[str, str], choose: Callable[[object], None]) -> None:
+        self.name, self.missing, self.chart = one.name, one.missing, one.chart
+        with ui.element("figure").classes("card") as self.place:
+            self.caption = ui.html(caption(one.title, one.sentence), sanitize=False)
+            if one.chart:
+                is_body = one.name == BODY_PICTURE
+                self.drawing = (Solid if is_body else PlotlyFigure)().classes("plot")
+                self.drawing.props.update({"first": one.chart, "data-picture": one.name})
+                self.drawing.props["pinned"] = self._below(pinned)
+                self.drawing.on("chosen", lambda event: choose(event.args))
+                self._save_menu(one.title, ("png",) if is_body else tuple(FORMATS))
+            else:
+                ui.label(f"Not shown: {one.missing}").classes("missing")
+
+    def _save_menu(self, title: str, formats: tuple[str, ...]) -> None:
+        """Draw the button that saves this picture alone."""
+        button = ui.button(icon="download").props("flat dense round size=sm").classes("save")
+        button.props["aria-label"] = f"Save the picture: {title}"
+        button.props["data-save"] = self.name
+        with button, ui.menu().props('auto-close role="menu"'):
+            for one in formats:
+                call = f"getElement({self.drawing.id}).save('{one}', '{self.name}')"
+                ui.menu_item(FORMATS[one]).props('role="menuitem"').on("click", js_handler=f"() => {call}")
+
+    def shows(self, one: InteractivePicture) -> bool:
+        """Return whether another picture can replace the data of this one."""
+        return (self.name, self.missing) == (one.name, one.missing)
+
+    def draw(self, one: InteractivePicture) -> None:
+        """Redraw its figure, without a new layout of the page."""
+        text = caption(one.title, one.sentence)
+        if text != self.caption.content:
+            self.caption.set_content(text)
+        if one.chart:
+            self.chart = one.chart
+            self.drawing.run_method("draw", one.chart)
+
+    def pin(self, pinned: dict[str, str]) -> None:
+        """Draw the curves of another answer below those of this picture, or none."""
+        if self.chart:
+            self.drawing.run_method("pin", self._below(pinned))
+
+    def _below(self, pinned: dict[str, str]) -> str:
+        return pinned.get(self.name, "") if self.name not in NOT_PINNED else ""
+
+
+def caption(title: str, sentence: str) -> str:
+    """Return the caption of a picture."""
+    text = f"<p>{safe(sentence)}</p>" if sentence else ""
+    return f"<figcaption><h3>{safe(title)}</h3>{text}</figcaption>"

@@ -2,24 +2,35 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from winkler.fitting.curves.directions import OUT
-from winkler.fitting.curves.events.adhesion import tension
 from winkler.fitting.curves.events.clock import ClockOffset, clock_offset_of, is_certain
-from winkler.fitting.curves.events.drag import Drag, drag_of
-from winkler.fitting.curves.events.free import FEWEST_FREE, FreeParts, free_parts
+from winkler.fitting.curves.events.free import FEWEST_FREE, FreeBranch, FreeParts, free_parts
 from winkler.fitting.curves.events.interference import Interference, interference_of
 from winkler.fitting.curves.events.kinds import CurveEvent, CurveEvents, EventKind, confidence_of, with_error
 from winkler.fitting.curves.events.popins import pop_ins
-from winkler.fitting.curves.events.record import Record
+from winkler.fitting.curves.events.record import Record, deviation, moving_mean
 from winkler.fitting.curves.events.saturation import saturated_rows
 from winkler.fitting.curves.events.stated import FREE, MARKS, NOTHING
+from winkler.fitting.curves.events.steps import found_steps
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.numerics.types import Array
 from winkler.values.readable import with_unit
 
-__all__ = ["clock_offset_in", "drag_in", "events_of", "free_points", "interference_in", "kept_points"]
+__all__ = [
+    "Drag",
+    "Tension",
+    "clock_offset_in",
+    "drag_in",
+    "events_of",
+    "free_points",
+    "interference_in",
+    "kept_points",
+    "tension",
+]
 
 KEPT_FREE_SHARE = 0.92
 """Part of the free travel in which interference and drag are sought: attraction bends the rest."""
@@ -224,3 +235,126 @@ def _saturations(record: Record, free: tuple[Array, Array]) -> list[CurveEvent]:
         )
         for row in rows
     ]
+
+
+LEAST_RATIO = 6.0
+"""Least tension over the noise of its measurement."""
+LEAST_SHARE = 2e-3
+"""Least tension relative to the range of the force."""
+BASE_LENGTH = 8
+"""Length of the free part next to the tension, in averaged neighbours, from which it counts."""
+COMPRESSION_RATIO = 5.0
+SHARP_WIDTH, SHARP_RATIO = 3, 20.0
+"""Neighbours whose mean is the tension where it is clearly above the noise, and its least ratio to their noise."""
+
+
+class Tension(NamedTuple):
+    """Points from the far end on, tension [N] with its standard error, and whether it begins with a step."""
+
+    first: int
+    last: int
+    size: float
+    error: float
+    sudden: bool
+
+
+def tension(force: Array, branch: FreeBranch) -> Tension | None:
+    """Return the tension between the free part of a branch and compression; None if there is none.
+
+    Parameters
+    ----------
+    force : ndarray, (n,)
+        From the far end on [N].
+    branch : FreeBranch
+    """
+    width, free = branch.averaged, branch.points
+    if not free or free + 2 * width > force.size:
+        return None
+    above = force - branch.line(force.size)
+    base_length = min(BASE_LENGTH * width, free)
+    means = moving_mean(above, width)
+    compressed = means > max(COMPRESSION_RATIO * branch.mean_noise, LEAST_SHARE * float(np.ptp(force)))
+    behind = np.flatnonzero(compressed[free:])
+    end = free + int(behind[0]) if behind.size else means.size
+    begin = max(free - base_length, 0)
+    if end <= begin:
+        return None
+    lowest = begin + int(np.argmin(means[begin:end]))
+    base = float(above[max(free - base_length, 0) : free].mean())
+    size = base - float(means[lowest])
+    changes = means[base_length : max(free - width, base_length)]
+    bases = moving_mean(above[:free], base_length)[: changes.size]
+    error = max(deviation(changes - bases), branch.noise * np.sqrt(1.0 / width + 1.0 / base_length))
+    if not size > max(LEAST_RATIO * error, LEAST_SHARE * float(np.ptp(force))):
+        return None
+    half = np.flatnonzero(means[begin : lowest + 1] < base - 0.5 * size)
+    first = begin + int(half[0]) + width // 2
+    span = slice(max(first - 60, 0), min(first + 60, force.size))
+    sudden = any(abs(step.place + span.start - first) <= 2 * width for step in found_steps(force[span], -1.0))
+    sharp_error = branch.noise / np.sqrt(SHARP_WIDTH)
+    if size > SHARP_RATIO * sharp_error and width > SHARP_WIDTH:  # a long mean would smooth the tip of it
+        sharp = moving_mean(above, SHARP_WIDTH)[begin : end + width - SHARP_WIDTH]
+        size, error, lowest = base - float(sharp.min()), max(sharp_error, error), begin + int(np.argmin(sharp))
+        return Tension(min(first, lowest), lowest + 1, size, error, sudden)
+    return Tension(first, lowest + width // 2, size, error, sudden)
+
+
+BLOCKS = 5
+"""Blocks of a direction from whose means the memory of the noise is read; that of 1/f noise grows with the length."""
+LEAST_DRIFT_TO_ERROR = 4.0
+"""Least drift of the force over its standard error for which it is taken into account."""
+
+
+class Drag(NamedTuple):
+    """Force against the motion [N] with its standard error, and the drift of the force over the curve [N]."""
+
+    force: float
+    error: float
+    drift: float
+
+
+def drag_of(order: Array, position: Array, force: Array, direction: Array) -> Drag | None:
+    """Return the drag from free points of both directions, by least squares with level, tilt and, if certain, drift.
+
+    None if the drift that would be needed exceeds the range of the free forces: it is not one straight line then.
+
+    Parameters
+    ----------
+    order : ndarray, (n,)
+        Times, or numbers of the points.
+    position, force, direction : ndarray, (n,)
+        [m], [N], +1 or -1.
+    """
+    columns = [np.ones(order.size), _scaled(position), direction, _scaled(order)]
+    (numbers, errors), (few, few_errors) = (_fitted(columns[:count], force, direction) for count in (4, 3))
+    if abs(numbers[3]) > LEAST_DRIFT_TO_ERROR * errors[3]:
+        if max(abs(numbers[2]), abs(numbers[3])) > float(np.ptp(force)):
+            return None
+        return Drag(float(numbers[2]), float(errors[2]), 2.0 * float(numbers[3]))
+    # a drift that is not certain may be there nevertheless
+    error = min(float(np.hypot(few_errors[2], numbers[2] - few[2])), float(np.hypot(errors[2], few_errors[2])))
+    return Drag(float(few[2]), error, 0.0)
+
+
+def _scaled(column: Array) -> Array:
+    half = 0.5 * float(np.ptp(column)) or 1.0
+    return np.asarray((column - column.mean()) / half)
+
+
+def _fitted(columns: list[Array], force: Array, direction: Array) -> tuple[Array, Array]:
+    """Return numbers and standard errors, enlarged by the memory of the noise."""
+    design = np.stack(columns, axis=1)
+    level = float(force.mean())
+    numbers = np.linalg.lstsq(design, force - level, rcond=None)[0]
+    left = force - level - design @ numbers
+    variance = float(left @ left) / max(force.size - len(columns), 1)
+    size = max(int(0.5 * force.size / BLOCKS), 1)
+    blocks = np.array([part.mean() for sign in (1.0, -1.0) for part in _blocks(left[direction == sign], size)])
+    excess = float(np.mean(blocks**2)) * size / variance - 1.0 if variance > 0.0 and blocks.size else 0.0
+    memory = 1.0 + BLOCKS * max(excess, 0.0)
+    spread = np.diag(np.linalg.pinv(design.T @ design))
+    return numbers, np.sqrt(variance * memory * spread)
+
+
+def _blocks(samples: Array, size: int) -> list[Array]:
+    return [samples[start : start + size] for start in range(0, samples.size - size + 1, size)]
