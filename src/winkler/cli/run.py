@@ -272,7 +272,7 @@ def _print(outcome: Outcome, folder: Path) -> None:
     elif sentence := headline(outcome):
         out.print(sentence, soft_wrap=True)
     if summary := contact_summary(outcome):
-        shown = terminal.table("elastic contact", "value", "where, and compared with what")
+        shown = terminal.table("summary", "value", "where, and compared with what")
         for one in summary:
             shown.add_row(one.name, one.text, one.remark)
         out.print(shown)
@@ -292,11 +292,13 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
+    from winkler.study.report.headline.summary import contact_summary
 
     more = {
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
+        "summary": [one._asdict() for one in contact_summary(outcome)],
     }
     write_outcome_json(outcome, folder, "answers", more)

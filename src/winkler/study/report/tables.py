@@ -106,13 +106,12 @@ def answer_section(outcome: Outcome) -> str:
 
 
 def contact_section(outcome: Outcome) -> str:
-    """Return the elastic contact of an answer in the numbers that are compared in design; empty without one."""
+    """Return the summary of an answer: what was asked, and the contact in the numbers that are compared in design."""
     rows = [
         f'<tr><td>{safe(one.name)}</td>{number(safe(one.text))}<td class="text small">{safe(one.remark)}</td></tr>'
         for one in contact_summary(outcome)
     ]
-    lead = "<p>Pressed without friction, as the pictures show it.</p>"
-    return section("The elastic contact", lead, table(["what", "#value", ""], rows)) if rows else ""
+    return section("Summary", table(["what", "#value", "where, and compared with what"], rows)) if rows else ""
 
 
 def _indices(outcome: Outcome) -> str:

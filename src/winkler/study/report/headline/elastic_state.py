@@ -17,6 +17,8 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.line import LineFoundation
 from winkler.loading.loads import HalfWidth, LineForce
 from winkler.media.halfspace import HalfSpace
+from winkler.problems.line.indentation import LineIndentation, LineSolution
+from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import IndentationSolution
@@ -27,7 +29,7 @@ from winkler.study.batch.outcome import SolvedPoint
 from winkler.study.report.figures import shown_contact
 from winkler.values.errors import WinklerError
 
-__all__ = ["ElasticState", "elastic_state"]
+__all__ = ["ElasticState", "elastic_state", "stressed_contact"]
 
 SAME_WIDTH = 1e-6
 """Relative difference of half-widths up to which a strip is the elastic one."""
@@ -75,12 +77,29 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
         A solved point.
     """
     try:
-        contact = shown_contact(point)
+        contact = stressed_contact(point)
         if isinstance(contact, IndentationSolution):
             return _round(contact)
-        return _ellipse(point.each[-1], point.problem) or _strip(point.each[-1], point.problem)
+        problem = getattr(contact, "problem", point.problem)
+        return _ellipse(contact, problem) or _strip(contact, problem)
     except WinklerError:  # the contact is sound, its stresses are not known
         return None
+
+
+def stressed_contact(point: SolvedPoint) -> Any:
+    """Return the contact whose stresses are sought: that of the pictures, that inside an answer, or the answer.
+
+    Parameters
+    ----------
+    point
+        A solved point.
+    """
+    contact = shown_contact(point)
+    if isinstance(contact, IndentationSolution):
+        return contact
+    found = point.each[-1]
+    inside = getattr(found, "contact", None)
+    return inside if isinstance(inside, EllipticSolution | LineSolution) else found
 
 
 def _nearest(found: list[tuple[StrongPart, Any]]) -> tuple[StrongPart, Any]:
@@ -124,8 +143,6 @@ def _strip(solution: Any, problem: Any) -> ElasticState | None:
     forces = widths if force is None else np.resize(force, widths.shape)
     widest = int(np.argmax(forces))
     width = float(widths[widest])
-    from winkler.problems.line.indentation import LineIndentation
-
     given = HalfWidth(width) if force is None else LineForce(float(forces[widest]))
     elastic = LineIndentation(bed, given).solve()
     if not width > 0.0 or not math.isclose(float(elastic.half_width), width, rel_tol=SAME_WIDTH):

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.describe import in_words
 from winkler.study.report.figure import ReportFigure
-from winkler.study.report.headline.numbers import sought_numbers
 from winkler.study.report.headline.section import doubt_of, headline
 from winkler.study.report.headline.summary import contact_summary
 from winkler.values.readable import with_readable_numbers
@@ -97,8 +96,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
 def _answers(outcome: Outcome, size: float, room: float) -> _Lines:
     """Return answers, yield and validity in letters of a size, with as many notes as leave room for pictures."""
     lines = _Lines()
-    rows = [(one.label, one.text, one.remark) for one in sought_numbers(outcome)]
-    lines.table(rows + [(one.name, one.text, one.remark) for one in contact_summary(outcome)], size)
+    lines.table([(one.name, one.text, one.remark) for one in contact_summary(outcome)], size)
     lines.gap()
     lines.write(f"How far this can be trusted: {trust_in_words(outcome.validity)}.", bold=True)
     if outcome.failed:
