@@ -8,14 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.problems.subsurface.contact_stress import ContactStressSolution
+from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
@@ -25,11 +24,12 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
+from winkler.study.report.shown_contact import shown_contact, shown_point, stressed_contact, stresses_inside
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
 from winkler.values.errors import WinklerError
 
-__all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
+__all__ = ["answers_over", "figures_of"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
@@ -38,38 +38,14 @@ LEAST_VARIATION = 5e-5
 """Variation of an answer that is worth a figure, over its greatest number."""
 
 
-def shown_point(outcome: Outcome) -> SolvedPoint:
-    """Return the point whose contact the pictures show: the last one that was solved."""
-    return outcome.solved[-1]
-
-
-def shown_contact(point: SolvedPoint) -> Contact | None:
-    """Return the contact of a point in the pictures, of its last load; None if there is none."""
-    shows = answer_of(point.problem).pictured
-    if shows is Shows.NONE:
-        return None
-    solution = point.solution if shows is Shows.PATH else point.each[-1]
-    if isinstance(solution, IndentationSolution):
-        return solution
-    if shows is Shows.EDGE:
-        from winkler.plot.adhesion.cycles import contact_of  # loads the problems of adhesion
-
-        return contact_of(solution)
-    inside = getattr(solution, "contact", None)
-    if isinstance(inside, IndentationSolution):
-        return inside
-    bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
-    if bed is None or not isinstance(depth, float | np.ndarray):
-        return None
-    return Indentation(bed, Depth(float(np.max(depth)))).solve()
-
-
 def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
     """Return every figure of a study, first the answers over the varied keys."""
-    figures = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
-    if contact is None:
-        return tuple(figures)
+    return (*answers_over(outcome), *(_below(outcome) if contact is None else _of_method(outcome, contact)))
+
+
+def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
+    """Yield the pictures of the method, of one contact."""
     wanted = pictures_of(contact)
     answer = answer_of(shown_point(outcome).problem)
     if answer.pictured is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
@@ -77,10 +53,20 @@ def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
     captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
     for name in wanted:
         try:
-            figures.append(drawn(name, *captions[name], method_sheet(name, contact)))
+            yield drawn(name, *captions[name], method_sheet(name, contact))
         except WinklerError as error:
-            figures.append(ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
-    return tuple(figures)
+            yield ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error)))
+
+
+def _below(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield the stresses over the depth below an ellipse or a strip, where they are no answer already."""
+    point = shown_point(outcome)
+    inside = stresses_inside(stressed_contact(point))
+    if inside is None or isinstance(point.solution, ContactStressSolution):
+        return
+    from winkler.plot.normal.below_contact import contact_stress_sheet
+
+    yield drawn("depths", *captions_of(sticks=False)["depths"], contact_stress_sheet(inside))
 
 
 # ------------------------------------------------------------------------------------- answers over what was varied

@@ -17,8 +17,7 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.line import LineFoundation
 from winkler.loading.loads import HalfWidth, LineForce
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import IndentationSolution
@@ -26,10 +25,10 @@ from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.normal.yielding import YieldOnset, onset_of_part
 from winkler.profiles.power import Paraboloid
 from winkler.study.batch.outcome import SolvedPoint
-from winkler.study.report.figures import shown_contact
+from winkler.study.report.shown_contact import stressed_contact
 from winkler.values.errors import WinklerError
 
-__all__ = ["ElasticState", "elastic_state", "stressed_contact"]
+__all__ = ["ElasticState", "elastic_state"]
 
 SAME_WIDTH = 1e-6
 """Relative difference of half-widths up to which a strip is the elastic one."""
@@ -84,22 +83,6 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
         return _ellipse(contact, problem) or _strip(contact, problem)
     except WinklerError:  # the contact is sound, its stresses are not known
         return None
-
-
-def stressed_contact(point: SolvedPoint) -> Any:
-    """Return the contact whose stresses are sought: that of the pictures, that inside an answer, or the answer.
-
-    Parameters
-    ----------
-    point
-        A solved point.
-    """
-    contact = shown_contact(point)
-    if isinstance(contact, IndentationSolution):
-        return contact
-    found = point.each[-1]
-    inside = getattr(found, "contact", None)
-    return inside if isinstance(inside, EllipticSolution | LineSolution) else found
 
 
 def _nearest(found: list[tuple[StrongPart, Any]]) -> tuple[StrongPart, Any]:

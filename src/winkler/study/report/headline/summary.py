@@ -12,21 +12,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.problems.line.indentation import LineSolution
-from winkler.problems.normal.elliptic import EllipticSolution
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.subsurface.contact_stress import ContactStress
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
-from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact, sides_of_map
-from winkler.study.report.headline.elastic_state import ElasticState, elastic_state, stressed_contact
+from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, numbers_named, sought_numbers
-from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.study.report.shown_contact import medium_of, shown_contact, shown_point, stressed_contact, stresses_inside
+from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
 
 __all__ = ["SummaryNumber", "contact_summary"]
@@ -154,7 +150,12 @@ def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
     found = stressed_contact(point)
     sharp = f"; {state.sharp}" if state.sharp else ""
     yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(found, state))
-    yield from _shear(found)
+    if (inside := stresses_inside(found)) is not None:
+        for name, depth in (
+            ("max_shear", inside.max_shear_depth),
+            ("orthogonal_shear", inside.orthogonal_shear_depth),
+        ):
+            yield _plain(name, getattr(inside, name), "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
     where = f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}, without friction{sharp}"
     yield _plain("von_mises", state.von_mises, "Pa", where)
     if math.isfinite(state.strength) and not math.isnan(state.yield_load):
@@ -162,38 +163,9 @@ def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
         yield _plain("yield_force", state.yield_load, state.unit, share)
 
 
-def _bed(found: Any) -> Any:
-    """Return the bed of a contact, or its problem where that names the bodies; a moment of a history has a bed."""
-    problem = getattr(found, "problem", found)
-    return getattr(problem, "bed", problem)
-
-
-def _shear(found: Any) -> list[SummaryNumber]:
-    """Return the greatest shear stress in homogeneous bodies; none where it is infinite or not known."""
-    bed = _bed(found)
-    if not isinstance(getattr(bed, "medium", None), HalfSpace):
-        return []
-    try:
-        if isinstance(found, IndentationSolution):
-            solved = ContactStress(Indentation(bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
-        elif isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
-            solved = ContactStress(found.problem).solve()
-        else:
-            return []
-    except (InvalidInput, OutsideValidity):
-        return []
-    return [
-        _plain(name, getattr(solved, name), "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
-        for name, depth in (
-            ("max_shear", solved.max_shear_depth),
-            ("orthogonal_shear", solved.orthogonal_shear_depth),
-        )
-    ]
-
-
 def _rated(found: Any, state: ElasticState) -> str:
     """Return the share of the static rating of bearings, of ellipses and strips of steel; else nothing."""
-    medium = getattr(_bed(found), "medium", None)
+    medium = medium_of(found)
     if isinstance(found, IndentationSolution) or not isinstance(medium, HalfSpace):
         return ""
     if not STEELS[0] <= medium.modulus <= STEELS[1]:
