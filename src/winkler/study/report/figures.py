@@ -66,7 +66,11 @@ def _below(outcome: Outcome) -> Iterator[ReportFigure]:
         return
     from winkler.plot.normal.below_contact import contact_stress_sheet
 
-    yield drawn("depths", *captions_of(sticks=False)["depths"], contact_stress_sheet(inside))
+    title, sentence = captions_of(sticks=False)["depths"]
+    places = [settings_text(outcome.study, point.settings)] if outcome.study.sweep else []
+    places += [f"load {len(point.each)} of {len(point.each)}"] if len(point.each) > 1 else []
+    where = f" Shown is {', '.join(places)}." if places else ""
+    yield drawn("depths", title, f"{sentence}{where}", contact_stress_sheet(inside))
 
 
 # ------------------------------------------------------------------------------------- answers over what was varied
@@ -174,9 +178,9 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]
 def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
     """Yield the picture of the whole answer, of the last point."""
     point = shown_point(outcome)
-    wanted, picture = [*extra_pictures(point.solution)], answer_of(point.problem).picture
-    if picture is not None:
-        wanted.append(ExtraPicture(picture, point.solution))
+    picture = answer_of(point.problem).picture
+    own = [] if picture is None else [ExtraPicture(picture, point.solution)]
+    wanted = [*own, *extra_pictures(point.solution)]
     where = settings_text(outcome.study, point.settings)
     for (name, title, caption), item in wanted:
         from winkler.plot.registered import sheet_of_kind  # loads pictures that those of the method do not need

@@ -100,7 +100,7 @@ class SoughtNumber(NamedTuple):
         if self.is_range or not self.varies:
             return ""
         if self.ends_at_zero:
-            return f"the {self.extreme_name}; {self._of(0.0)} {self.end}"
+            return f"the {self.extreme_name}; {self._of(0.0)} {self.end.rstrip(',')}"
         return f"{self.extreme_name} {self._of(self.extreme)}"
 
     def sentence(self, event: str = "", clause: str = "") -> str:
@@ -123,7 +123,7 @@ class SoughtNumber(NamedTuple):
             where = [f" ({place})" if place else "" for place in self.places or ("", "")]
             return f"the {label} is between {low}{where[0]} and {high}{where[1]}"
         if self.ends_at_zero:
-            return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end}"
+            return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end.rstrip(',')}"
         beside = f", and the {self.extreme_name} {self._of(self.extreme)}" if self.varies else ""
         said = clause or f"the {label} is {self.text}"
         return f"{f'{self.end} ' if self.many and not self.swept else ''}{said}{beside}"

@@ -91,7 +91,7 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
         rows |= {name: rows[name]._replace(remark=_of_map(point, rows[name].remark)) for name in OF_MAP if name in rows}
     elif not outcome.study.design.draws:
         point = _most_pressed(outcome, each)
-        where = f"; {settings_text(outcome.study, point.settings)}, where the pressure is greatest"
+        where = f", at {settings_text(outcome.study, point.settings)}"
         stresses = (row._replace(remark=f"{row.remark}{where}") for row in _stresses(point))
         rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
     order = [one.name for one in sought] + [name for name in CALLED if name not in shown]
@@ -111,7 +111,9 @@ def _row(one: SoughtNumber) -> SummaryNumber:
     """Return a number of an answer as a row."""
     remark = one.remark
     if one.is_range and one.places:
-        remark = f"at {one.places[0]} … {one.places[1]}"
+        first, last = one.places
+        key, _, said = last.partition(" = ")
+        remark = f"at {first} … {said if first.startswith(f'{key} = ') and ',' not in first else last}"
     number = one.extreme if one.is_range or one.ends_at_zero else one.last
     return SummaryNumber(one.name, CALLED.get(one.name, one.label), number, one.word.unit or "", one.text, remark)
 
