@@ -34,6 +34,8 @@ __all__ = ["answers_over", "figures_of"]
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
 MOST_BARS = 40
+CHECKS = ("misfit", "imbalance", "balance", "penetration", "mismatch", "freedom")
+"""Answers that check others, beside those that end in ``_error``."""
 LEAST_VARIATION = 5e-5
 """Variation of an answer that is worth a figure, over its greatest number."""
 
@@ -98,7 +100,7 @@ def answers_over(outcome: Outcome, *, pictured: bool = True) -> Iterator[ReportF
             yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _single(outcome)})
         return
     if len(next(iter(columns.values()))) > len(outcome.points):
-        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and len(outcome.study.axes) == 1:
+        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and outcome.study.axes:
             yield from _patches(outcome)
             return
         over = next((name for name in ALONG if name in columns), "")
@@ -159,7 +161,7 @@ def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
         content = columns[name][finite]
         same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
         varies = content.size > 0 and np.ptp(content) > LEAST_VARIATION * np.max(np.abs(content))
-        if varies and not same and (content.size < 2 or variation_shows(name, columns)):
+        if varies and not same and not _checks(outcome, name) and (content.size < 2 or variation_shows(name, columns)):
             names.append(name)
     return names or list(outcome.answers)
 
@@ -243,19 +245,28 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
 
 
 def _patches(outcome: Outcome) -> Iterator[ReportFigure]:
-    """Yield a figure for every answer over the varied key, one curve for each patch of contact."""
-    (axis,) = outcome.study.axes
-    if not axis.numeric:
+    """Yield a figure for every answer over a varied key, one curve for each patch of contact and other setting."""
+    study, single = outcome.study, _single(outcome)
+    numeric = [axis for axis in study.axes if axis.numeric]
+    if not numeric or study.design.draws:
+        yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in single})
         return
-    x = varied_series(outcome.study, axis)
-    single = _single(outcome)
+    along = max(numeric, key=lambda axis: len(axis.values))
+    x = varied_series(study, along)
     for name in _answers_worth(outcome):
-        rows = outcome.answer(name).T[: 1 if name in single else None]
-        of = [Series(name, outcome.word(name), row) for row in rows]
-        labels = [f"patch {place + 1}" for place in range(len(of))]
+        content = outcome.answer(name)
+        count = 1 if name in single else content.shape[-1]
+        rows = [
+            (", ".join(part for part in (label, f"patch {patch + 1}" if count > 1 else "") if part), row)
+            for label, where in _curves(study, along)
+            for patch in range(count)
+            if np.isfinite(row := content[where][..., patch]).any()
+        ][:MOST_CURVES]
+        of = [Series(name, outcome.word(name), row) for _, row in rows]
         title = capital(f"{name_in_words(name)} over {name_in_words(x.name)}")
-        sentence = "One curve for each patch of contact." if len(of) > 1 else "All other values are constant."
-        yield drawn(f"answer_{name}", title, sentence, family_sheet([x for _ in of], of, labels))
+        each = " and ".join(["patch of contact"] * (count > 1) + ["other setting"] * (len(study.axes) > 1))
+        sentence = f"One curve for each {each}." if len(of) > 1 else "All other values are constant."
+        yield drawn(f"answer_{name}", title, sentence, family_sheet([x for _ in of], of, [label for label, _ in rows]))
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:
@@ -264,4 +275,12 @@ def _answers_worth(outcome: Outcome) -> list[str]:
         name: np.concatenate([point.answers[name] for point in outcome.solved if name in point.answers])
         for name in outcome.answers
     }
-    return [name for name in answers if name != "stable" and variation_shows(name, answers)]
+    return [
+        name for name in answers if name != "stable" and not _checks(outcome, name) and variation_shows(name, answers)
+    ]
+
+
+def _checks(outcome: Outcome, name: str) -> bool:
+    """Return whether an answer only says how well the others are known, so that a note holds it and no figure."""
+    sought = answer_of(shown_point(outcome).problem).headline
+    return name not in sought and (name in CHECKS or name.endswith("_error"))

@@ -23,6 +23,7 @@ from winkler.study.report.tables import (
     expected,
     failures,
     input_section,
+    loops_section,
     question_section,
 )
 from winkler.values.readable import with_unit
@@ -70,6 +71,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None, *, ass
         section("At a glance", parts.figure_elements((*answers, *pictures)[:1])) if pictures else "",
         answer_section(outcome),
         contact_section(outcome),
+        loops_section(outcome),
         parts.trust(notes, questions_of(outcome)),
         failures(outcome),
         expected(outcome),

@@ -14,6 +14,7 @@ from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV, rows_of
 from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
+from winkler.study.report.headline.loops import LOOP_HEADS, loop_rows, loops_title
 from winkler.study.report.headline.section import headline_section
 from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
@@ -29,6 +30,7 @@ __all__ = [
     "failures",
     "given_rows",
     "input_section",
+    "loops_section",
     "question_section",
     "reason_list",
 ]
@@ -112,6 +114,12 @@ def contact_section(outcome: Outcome) -> str:
         for one in contact_summary(outcome)
     ]
     return section("Summary", table(["what", "#value", "where, and compared with what"], rows)) if rows else ""
+
+
+def loops_section(outcome: Outcome) -> str:
+    """Return the loops of a path with their losses, stiffnesses and loss factors; empty with fewer than two."""
+    rows = ["<tr>" + "".join(number(safe(text)) for text in row) + "</tr>" for row in loop_rows(outcome)]
+    return section(safe(loops_title(outcome)), table([f"#{head}" for head in LOOP_HEADS], rows)) if rows else ""
 
 
 def _indices(outcome: Outcome) -> str:

@@ -91,8 +91,8 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
         rows |= {name: rows[name]._replace(remark=_of_map(point, rows[name].remark)) for name in OF_MAP if name in rows}
     elif not outcome.study.design.draws:
         point = _most_pressed(outcome, each)
-        where = f", at {settings_text(outcome.study, point.settings)}"
-        stresses = (row._replace(remark=f"{row.remark}{where}") for row in _stresses(point))
+        where = f"at {settings_text(outcome.study, point.settings)}"
+        stresses = (row._replace(remark=f"{row.remark}, {where}" if row.remark else where) for row in _stresses(point))
         rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
     order = [one.name for one in sought] + [name for name in CALLED if name not in shown]
     return tuple(rows[name] for name in order if name in rows)
