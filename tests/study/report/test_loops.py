@@ -67,6 +67,7 @@ def test_a_path_without_loops_has_no_table():
     assert loops_section(outcome) == ""
 
 
+@pytest.mark.slow
 def test_patches_are_drawn_over_what_was_swept_for_each_other_setting():
     """A wheel near its flange touches in two places: a curve for each place over the coefficient of friction."""
     file = STUDIES / "rolling" / "wheel_rail.toml"

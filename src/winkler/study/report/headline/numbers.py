@@ -16,7 +16,7 @@ from winkler.study.report.describe import inputs, settings_text
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import Word
 
-__all__ = ["SoughtNumber", "as_share", "numbers_named", "sought_numbers"]
+__all__ = ["ALIKE", "SoughtNumber", "as_share", "numbers_named", "sought_numbers"]
 
 ALIKE = 1e-3
 """Relative difference below which the greatest number is that of the end."""

@@ -20,7 +20,7 @@ from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
 from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact, sides_of_map
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
-from winkler.study.report.headline.numbers import SoughtNumber, as_share, numbers_named, sought_numbers
+from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
 from winkler.study.report.shown_contact import medium_of, shown_contact, shown_point, stressed_contact, stresses_inside
 from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
@@ -80,8 +80,14 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
     names = [name for name in CALLED if any(name in one for one in each)]
     shown = {one.name for one in sought} | varied
     words = {name: outcome.word(name) if name in outcome.answers else WORDS[name] for name in names}
-    more = numbers_named(outcome, {name: entry for name, entry in words.items() if name not in shown}, each)
-    rows = {one.name: _row(one) for one in (*sought, *more)}
+    rest = {name: entry for name, entry in words.items() if name not in shown}
+    along = {name for name in rest if any(_varies(one[name]) for one in each if name in one)}
+    ends = [{name: _greatest(one[name]) for name in rest if name in one} if outcome.study.axes else one for one in each]
+    rows = {one.name: _row(one) for one in sought}
+    for one in numbers_named(outcome, rest, ends):
+        row = _row(one)
+        of_path = one.name in along and bool(outcome.study.axes)
+        rows[one.name] = row._replace(remark=f"the greatest, {row.remark}".rstrip(", ")) if of_path else row
     if not outcome.study.axes:
         point = shown_point(outcome)
         rows |= {row.key: row for row in _inside(point) if row.key not in rows}
@@ -96,6 +102,18 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
         rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
     order = [one.name for one in sought] + [name for name in CALLED if name not in shown]
     return tuple(rows[name] for name in order if name in rows)
+
+
+def _varies(numbers: Array) -> bool:
+    """Return whether numbers along the loads of a point differ."""
+    finite = numbers[np.isfinite(numbers)]
+    return finite.size > 1 and bool(np.ptp(finite) > ALIKE * np.max(np.abs(finite)))
+
+
+def _greatest(numbers: Array) -> Array:
+    """Return the number along the loads of a point that is farthest from zero, as an array of one."""
+    finite = numbers[np.isfinite(numbers)]
+    return finite[[int(np.argmax(np.abs(finite)))]] if finite.size else np.array([math.nan])
 
 
 def _most_pressed(outcome: Outcome, each: Sequence[Mapping[str, Array]]) -> SolvedPoint:
