@@ -119,7 +119,7 @@ def test_whether_a_pressure_is_infinite_is_the_mediums_affair():
 def test_pictures_of_the_medium_are_for_media_that_have_something_to_show(pressed):
     even = wk.Indentation(wk.Foundation(wk.Paraboloid(1e-2), wk.HalfSpace(STEEL)), wk.Force(1.0)).solve()
     assert "medium" not in pictures_of(even)
-    assert pictures_of(pressed) == tuple(PICTURES)
+    assert set(PICTURES) - set(pictures_of(pressed)) == {"depths"}  # which takes seconds in layers
     with pytest.raises(InvalidInput, match="the same at every depth"):
         render(method_sheet("medium", even))
     with pytest.raises(InvalidInput, match="the same at every depth"):

@@ -257,6 +257,7 @@ def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
 def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
+    from winkler.study.report.headline.loops import LOOP_HEADS, loop_rows, loops_title
     from winkler.study.report.headline.questions import questions_of
     from winkler.study.report.headline.section import doubt_of, headline
     from winkler.study.report.headline.summary import contact_summary
@@ -272,9 +273,15 @@ def _print(outcome: Outcome, folder: Path) -> None:
     elif sentence := headline(outcome):
         out.print(sentence, soft_wrap=True)
     if summary := contact_summary(outcome):
-        shown = terminal.table("elastic contact", "value", "where, and compared with what")
+        shown = terminal.table("summary", "value", "where, and compared with what")
         for one in summary:
             shown.add_row(one.name, one.text, one.remark)
+        out.print(shown)
+    if loops := loop_rows(outcome):
+        out.print(f"{loops_title(outcome)}:")
+        shown = terminal.table(*LOOP_HEADS)
+        for loop in loops:
+            shown.add_row(*loop)
         out.print(shown)
     terminal.indices(outcome, out)
     if outcome.verdicts:
@@ -292,11 +299,13 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
+    from winkler.study.report.headline.summary import contact_summary
 
     more = {
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
+        "summary": [one._asdict() for one in contact_summary(outcome)],
     }
     write_outcome_json(outcome, folder, "answers", more)

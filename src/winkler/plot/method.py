@@ -13,12 +13,14 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.loading.loads import Depth
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.plot.adhesion.equilibria import around_panel
 from winkler.plot.extent import around
 from winkler.plot.friction.curves import RestorableSprings
 from winkler.plot.friction.stress import dragged_stress_panel, in_first
 from winkler.plot.medium import makeup_panel, spring_stiffness_panel, stiffness_panel
+from winkler.plot.normal.below_contact import contact_stress_sheet
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.curves import (
     force_depth,
@@ -36,7 +38,8 @@ from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.answer import is_dragged
-from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.subsurface.contact_stress import ContactStress
 from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = ["PICTURES", "Contact", "bed_panels", "line_load", "method_sheet", "pictures_of", "pressure"]
@@ -115,7 +118,13 @@ def force(solution: Contact, _: float = 0.0) -> Panel:
     return panel.plus(*notes, across=dataclasses.replace(panel.across, low=0.0, high=1.04 * depth))
 
 
-PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...]]] = {
+def depths(solution: Contact, _: float = 0.0) -> Sheet:
+    """Return the greatest stresses over the depth, of the contact pressed without friction."""
+    pressed = Indentation(solution.problem.bed, Depth(float(solution.depth)))
+    return contact_stress_sheet(ContactStress(pressed).solve())
+
+
+PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...] | Sheet]] = {
     "shape": contact_panel,
     "medium": lambda solution, to: bed_panels(solution.pressed.bed, to, float(solution.radius)),
     "springs": lambda solution, to: springs_panel(solution.pressed, to),
@@ -123,15 +132,23 @@ PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...]]] = {
     "pressure": pressure,
     "displacement": lambda solution, to: surface_panel(surface(solution, 1.5 * to)),
     "stress": stress,
+    "depths": depths,
     "force": force,
 }
 """Name -> function of a solution for one load and of the extent [m]; in the order of the method."""
 
 
 def pictures_of(solution: Contact) -> tuple[str, ...]:
-    """Return the names of the pictures of a solution; a homogeneous medium has no picture of its own."""
-    homogeneous = isinstance(solution.pressed.bed.medium, HomogeneousMedium)
-    return tuple(name for name in PICTURES if not (name == "medium" and homogeneous))
+    """Return the names of the pictures of a solution.
+
+    A homogeneous medium has no picture of its own; stresses over the depth are drawn in isotropic half-spaces, where
+    they take no time, and of bodies that do not adhere.
+    """
+    medium = solution.pressed.bed.medium
+    left_out = {"medium"} if isinstance(medium, HomogeneousMedium) else set()
+    if not isinstance(medium, HalfSpace) or isinstance(solution, AdhesiveSolution):
+        left_out |= {"depths"}
+    return tuple(name for name in PICTURES if name not in left_out)
 
 
 def method_sheet(name: str, solution: Contact, extent: float | None = None) -> Sheet:
@@ -152,6 +169,8 @@ def method_sheet(name: str, solution: Contact, extent: float | None = None) -> S
         If the drawn field cannot be computed for this contact.
     """
     panels = PICTURES[name](solution, around(solution.pressed, extent))
+    if isinstance(panels, Sheet):
+        return panels
     if isinstance(panels, Panel):
         return Sheet((panels,), width=5.0 if name == "stress" else 4.6, height=3.3)
     return Sheet(panels, height=3.3)

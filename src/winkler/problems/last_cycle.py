@@ -30,6 +30,7 @@ __all__ = [
     "cycle_ends",
     "cycle_notes",
     "cycle_of",
+    "cycles_of",
     "loss_factor",
     "per_unit",
 ]
@@ -144,6 +145,29 @@ def cycle_of(who: str, loop: PathLoop) -> LastCycle:
     return LastCycle(first, last, float(lost[last] - lost[first]), motion, load, max(missed, default=0.0))
 
 
+def cycles_of(who: str, loop: PathLoop, most: int) -> tuple[LastCycle, ...]:
+    """Return the last cycles of a path that follow each other, in their order; none if the path closes none.
+
+    Parameters
+    ----------
+    who : str
+        Name of the problem, for messages.
+    loop : PathLoop
+    most : int
+        How many at most.
+    """
+    found: list[LastCycle] = []
+    end = loop.lost.size
+    while len(found) < most:
+        begun = PathLoop([one[:end] for one in loop.prescribed], loop.motion[:end], loop.load[:end], loop.lost[:end])
+        try:
+            found.append(cycle_of(who, begun))
+        except OutsideValidity:
+            break
+        end = found[-1].first + 1
+    return tuple(found[::-1])
+
+
 def _amplitude(row: Array) -> float:
     """Return half of the range along a line, not a number of what leaves a line or turns while it is pushed."""
     if row.shape[1] > 2:
@@ -195,6 +219,16 @@ class Cycled:
     def last_cycle(self) -> LastCycle:
         """Where the last cycle of the path runs, its loss, its amplitudes, and by how much it is open."""
         return cycle_of(type(self.problem).__name__, self._loop)
+
+    def cycles(self, most: int = 100) -> tuple[LastCycle, ...]:
+        """Return the last cycles of the path that follow each other, in their order; none if it closes none.
+
+        Parameters
+        ----------
+        most : int, optional
+            How many at most.
+        """
+        return cycles_of(type(self.problem).__name__, self._loop, most)
 
     @property
     def _cycle_notes(self) -> tuple[Note, ...]:

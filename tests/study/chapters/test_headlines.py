@@ -32,7 +32,7 @@ def test_what_a_headline_says_is_made_of_answers():
     """Each clause belongs to a number of the headline, and names answers of the kind."""
     wrong = {}
     for name, record in answers().items():
-        numbers = {*number_names(typing.get_type_hints(kinds()[name].cls.solve)["return"]), "area_share"}
+        numbers = {*number_names(typing.get_type_hints(kinds()[name].cls.solve)["return"]), "contact_share"}
         named = {word for clause in record.says.values() for word in re.findall(r"{(\w+)", clause)}
         if not set(record.says) <= set(record.headline) or not named <= numbers:
             wrong[name] = record.says

@@ -10,10 +10,13 @@ import numpy as np
 import pytest
 import tomli_w
 
+from winkler.study.batch.fit_run import fit_study
 from winkler.study.batch.run import run
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study
+from winkler.study.language.fit_reading import read_fit_study
 from winkler.study.language.reading import parse_study, read_study
+from winkler.study.report.fit_report import page as fit_page
 from winkler.study.report.headline.as_code import command_text, python_text
 
 STUDIES = Path(__file__).resolve().parents[3] / "examples" / "studies"
@@ -54,3 +57,20 @@ def test_what_is_too_large_to_be_written_is_read_from_its_file(tmp_path):
     assert "read_study(Path('a map.toml'))" in script
     compile(script, "script", "exec")
     assert command_text("a map.toml").startswith("winkler run 'a map.toml'\n")
+
+
+def test_a_fit_is_read_from_its_file_and_gives_the_same_numbers(monkeypatch):
+    """The script prints what the fit of the file gives."""
+    file = STUDIES / "fitting" / "fit_gel.toml"
+    study = read_fit_study(file)
+    monkeypatch.chdir(file.parent)
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said):
+        exec(python_text(study, file.name), {})
+    outcome = fit_study(study)
+    assert said.getvalue().splitlines() == [
+        f"{column.name} {column.word.unit} {column.content}" for column in outcome.table()
+    ]
+    page = fit_page(outcome, ())
+    assert "As Python" in page
+    assert command_text(file.name, fits=True).splitlines()[0] == "winkler fit fit_gel.toml"

@@ -89,8 +89,10 @@ def test_figures_are_files_too(name, written):
     assert "springs" in stems
     if name in FULL:
         assert stems <= set(CAPTIONS)
-        missing = {"crystal": {"stress"}, "no contact": {"stress", "force"}}.get(name, set())
-        assert set(CAPTIONS) - stems == {"medium"} | missing  # a homogeneous medium has nothing to show of its own
+        missing = {"crystal": {"stress", "depths"}, "no contact": {"stress", "force", "depths"}, "pinned": {"depths"}}
+        assert set(CAPTIONS) - stems == {"medium"} | missing.get(
+            name, set()
+        )  # a homogeneous medium has nothing to show of its own
     elif outcome.study.sweep:
         assert len(stems) > (1 if name in BRIEF else 3)
         assert all(stem == "springs" or stem.startswith("answer_") for stem in stems)

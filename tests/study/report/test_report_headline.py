@@ -13,12 +13,13 @@ import winkler as wk
 from winkler.study.batch.run import run
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.study.report.figures import shown_point
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.section import doubt_line, doubt_of, headline_section
 from winkler.study.report.headline.summary import contact_summary
+from winkler.study.report.shown_contact import shown_point
 from winkler.study.report.tables import contact_section
+from winkler.values.units import quantity
 from winkler.values.validity import Assumption, Note, Standing, in_words
 
 MODULUS = 210e9 / (1.0 - 0.3**2)
@@ -230,5 +231,16 @@ def test_the_summary_compares_steel_balls_in_grooves_with_their_static_rating():
     assert contact_summary(ball())[0].remark == ""
 
 
-def test_a_sweep_has_no_summary():
-    assert contact_summary(solved("indentation", sweep={"problem.load.force": ["10 N", "80 N"]})) == ()
+def test_the_summary_of_a_sweep_has_ranges_and_the_stresses_of_the_point_that_is_pressed_most():
+    """Hertz: p0 grows with the cube root of the load, the approach with its power of two thirds."""
+    swept = ball(sweep={"problem.load.force": ["80 N", "10 N"]})
+    found = {one.key: one for one in contact_summary(swept)}
+    alone = {one.key: one for one in contact_summary(ball(problem__load={"kind": "force", "force": "80 N"}))}
+    assert found["peak_pressure"].number == pytest.approx(alone["peak_pressure"].number, rel=1e-12)
+    low, high = (quantity(text, "Pa", what="row") for text in found["peak_pressure"].text.split(" … "))
+    assert high / low == pytest.approx(2.0, rel=1e-3)
+    assert found["depth"].remark == "at force = 10 N … 80 N"
+    assert found["von_mises"].number == pytest.approx(alone["von_mises"].number, rel=1e-12)
+    assert found["von_mises"].remark.endswith(", at force = 80 N")
+    assert "force" not in found  # the study gives it
+    assert ", at force = 80" in contact_section(swept).replace("\xa0", " ")

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, among, titled
-from winkler.plot.series import Series, series, series_of, with_unit
+from winkler.plot.series import Series, common_scale, series, series_of, with_unit
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.limiting_profile import LimitingSolution
@@ -252,7 +252,7 @@ def over_elapsed(along: Series, rows: list[Series], label: str = "") -> Panel:
     label : str
         Of the upright axis, if there are several.
     """
-    scale = max((row.scale for row in rows), key=lambda one: one.factor)
+    scale = common_scale(*rows)
     looks: tuple[dict[str, Any], ...] = ({"colour": style.BLUE}, {"colour": style.RED, "dash": style.DASHES[1]})
     lines = [
         among(place, along.content, row.content, row.name.replace("_", " "), **look)

@@ -109,7 +109,7 @@ class Answer(NamedTuple):
     says
         Sought number -> clause of the headline that answers the question: ``{name}`` stands for an answer with its
         unit, ``{name:%}`` for it in per cent, ``{name:size}`` without its sign, ``{name:below}`` for a depth.
-        ``{area_share}`` is the contact area over that of the height map.  Of the others the number is named.
+        ``{contact_share}`` is the contact area over that of the height map.  Of the others the number is named.
     live
         Whether the panels of the picture take milliseconds, so that the app draws them at each move of a slider.
     """

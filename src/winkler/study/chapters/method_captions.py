@@ -30,6 +30,10 @@ CAPTIONS = {
         "The stress below the surface",
         "Equivalent stress after von Mises; where it is greatest, yielding begins.",
     ),
+    "depths": (
+        "Stresses below the contact",
+        "The greatest stress of each kind at each depth, pressed without friction.",
+    ),
     "force": ("Force over depth", "F(d) from first touch to this load, the point."),
 }
 """Picture of the method -> its title, and one sentence."""

@@ -181,7 +181,7 @@ ROUGH = Chapter(
             de="raue oberfläche kontakt höhenkarte topographie randelemente rauheit reale kontaktfläche asperiten messung sandgestrahlt spaltverteilung",
             fr="surface rugueuse contact carte de hauteurs topographie éléments de frontière rugosité aire réelle aspérités sablé distribution des jeux",
             headline=("area", "depth", "force", "mean_gap"),
-            says={"area": "the surfaces touch on {area_share} of the area, {area}"},
+            says={"area": "the surfaces touch on {contact_share:%} of the area, {area}"},
             load=LOADS,
             picture=Caption(
                 "contact",
@@ -263,7 +263,7 @@ ROUGH = Chapter(
             de="rauer kontakt steifigkeit fraktal selbstaffin hurst rauheit",
             fr="contact rugueux raideur fractal auto-affine hurst rugosité",
             headline=("area", "mean_gap", "stiffness"),
-            says={"area": "the surfaces touch on {area_share} of the area, {area}"},
+            says={"area": "the surfaces touch on {contact_share:%} of the area, {area}"},
             side="1 mm",
             load=LOADS,
             realisations=20,

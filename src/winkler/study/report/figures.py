@@ -8,14 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.problems.subsurface.contact_stress import ContactStressSolution
+from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
@@ -25,51 +24,30 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
+from winkler.study.report.shown_contact import shown_contact, shown_point, stressed_contact, stresses_inside
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
 from winkler.values.errors import WinklerError
 
-__all__ = ["answers_over", "figures_of", "shown_contact", "shown_point"]
+__all__ = ["answers_over", "figures_of"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
 MOST_BARS = 40
+CHECKS = ("misfit", "imbalance", "balance", "penetration", "mismatch", "freedom")
+"""Answers that check others, beside those that end in ``_error``."""
 LEAST_VARIATION = 5e-5
 """Variation of an answer that is worth a figure, over its greatest number."""
 
 
-def shown_point(outcome: Outcome) -> SolvedPoint:
-    """Return the point whose contact the pictures show: the last one that was solved."""
-    return outcome.solved[-1]
-
-
-def shown_contact(point: SolvedPoint) -> Contact | None:
-    """Return the contact of a point in the pictures, of its last load; None if there is none."""
-    shows = answer_of(point.problem).pictured
-    if shows is Shows.NONE:
-        return None
-    solution = point.solution if shows is Shows.PATH else point.each[-1]
-    if isinstance(solution, IndentationSolution):
-        return solution
-    if shows is Shows.EDGE:
-        from winkler.plot.adhesion.cycles import contact_of  # loads the problems of adhesion
-
-        return contact_of(solution)
-    inside = getattr(solution, "contact", None)
-    if isinstance(inside, IndentationSolution):
-        return inside
-    bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
-    if bed is None or not isinstance(depth, float | np.ndarray):
-        return None
-    return Indentation(bed, Depth(float(np.max(depth)))).solve()
-
-
 def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
     """Return every figure of a study, first the answers over the varied keys."""
-    figures = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
-    if contact is None:
-        return tuple(figures)
+    return (*answers_over(outcome), *(_below(outcome) if contact is None else _of_method(outcome, contact)))
+
+
+def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
+    """Yield the pictures of the method, of one contact."""
     wanted = pictures_of(contact)
     answer = answer_of(shown_point(outcome).problem)
     if answer.pictured is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
@@ -77,10 +55,24 @@ def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
     captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
     for name in wanted:
         try:
-            figures.append(drawn(name, *captions[name], method_sheet(name, contact)))
+            yield drawn(name, *captions[name], method_sheet(name, contact))
         except WinklerError as error:
-            figures.append(ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
-    return tuple(figures)
+            yield ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error)))
+
+
+def _below(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield the stresses over the depth below an ellipse or a strip, where they are no answer already."""
+    point = shown_point(outcome)
+    inside = stresses_inside(stressed_contact(point))
+    if inside is None or isinstance(point.solution, ContactStressSolution):
+        return
+    from winkler.plot.normal.below_contact import contact_stress_sheet
+
+    title, sentence = captions_of(sticks=False)["depths"]
+    places = [settings_text(outcome.study, point.settings)] if outcome.study.sweep else []
+    places += [f"load {len(point.each)} of {len(point.each)}"] if len(point.each) > 1 else []
+    where = f" Shown is {', '.join(places)}." if places else ""
+    yield drawn("depths", title, f"{sentence}{where}", contact_stress_sheet(inside))
 
 
 # ------------------------------------------------------------------------------------- answers over what was varied
@@ -108,7 +100,7 @@ def answers_over(outcome: Outcome, *, pictured: bool = True) -> Iterator[ReportF
             yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _single(outcome)})
         return
     if len(next(iter(columns.values()))) > len(outcome.points):
-        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and len(outcome.study.axes) == 1:
+        if np.ndim(getattr(shown_point(outcome).solution, "patches", 0)) > 0 and outcome.study.axes:
             yield from _patches(outcome)
             return
         over = next((name for name in ALONG if name in columns), "")
@@ -169,7 +161,7 @@ def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
         content = columns[name][finite]
         same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
         varies = content.size > 0 and np.ptp(content) > LEAST_VARIATION * np.max(np.abs(content))
-        if varies and not same and (content.size < 2 or variation_shows(name, columns)):
+        if varies and not same and not _checks(outcome, name) and (content.size < 2 or variation_shows(name, columns)):
             names.append(name)
     return names or list(outcome.answers)
 
@@ -188,9 +180,9 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]
 def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
     """Yield the picture of the whole answer, of the last point."""
     point = shown_point(outcome)
-    wanted, picture = [*extra_pictures(point.solution)], answer_of(point.problem).picture
-    if picture is not None:
-        wanted.append(ExtraPicture(picture, point.solution))
+    picture = answer_of(point.problem).picture
+    own = [] if picture is None else [ExtraPicture(picture, point.solution)]
+    wanted = [*own, *extra_pictures(point.solution)]
     where = settings_text(outcome.study, point.settings)
     for (name, title, caption), item in wanted:
         from winkler.plot.registered import sheet_of_kind  # loads pictures that those of the method do not need
@@ -253,19 +245,28 @@ def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
 
 
 def _patches(outcome: Outcome) -> Iterator[ReportFigure]:
-    """Yield a figure for every answer over the varied key, one curve for each patch of contact."""
-    (axis,) = outcome.study.axes
-    if not axis.numeric:
+    """Yield a figure for every answer over a varied key, one curve for each patch of contact and other setting."""
+    study, single = outcome.study, _single(outcome)
+    numeric = [axis for axis in study.axes if axis.numeric]
+    if not numeric or study.design.draws:
+        yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in single})
         return
-    x = varied_series(outcome.study, axis)
-    single = _single(outcome)
+    along = max(numeric, key=lambda axis: len(axis.values))
+    x = varied_series(study, along)
     for name in _answers_worth(outcome):
-        rows = outcome.answer(name).T[: 1 if name in single else None]
-        of = [Series(name, outcome.word(name), row) for row in rows]
-        labels = [f"patch {place + 1}" for place in range(len(of))]
+        content = outcome.answer(name)
+        count = 1 if name in single else content.shape[-1]
+        rows = [
+            (", ".join(part for part in (label, f"patch {patch + 1}" if count > 1 else "") if part), row)
+            for label, where in _curves(study, along)
+            for patch in range(count)
+            if np.isfinite(row := content[where][..., patch]).any()
+        ][:MOST_CURVES]
+        of = [Series(name, outcome.word(name), row) for _, row in rows]
         title = capital(f"{name_in_words(name)} over {name_in_words(x.name)}")
-        sentence = "One curve for each patch of contact." if len(of) > 1 else "All other values are constant."
-        yield drawn(f"answer_{name}", title, sentence, family_sheet([x for _ in of], of, labels))
+        each = " and ".join(["patch of contact"] * (count > 1) + ["other setting"] * (len(study.axes) > 1))
+        sentence = f"One curve for each {each}." if len(of) > 1 else "All other values are constant."
+        yield drawn(f"answer_{name}", title, sentence, family_sheet([x for _ in of], of, [label for label, _ in rows]))
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:
@@ -274,4 +275,12 @@ def _answers_worth(outcome: Outcome) -> list[str]:
         name: np.concatenate([point.answers[name] for point in outcome.solved if name in point.answers])
         for name in outcome.answers
     }
-    return [name for name in answers if name != "stable" and variation_shows(name, answers)]
+    return [
+        name for name in answers if name != "stable" and not _checks(outcome, name) and variation_shows(name, answers)
+    ]
+
+
+def _checks(outcome: Outcome, name: str) -> bool:
+    """Return whether an answer only says how well the others are known, so that a note holds it and no figure."""
+    sought = answer_of(shown_point(outcome).problem).headline
+    return name not in sought and (name in CHECKS or name.endswith("_error"))

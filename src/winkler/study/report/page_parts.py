@@ -12,6 +12,7 @@ from typing import Any
 
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
+from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure, figure_files, svg_element
@@ -125,12 +126,12 @@ def origin(made: Provenance, hashed: str, *parts: str) -> str:
     return section("What made these numbers", table([], lines), *parts)
 
 
-def code_section(study: Study, name: str) -> str:
-    """Return a section with a study as Python and as commands; `name` is that of its file."""
+def code_section(study: Study | FitStudy, name: str) -> str:
+    """Return a section with a study or a fit as Python and as commands; `name` is that of its file."""
     return section(
         "The same numbers elsewhere",
         folded("As Python", python_text(study, name)),
-        folded("As commands in a terminal", command_text(name)),
+        folded("As commands in a terminal", command_text(name, fits=isinstance(study, FitStudy))),
     )
 
 

@@ -12,16 +12,18 @@ from winkler.study.report import page_parts as parts
 from winkler.study.report.archive import CSV, NETCDF
 from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import ReportFigure
-from winkler.study.report.figures import figures_of, shown_contact, shown_point
+from winkler.study.report.figures import figures_of
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
 from winkler.study.report.markup import assumed_line, badge, safe, section
+from winkler.study.report.shown_contact import shown_contact, shown_point
 from winkler.study.report.tables import (
     answer_section,
     contact_section,
     expected,
     failures,
     input_section,
+    loops_section,
     question_section,
 )
 from winkler.values.readable import with_unit
@@ -69,6 +71,7 @@ def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None, *, ass
         section("At a glance", parts.figure_elements((*answers, *pictures)[:1])) if pictures else "",
         answer_section(outcome),
         contact_section(outcome),
+        loops_section(outcome),
         parts.trust(notes, questions_of(outcome)),
         failures(outcome),
         expected(outcome),

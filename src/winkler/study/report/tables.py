@@ -14,6 +14,7 @@ from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV, rows_of
 from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
+from winkler.study.report.headline.loops import LOOP_HEADS, loop_rows, loops_title
 from winkler.study.report.headline.section import headline_section
 from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
@@ -29,6 +30,7 @@ __all__ = [
     "failures",
     "given_rows",
     "input_section",
+    "loops_section",
     "question_section",
     "reason_list",
 ]
@@ -106,13 +108,18 @@ def answer_section(outcome: Outcome) -> str:
 
 
 def contact_section(outcome: Outcome) -> str:
-    """Return the elastic contact of an answer in the numbers that are compared in design; empty without one."""
+    """Return the summary of an answer: what was asked, and the contact in the numbers that are compared in design."""
     rows = [
         f'<tr><td>{safe(one.name)}</td>{number(safe(one.text))}<td class="text small">{safe(one.remark)}</td></tr>'
         for one in contact_summary(outcome)
     ]
-    lead = "<p>Pressed without friction, as the pictures show it.</p>"
-    return section("The elastic contact", lead, table(["what", "#value", ""], rows)) if rows else ""
+    return section("Summary", table(["what", "#value", "where, and compared with what"], rows)) if rows else ""
+
+
+def loops_section(outcome: Outcome) -> str:
+    """Return the loops of a path with their losses, stiffnesses and loss factors; empty with fewer than two."""
+    rows = ["<tr>" + "".join(number(safe(text)) for text in row) + "</tr>" for row in loop_rows(outcome)]
+    return section(safe(loops_title(outcome)), table([f"#{head}" for head in LOOP_HEADS], rows)) if rows else ""
 
 
 def _indices(outcome: Outcome) -> str:

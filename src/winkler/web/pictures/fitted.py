@@ -28,7 +28,7 @@ from winkler.study.report.headline.advice import worst_doubt
 from winkler.study.report.headline.section import doubt_line
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
-from winkler.study.report.page_parts import papers, trust
+from winkler.study.report.page_parts import code_section, papers, trust
 from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
 from winkler.values.validity import worst
@@ -65,7 +65,7 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
         badge(outcome.validity),
         f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
         trust(outcome.validity),
-        papers(outcome.study.problem),
+        papers(outcome.study.problem) + code_section(outcome.study, outcome.provenance.source or "fit.toml"),
         text,
         count if count > 1 else 0,
         0,

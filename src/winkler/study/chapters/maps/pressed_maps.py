@@ -51,7 +51,7 @@ PRESSED_MAPS = Chapter(
             de="wahre kontaktfläche reale kontaktfläche greenwood williamson traganteil wie viel berührt persson materialtraganteil abbott-kurve bruchteil scheinbare fläche",
             fr="aire réelle de contact greenwood williamson persson combien touche portance taux de contact taux de portance courbe d'abbott surface réelle fraction de la surface",
             headline=("area", "area_error", "peak_pressure", "patch_count"),
-            says={"area": "the surfaces touch on {area_share} of the area, {area}"},
+            says={"area": "the surfaces touch on {contact_share:%} of the area, {area}"},
             contact=PRESSED,
             picture=Caption(
                 "patches",

@@ -1,4 +1,4 @@
-"""A study as Python that gives the same numbers, and as the commands that solve it."""
+"""A study or a fit as Python that gives the same numbers, and as the commands that solve it."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from winkler.loading.path_steps import Unchanged
 from winkler.study.chapters.contents import answer_of
 from winkler.study.finding.finding import public_names
 from winkler.study.language.designs import Crossed
+from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 
 __all__ = ["command_text", "python_text"]
@@ -31,23 +32,32 @@ class _Unwritten(Exception):
     """What has no short form as Python."""
 
 
-def command_text(name: str = "study.toml") -> str:
+SOLVED = ("winkler.study.batch.run", "run", "winkler.study.language.reading", "read_study")
+FITTED = ("winkler.study.batch.fit_run", "fit_study", "winkler.study.language.fit_reading", "read_fit_study")
+"""Module and function that solve a study or fit its curves, and module and function that read its file."""
+
+
+def command_text(name: str = "study.toml", *, fits: bool = False) -> str:
     """Return the commands that solve a study from its file, and write its report.
 
     Parameters
     ----------
     name
         Name of the study file.
+    fits
+        Whether it is one with ``[fit]``.
     """
     quoted = f"'{name}'" if any(letter in name for letter in " '\"$&()") else name
+    if fits:
+        return f"winkler fit {quoted}\nwinkler fit {quoted} --pages 1\nwinkler fit {quoted} --json\n"
     return f"winkler run {quoted}\nwinkler report {quoted} --interactive\nwinkler report {quoted} --page\n"
 
 
-def python_text(study: Study, name: str = "study.toml") -> str:
+def python_text(study: Study | FitStudy, name: str = "study.toml") -> str:
     """Return a script that builds the problem of a study, solves it, over its sweep too, and prints its answers.
 
-    Numbers are those of the study to the last digit.  A study that holds large arrays, or a sweep whose values are
-    drawn, is read from its file.
+    Numbers are those of the study to the last digit.  A study that holds large arrays, a sweep whose values are drawn,
+    or a fit with its curves, is read from its file.
 
     Parameters
     ----------
@@ -56,6 +66,8 @@ def python_text(study: Study, name: str = "study.toml") -> str:
     name
         Name of its file.
     """
+    if isinstance(study, FitStudy):
+        return _from_file(name, *FITTED)
     try:
         writer = _ProblemText(study)
         depth = len(writer.variables)
@@ -65,11 +77,7 @@ def python_text(study: Study, name: str = "study.toml") -> str:
             for place, (key, variable) in enumerate(writer.variables.items())
         ]
     except _Unwritten:
-        return (
-            "from pathlib import Path\n\nfrom winkler.study.batch.run import run\n"
-            f"from winkler.study.language.reading import read_study\n\noutcome = run(read_study(Path({name!r})))\n"
-            "for column in outcome.table():\n    print(column.name, column.word.unit, column.content)\n"
-        )
+        return _from_file(name, *SOLVED)
     headline = answer_of(study.problem).headline[:SHOWN]
     printed = ", ".join([*writer.variables.values(), *(f"solution.{answer}" for answer in headline)]) or "solution"
     lines = [f"problem = {problem}", "solution = problem.solve()", f"print({printed})"]
@@ -78,6 +86,15 @@ def python_text(study: Study, name: str = "study.toml") -> str:
     imports = ["import numpy as np\n"] if "np." in body else []
     imports += ["import winkler as wk\n", *sorted(writer.imports)]
     return f"{''.join(imports)}\n{body}\n"
+
+
+def _from_file(name: str, solver: str, solve: str, reader: str, read: str) -> str:
+    """Return a script that reads a study from its file, solves it, and prints its table."""
+    return (
+        f"from pathlib import Path\n\nfrom {solver} import {solve}\nfrom {reader} import {read}\n\n"
+        f"outcome = {solve}({read}(Path({name!r})))\n"
+        "for column in outcome.table():\n    print(column.name, column.word.unit, column.content)\n"
+    )
 
 
 class _ProblemText:

@@ -17,6 +17,7 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.line import LineFoundation
 from winkler.loading.loads import HalfWidth, LineForce
 from winkler.media.halfspace import HalfSpace
+from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import IndentationSolution
@@ -24,7 +25,7 @@ from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.normal.yielding import YieldOnset, onset_of_part
 from winkler.profiles.power import Paraboloid
 from winkler.study.batch.outcome import SolvedPoint
-from winkler.study.report.figures import shown_contact
+from winkler.study.report.shown_contact import stressed_contact
 from winkler.values.errors import WinklerError
 
 __all__ = ["ElasticState", "elastic_state"]
@@ -75,10 +76,11 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
         A solved point.
     """
     try:
-        contact = shown_contact(point)
+        contact = stressed_contact(point)
         if isinstance(contact, IndentationSolution):
             return _round(contact)
-        return _ellipse(point.each[-1], point.problem) or _strip(point.each[-1], point.problem)
+        problem = getattr(contact, "problem", point.problem)
+        return _ellipse(contact, problem) or _strip(contact, problem)
     except WinklerError:  # the contact is sound, its stresses are not known
         return None
 
@@ -124,8 +126,6 @@ def _strip(solution: Any, problem: Any) -> ElasticState | None:
     forces = widths if force is None else np.resize(force, widths.shape)
     widest = int(np.argmax(forces))
     width = float(widths[widest])
-    from winkler.problems.line.indentation import LineIndentation
-
     given = HalfWidth(width) if force is None else LineForce(float(forces[widest]))
     elastic = LineIndentation(bed, given).solve()
     if not width > 0.0 or not math.isclose(float(elastic.half_width), width, rel_tol=SAME_WIDTH):

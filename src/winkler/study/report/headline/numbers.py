@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from winkler.study.report.describe import inputs, settings_text
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import Word
 
-__all__ = ["SoughtNumber", "as_share", "sought_numbers"]
+__all__ = ["ALIKE", "SoughtNumber", "as_share", "numbers_named", "sought_numbers"]
 
 ALIKE = 1e-3
 """Relative difference below which the greatest number is that of the end."""
@@ -99,7 +100,7 @@ class SoughtNumber(NamedTuple):
         if self.is_range or not self.varies:
             return ""
         if self.ends_at_zero:
-            return f"the {self.extreme_name}; {self._of(0.0)} {self.end}"
+            return f"the {self.extreme_name}; {self._of(0.0)} {self.end.rstrip(',')}"
         return f"{self.extreme_name} {self._of(self.extreme)}"
 
     def sentence(self, event: str = "", clause: str = "") -> str:
@@ -122,7 +123,7 @@ class SoughtNumber(NamedTuple):
             where = [f" ({place})" if place else "" for place in self.places or ("", "")]
             return f"the {label} is between {low}{where[0]} and {high}{where[1]}"
         if self.ends_at_zero:
-            return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end}"
+            return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end.rstrip(',')}"
         beside = f", and the {self.extreme_name} {self._of(self.extreme)}" if self.varies else ""
         said = clause or f"the {label} is {self.text}"
         return f"{f'{self.end} ' if self.many and not self.swept else ''}{said}{beside}"
@@ -162,19 +163,38 @@ def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
         Outcome of a study.
     """
     study, record = outcome.study, answer_of(outcome.study.problem)
-    given = {one.name for one in inputs(study)}
     names = record.headline or tuple(reversed([name for name in outcome.answers if outcome.word(name).unit]))
-    swept = bool(study.axes) or not record.headline
     varied = {axis.key.rpartition(".")[2] for axis in study.sweep}
+    words = {name: outcome.word(name) for name in names if name in outcome.answers and name not in varied}
+    found = numbers_named(outcome, words, [point.answers for point in outcome.solved])
+    return tuple(sorted(found, key=lambda one: one.prescribed))
+
+
+def numbers_named(
+    outcome: Outcome, words: Mapping[str, Word], answers: Sequence[Mapping[str, Array]]
+) -> Iterator[SoughtNumber]:
+    """Yield numbers of an outcome by their names, those that no point has left out.
+
+    Parameters
+    ----------
+    outcome
+        Outcome of a study.
+    words
+        Name -> symbol, unit and meaning, in their order.
+    answers
+        Name -> numbers along the loads of a point, for each solved point.
+    """
+    study = outcome.study
+    one_each = bool(answer_of(study.problem).headline)
+    given = {one.name for one in inputs(study)}
+    swept = bool(study.axes) or not one_each
     end = _end(outcome, given)
-    found = []
-    for name in names:
-        if name not in outcome.answers or name in varied:
+    for name, entry in words.items():
+        each = [np.ravel(one[name]) for one in answers if name in one]
+        if not each:
             continue
-        each = [np.ravel(point.answers[name]) for point in outcome.solved if name in point.answers]
-        numbers = np.concatenate(each)
-        if study.axes and record.headline:  # of each point that at its end
-            numbers = np.array([_last(one) for one in each])
+        # of each point of a sweep that at its end
+        numbers = np.array([_last(one) for one in each]) if study.axes and one_each else np.concatenate(each)
         finite = numbers[~np.isnan(numbers)]
         if not finite.size or (np.isnan(numbers[-1]) and not swept):
             continue
@@ -184,22 +204,8 @@ def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
         trend = ""
         if study.axes and finite.size == len(outcome.solved):
             places, trend = _places(outcome, numbers)
-        found.append(
-            SoughtNumber(
-                name,
-                outcome.word(name),
-                float(finite[-1]),
-                low,
-                high,
-                prescribed,
-                low != high,
-                swept,
-                end,
-                places,
-                trend,
-            )
-        )
-    return tuple(sorted(found, key=lambda one: one.prescribed))
+        last, many = float(finite[-1]), low != high
+        yield SoughtNumber(name, entry, last, low, high, prescribed, many, swept, end, places, trend)
 
 
 def _last(numbers: Array) -> float:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.describe import in_words
 from winkler.study.report.figure import ReportFigure
-from winkler.study.report.headline.numbers import sought_numbers
 from winkler.study.report.headline.section import doubt_of, headline
 from winkler.study.report.headline.summary import contact_summary
 from winkler.values.readable import with_readable_numbers
@@ -33,6 +32,8 @@ LETTERS = 112
 """Letters of a line at the usual size."""
 COLUMNS, REMARK_LETTERS = (0.38, 0.55), 420
 """Where numbers and remarks begin, over the width of the page; letters of a line of remarks times their size."""
+LETTER = 0.56
+"""Width of a letter of a number over its size."""
 LEAST_PICTURES, MOST_FREE, DOTS = 0.3, 0.3, 250
 """Height that pictures keep, over that of the page; most below a row of them [inch]; resolution [dots per inch]."""
 WIDE, BETWEEN, TITLE = 1.75, 0.25, 0.28
@@ -97,8 +98,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
 def _answers(outcome: Outcome, size: float, room: float) -> _Lines:
     """Return answers, yield and validity in letters of a size, with as many notes as leave room for pictures."""
     lines = _Lines()
-    rows = [(one.label, one.text, one.remark) for one in sought_numbers(outcome)]
-    lines.table(rows + [(one.name, one.text, one.remark) for one in contact_summary(outcome)], size)
+    lines.table([(one.name, one.text, one.remark) for one in contact_summary(outcome)], size)
     lines.gap()
     lines.write(f"How far this can be trusted: {trust_in_words(outcome.validity)}.", bold=True)
     if outcome.failed:
@@ -137,11 +137,14 @@ class _Lines:
             self.content.append((((MARGIN, line),), size, "bold" if bold else "normal"))
 
     def table(self, rows: list[tuple[str, str, str]], size: float) -> None:
-        """Add rows of a name, a number and a remark; of equal names the first."""
-        for name, (number, remark) in {row[0]: row[1:] for row in rows[::-1]}.items().__reversed__():
-            for place, line in enumerate(textwrap.wrap(remark, int(REMARK_LETTERS / size)) or [""]):
+        """Add rows of a name, a number and a remark, which gives way to long numbers."""
+        letter = LETTER * size / 72.0 / A4[0]
+        right = max([COLUMNS[1], *(COLUMNS[0] + letter * (len(number) + 2) for _, number, _ in rows)])
+        most = int(REMARK_LETTERS / size * (1.0 - MARGIN - right) / (1.0 - MARGIN - COLUMNS[1]))
+        for name, number, remark in rows:
+            for place, line in enumerate(textwrap.wrap(remark, most) or [""]):
                 first = ((MARGIN, name), (COLUMNS[0], number)) if place == 0 else ()
-                self.content.append(((*first, (COLUMNS[1], line)), size, "normal"))
+                self.content.append(((*first, (right, line)), size, "normal"))
 
     def put(self, page: Figure, top: float) -> float:
         """Write the lines from a height downwards and return the next one; what is below the page is left out."""

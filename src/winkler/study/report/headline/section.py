@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Any
 
 import numpy as np
 
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figure import capital
-from winkler.study.report.figures import shown_contact, shown_point
 from winkler.study.report.headline.advice import Doubt, worst_doubt
+from winkler.study.report.headline.declared import WORDS, numbers_of_contact
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
+from winkler.study.report.shown_contact import shown_contact, shown_point
 from winkler.values.readable import with_readable_numbers, with_unit
 from winkler.values.validity import Standing
 
@@ -147,18 +147,17 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
 
 def _clause(outcome: Outcome, template: str) -> str:
     """Return a clause of the record with the last numbers of an outcome; empty where one of them is not known."""
-    answers = outcome.solved[-1].answers
+    answers = numbers_of_contact(outcome.solved[-1])
     said = template
     for whole, name, how in re.findall(r"({(\w+):?([%\w]*)})", template):
-        if name == "area_share":
-            number, unit = float(np.ravel(answers["area"])[-1]) / _apparent_area(outcome.solved[-1].problem), ""
-        elif name in answers:
-            number, unit = float(np.ravel(answers[name])[-1]), outcome.word(name).unit or ""
+        if name in answers:
+            entry = outcome.word(name) if name in outcome.answers else WORDS[name]
+            number, unit = float(np.ravel(answers[name])[-1]), entry.unit or ""
         else:
             number = math.nan
         if math.isnan(number):
             return ""
-        if how == "%" or name == "area_share":
+        if how == "%":
             text = as_share(number)
         elif how == "below":
             text = f"{with_unit(abs(number), 'm', 2)} below the surface" if number else "at the surface"
@@ -166,14 +165,6 @@ def _clause(outcome: Outcome, template: str) -> str:
             text = with_unit(abs(number) if how == "size" else number, unit)
         said = said.replace(whole, text)
     return said
-
-
-def _apparent_area(problem: Any) -> float:
-    """Return the area of the height map of a problem [m^2]; not a number where it has none."""
-    if isinstance(side := getattr(problem, "side", None), float):
-        return side**2
-    lengths = getattr(getattr(getattr(problem, "contact", problem), "topography", None), "lengths", None)
-    return math.nan if lengths is None else float(np.prod(lengths))
 
 
 def _card(one: SoughtNumber, mark: str, *, first: bool) -> str:

@@ -1,28 +1,35 @@
-"""The elastic contact of an answer in the numbers that a designer compares: pressures, sizes, stresses, margin."""
+"""An answer in the numbers that a designer compares: what was asked, pressures, sizes, stresses, margin, losses.
+
+One rule for all problems: the numbers of the headline, then those of `CALLED` that the solution declares, then those of
+the contact inside it, then the stresses of the contact that is pressed without friction, where they are known.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.line.indentation import LineSolution
-from winkler.problems.normal.elliptic import EllipticSolution
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.subsurface.contact_stress import ContactStress
-from winkler.study.batch.outcome import Outcome
-from winkler.study.report.figures import shown_contact, shown_point
+from winkler.numerics.types import Array
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.study.chapters.contents import answer_of
+from winkler.study.report.describe import settings_text
+from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact, sides_of_map
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
-from winkler.values.errors import InvalidInput, OutsideValidity
+from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
+from winkler.study.report.shown_contact import medium_of, shown_contact, shown_point, stressed_contact, stresses_inside
+from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
 
 __all__ = ["SummaryNumber", "contact_summary"]
 
 STEELS = (100e9, 125e9)
 """Effective moduli of steel on steel [Pa]."""
+OF_MAP = ("nominal_pressure", "contact_share")
 STATIC_RATINGS = {"N": ("ball", 4.2e9), "N/m": ("roller", 4.0e9)}
 """Unit of the load -> bearing and peak pressure [Pa] of its static rating, ISO 76:2006."""
 
@@ -32,119 +39,153 @@ class SummaryNumber(NamedTuple):
 
     Parameters
     ----------
+    key
+        Name of the answer, or of the stress.
     name
         In words.
     number
-        SI.
+        SI; of a range that which is farthest from zero.
     unit
         Its unit.
+    text
+        The number with its unit.
     remark
         Where it is, or what it is compared with; empty if there is nothing to add.
     """
 
+    key: str
     name: str
     number: float
     unit: str
+    text: str
     remark: str = ""
-
-    @property
-    def text(self) -> str:
-        """The number with its unit."""
-        return with_unit(self.number, self.unit)
 
 
 def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
-    """Return the numbers of the elastic contact that the pictures show, pressed without friction.
+    """Return the numbers that a user asked for, those of the contact, and its stresses without friction.
 
-    There are none of a sweep, nor where the contact or its stresses are not known.
+    Of a sweep they are ranges, and stresses those of the point where the pressure is greatest.
 
     Parameters
     ----------
     outcome
         Outcome of a study.
     """
-    if outcome.study.sweep or not outcome.solved:
+    if not outcome.solved:
         return ()
-    point = shown_point(outcome)
+    sought = sought_numbers(outcome)
+    whole_curve = not answer_of(outcome.study.problem).headline
+    each = [point.answers if whole_curve else numbers_of_contact(point) for point in outcome.solved]
+    varied = {axis.key.rpartition(".")[2] for axis in outcome.study.sweep}
+    names = [name for name in CALLED if any(name in one for one in each)]
+    shown = {one.name for one in sought} | varied
+    words = {name: outcome.word(name) if name in outcome.answers else WORDS[name] for name in names}
+    rest = {name: entry for name, entry in words.items() if name not in shown}
+    along = {name for name in rest if any(_varies(one[name]) for one in each if name in one)}
+    ends = [{name: _greatest(one[name]) for name in rest if name in one} if outcome.study.axes else one for one in each]
+    rows = {one.name: _row(one) for one in sought}
+    for one in numbers_named(outcome, rest, ends):
+        row = _row(one)
+        of_path = one.name in along and bool(outcome.study.axes)
+        rows[one.name] = row._replace(remark=f"the greatest, {row.remark}".rstrip(", ")) if of_path else row
+    if not outcome.study.axes:
+        point = shown_point(outcome)
+        rows |= {row.key: row for row in _inside(point) if row.key not in rows}
+        for row in _stresses(point):
+            kept = rows.setdefault(row.key, row)
+            rows[row.key] = kept if kept.remark else kept._replace(remark=row.remark)
+        rows |= {name: rows[name]._replace(remark=_of_map(point, rows[name].remark)) for name in OF_MAP if name in rows}
+    elif not outcome.study.design.draws:
+        point = _most_pressed(outcome, each)
+        where = f"at {settings_text(outcome.study, point.settings)}"
+        stresses = (row._replace(remark=f"{row.remark}, {where}" if row.remark else where) for row in _stresses(point))
+        rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
+    order = [one.name for one in sought] + [name for name in CALLED if name not in shown]
+    return tuple(rows[name] for name in order if name in rows)
+
+
+def _varies(numbers: Array) -> bool:
+    """Return whether numbers along the loads of a point differ."""
+    finite = numbers[np.isfinite(numbers)]
+    return finite.size > 1 and bool(np.ptp(finite) > ALIKE * np.max(np.abs(finite)))
+
+
+def _greatest(numbers: Array) -> Array:
+    """Return the number along the loads of a point that is farthest from zero, as an array of one."""
+    finite = numbers[np.isfinite(numbers)]
+    return finite[[int(np.argmax(np.abs(finite)))]] if finite.size else np.array([math.nan])
+
+
+def _most_pressed(outcome: Outcome, each: Sequence[Mapping[str, Array]]) -> SolvedPoint:
+    """Return the point of a sweep with the greatest pressure, else with the greatest load; else the last."""
+    for name in ("peak_pressure", "mean_pressure", "force", "force_per_length"):
+        if all(name in one for one in each):
+            greatest = [np.max(one[name][~np.isnan(one[name])], initial=-math.inf) for one in each]
+            return outcome.solved[int(np.argmax(greatest))]
+    return shown_point(outcome)
+
+
+def _row(one: SoughtNumber) -> SummaryNumber:
+    """Return a number of an answer as a row."""
+    remark = one.remark
+    if one.is_range and one.places:
+        first, last = one.places
+        key, _, said = last.partition(" = ")
+        remark = f"at {first} … {said if first.startswith(f'{key} = ') and ',' not in first else last}"
+    number = one.extreme if one.is_range or one.ends_at_zero else one.last
+    return SummaryNumber(one.name, CALLED.get(one.name, one.label), number, one.word.unit or "", one.text, remark)
+
+
+def _plain(key: str, number: float, unit: str, remark: str = "") -> SummaryNumber:
+    text = as_share(number) if key.endswith("_share") else with_unit(number, unit)
+    return SummaryNumber(key, CALLED[key], number, unit, text, remark)
+
+
+def _inside(point: SolvedPoint) -> Iterator[SummaryNumber]:
+    """Yield the numbers of the contact inside an answer, or of that which its pictures show."""
+    try:
+        inside = numbers_inside(point.each[-1], shown_contact(point))
+    except WinklerError:  # an answer without a contact under this load
+        return
+    where = answer_of(point.problem).contact_shown.partition(",")[0]
+    for name, (entry, number) in inside.items():
+        if not math.isnan(number):
+            yield _plain(name, number, entry.unit or "", where)
+
+
+def _of_map(point: SolvedPoint, remark: str) -> str:
+    """Return a remark with the sides of the height map over which a number is a mean."""
+    sides = sides_of_map(point.problem)
+    if sides is None:
+        return remark
+    whole = f"of the whole map, {' x '.join(with_unit(float(side), 'm') for side in sides)}"
+    return f"{whole}; {remark}" if remark else whole
+
+
+def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
+    """Yield the greatest pressure and stresses of the contact pressed without friction, and the load of yield."""
     state = elastic_state(point)
     if state is None:
-        return ()
-    contact = shown_contact(point)
-    found = contact if isinstance(contact, IndentationSolution) else point.each[-1]
-    rated, sharp = _rated(found, state), f"; {state.sharp}" if state.sharp else ""
-    rows = [
-        SummaryNumber("greatest pressure p0", state.peak_pressure, "Pa", rated),
-        *_sizes(found),
-        *_shear(found),
-        SummaryNumber(
-            "greatest von Mises stress",
-            state.von_mises,
-            "Pa",
-            f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}{sharp}",
-        ),
-    ]
-    if math.isfinite(state.strength):
+        return
+    found = stressed_contact(point)
+    sharp = f"; {state.sharp}" if state.sharp else ""
+    yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(found, state))
+    if (inside := stresses_inside(found)) is not None:
+        for name, depth in (
+            ("max_shear", inside.max_shear_depth),
+            ("orthogonal_shear", inside.orthogonal_shear_depth),
+        ):
+            yield _plain(name, getattr(inside, name), "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
+    where = f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}, without friction{sharp}"
+    yield _plain("von_mises", state.von_mises, "Pa", where)
+    if math.isfinite(state.strength) and not math.isnan(state.yield_load):
         share = f"the greatest stress is {state.von_mises / state.strength:.3g} of the strength of the {state.body}"
-        rows.append(SummaryNumber("load at which it yields", state.yield_load, state.unit, share))
-    return tuple(row for row in rows if not math.isnan(row.number))
-
-
-def _sizes(found: Any) -> list[SummaryNumber]:
-    """Return load, mean pressure, size and approach of a contact."""
-    line = isinstance(found, LineSolution)
-    names = {
-        "mean pressure": ("mean_pressure", "Pa"),
-        "force per length" if line else "force": ("force_per_length" if line else "force", "N/m" if line else "N"),
-        "contact radius": ("radius", "m"),
-        "half-width": ("half_width", "m"),
-        "longitudinal semi-axis": ("longitudinal_semi_axis", "m"),
-        "lateral semi-axis": ("lateral_semi_axis", "m"),
-        "contact area": ("area", "m^2"),
-        "approach": ("depth", "m"),
-    }
-    rows = []
-    for name, (attribute, unit) in names.items():
-        number = getattr(found, attribute, None)
-        if isinstance(number, float | np.ndarray | np.floating) and np.size(number):
-            rows.append(SummaryNumber(name, float(np.ravel(number)[-1]), unit))
-    known = {row.name: row.number for row in rows}
-    if "contact area" not in known and "contact radius" in known:
-        rows.append(SummaryNumber("contact area", math.pi * known["contact radius"] ** 2, "m^2"))
-    return rows
-
-
-def _bed(found: Any) -> Any:
-    """Return the bed of a contact, or its problem where that names the bodies; a moment of a history has a bed."""
-    problem = getattr(found, "problem", found)
-    return getattr(problem, "bed", problem)
-
-
-def _shear(found: Any) -> list[SummaryNumber]:
-    """Return the greatest shear stress in homogeneous bodies; none where it is infinite or not known."""
-    bed = _bed(found)
-    if not isinstance(getattr(bed, "medium", None), HalfSpace):
-        return []
-    try:
-        if isinstance(found, IndentationSolution):
-            solved = ContactStress(Indentation(bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
-        elif isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
-            solved = ContactStress(found.problem).solve()
-        else:
-            return []
-    except (InvalidInput, OutsideValidity):
-        return []
-    return [
-        SummaryNumber(name, number, "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
-        for name, number, depth in (
-            ("greatest shear stress", solved.max_shear, solved.max_shear_depth),
-            ("greatest shear along the surface", solved.orthogonal_shear, solved.orthogonal_shear_depth),
-        )
-    ]
+        yield _plain("yield_force", state.yield_load, state.unit, share)
 
 
 def _rated(found: Any, state: ElasticState) -> str:
     """Return the share of the static rating of bearings, of ellipses and strips of steel; else nothing."""
-    medium = getattr(_bed(found), "medium", None)
+    medium = medium_of(found)
     if isinstance(found, IndentationSolution) or not isinstance(medium, HalfSpace):
         return ""
     if not STEELS[0] <= medium.modulus <= STEELS[1]:

@@ -1,0 +1,96 @@
+"""The contact that the pictures of an answer show, and the stresses inside it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from winkler.loading.loads import Depth
+from winkler.media.halfspace import HalfSpace
+from winkler.plot.method import Contact
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
+from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.study.chapters.answer import PicturedContact as Shows
+from winkler.study.chapters.contents import answer_of
+from winkler.values.errors import InvalidInput, OutsideValidity
+
+__all__ = ["medium_of", "shown_contact", "shown_point", "stressed_contact", "stresses_inside"]
+
+
+def shown_point(outcome: Outcome) -> SolvedPoint:
+    """Return the point whose contact the pictures show: the last one that was solved."""
+    return outcome.solved[-1]
+
+
+def shown_contact(point: SolvedPoint) -> Contact | None:
+    """Return the contact of a point in the pictures, of its last load; None if there is none."""
+    shows = answer_of(point.problem).pictured
+    if shows is Shows.NONE:
+        return None
+    solution = point.solution if shows is Shows.PATH else point.each[-1]
+    if isinstance(solution, IndentationSolution):
+        return solution
+    if shows is Shows.EDGE:
+        from winkler.plot.adhesion.cycles import contact_of  # loads the problems of adhesion
+
+        return contact_of(solution)
+    inside = getattr(solution, "contact", None)
+    if isinstance(inside, IndentationSolution):
+        return inside
+    bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
+    if bed is None or not isinstance(depth, float | np.ndarray):
+        return None
+    return Indentation(bed, Depth(float(np.max(depth)))).solve()
+
+
+def stressed_contact(point: SolvedPoint) -> Any:
+    """Return the contact whose stresses are sought: that of the pictures, that inside an answer, or the answer.
+
+    Parameters
+    ----------
+    point
+        A solved point.
+    """
+    contact = shown_contact(point)
+    if isinstance(contact, IndentationSolution):
+        return contact
+    found = point.each[-1]
+    inside = getattr(found, "contact", None)
+    return inside if isinstance(inside, EllipticSolution | LineSolution) else found
+
+
+def medium_of(found: Any) -> Any:
+    """Return the medium of a contact or a problem; None where it names none.
+
+    Parameters
+    ----------
+    found
+        A solution or one of its states.
+    """
+    problem = getattr(found, "problem", found)
+    own = getattr(problem, "medium", None)
+    return getattr(getattr(problem, "bed", None), "medium", None) if own is None else own
+
+
+def stresses_inside(found: Any) -> ContactStressSolution | None:
+    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
+
+    Parameters
+    ----------
+    found
+        A contact, as of `stressed_contact`.
+    """
+    if not isinstance(medium_of(found), HalfSpace):
+        return None
+    try:
+        if isinstance(found, IndentationSolution):
+            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
+        if isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
+            return ContactStress(found.problem).solve()
+    except (InvalidInput, OutsideValidity):
+        pass
+    return None
