@@ -18,7 +18,7 @@ from winkler.loading.loads import Angle, Depth, ShearForce, Torque
 from winkler.loading.path import Path, numbers_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
-from winkler.media.relaxing.relaxing_medium import relaxes
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium, relaxes
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
@@ -104,7 +104,7 @@ class SurfaceTangential:
     __words__ = words(twist=("", None, "how the bodies turn beside a shift or a shear force"))
 
     topography: Topography
-    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium | RelaxingMedium, Advice("the boundary elements apply to no other")]
     law: Slipped
     path: Path
     twist: Angle | Torque = HELD
