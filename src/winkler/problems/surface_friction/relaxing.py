@@ -181,8 +181,8 @@ def relaxing_map_notes(medium: Any, time: Array) -> tuple[Note, ...]:
 COURSE = Note(
     Assumption.RESPONSE,
     Standing.ASYMPTOTIC,
-    "All bodies relax by one function of time with Poisson's ratios that do not change. Surfaces are displaced "
-    "steadily between the points of the path, so that results err in proportion to the steps; compare with twice the "
-    "points.",
+    "All bodies relax by one function of time with Poisson's ratios that do not change, so that each step is one of "
+    "the elastic bodies of the other notes. Surfaces are displaced steadily between the points of the path, and "
+    "results err in proportion to the steps; compare with twice the points.",
     LEE,
 )
