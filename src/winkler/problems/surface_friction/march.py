@@ -130,7 +130,7 @@ class SurfaceMarch:
         else:
             if memory.relaxes or max(drive) != self.drive:
                 self.pressed = self._press(push, gaps)
-            box = everywhere if self.periodic else box_around(memory.touched | (self.pressed.pressure > 0.0))
+            box = everywhere if self.periodic else box_around(memory.touched() | (self.pressed.pressure > 0.0))
             here = (slice(None), *box)
             grid, old = self._grid(box), self.traction[here]
             before = grid.sheared((memory.held - memory.base)[1:][here])

@@ -102,7 +102,6 @@ class SurfaceMemory:
         self.base, self.scale = np.zeros_like(self.held), series.glassy
         self.spans = np.zeros(series.moduli.size)
 
-    @property
     def touched(self) -> Array:
         """Which pixels have borne something that is remembered, ``(nx, ny)``."""
         return np.asarray(np.any(self.held, 0) | np.any(self.parts, (0, 1)))

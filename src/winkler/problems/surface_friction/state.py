@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from winkler.numerics.types import Array, PerLoad, Q
+import numpy as np
+
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.values.value import value, words
 
 __all__ = ["MapSlip", "SurfaceShearState"]
@@ -72,7 +74,7 @@ class MapSlip(PerLoad[Q]):
     @property
     def friction_loss(self) -> Q:
         """Lost by friction since the beginning [J]."""
-        return self.dissipation - self.bulk_loss
+        return shaped(np.subtract(self.dissipation, self.bulk_loss))
 
 
 @value

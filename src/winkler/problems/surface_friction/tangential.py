@@ -262,13 +262,13 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
 
     @property
     def _medium(self) -> HomogeneousMedium:
-        medium, who = self.problem.medium, "SurfaceTangentialSolution"
-        if relaxes(medium):
+        who = "SurfaceTangentialSolution"
+        if relaxes(self.problem.medium):
             raise OutsideValidity(
                 f"{who}: displacements and stresses below a height map on bodies that relax are not known to winkler, "
                 "its pressures and tractions are; give an elastic medium."
             )
-        return homogeneous(who, "the stress below the surface", medium)
+        return homogeneous(who, "the stress below the surface", self.problem._course[0])
 
     @property
     def _loop(self) -> PathLoop:
