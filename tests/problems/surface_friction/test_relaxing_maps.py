@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.study.batch.run import run
+from winkler.study.language.reading import parse_study
+from winkler.study.report.report import report_files
 from winkler.values.validity import Assumption, Standing, worst
 
 MU, DEPTH, SHIFT = 0.3, 0.01, 8e-4
@@ -261,3 +264,34 @@ def test_what_is_said_of_it():
     assert Assumption.KNOWN_TIMES in wk.SurfaceTangential.assumptions
     with pytest.raises(wk.OutsideValidity, match="on bodies that relax"):
         found.stresses([0.0], [0.0], [0.01])
+
+
+STUDY = """
+[problem]
+kind = "surface_tangential"
+law = { kind = "coulomb", coefficient = 0.3 }
+
+[problem.topography]
+kind = "sampled_profile"
+lengths = ["2 mm", "2 mm"]
+shape = [16, 16]
+profile = { kind = "paraboloid", curvature_radius = "20 mm" }
+
+[problem.medium]
+kind = "viscoelastic_half_space"
+first = { kind = "standard_solid", relaxed_shear = "0.5 MPa", shear = "1.5 MPa", relaxation_time = "50 ms" }
+
+[problem.path]
+kind = "program"
+steps = [
+    { kind = "start", normal = { kind = "depth", depth = "20 um" } },
+    { kind = "oscillate", lateral = { kind = "shift", shift = "2 um" }, cycles = 1, count = 4 },
+]
+"""
+
+
+def test_a_study_of_it_has_a_report():
+    """The report asked every medium for its one modulus."""
+    outcome = run(parse_study(STUDY))
+    assert outcome.answer("bulk_loss")[-1] > 0.0
+    assert report_files(outcome)
