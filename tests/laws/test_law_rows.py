@@ -27,6 +27,9 @@ LAYERS = wk.CoatedHalfSpace([wk.Layer(SOLID, 0.05)], SOLID, SOLID)
 SLOW = wk.ViscoelasticHalfSpace(wk.StandardSolid(0.125, 0.125, 1e9, poisson=0.0))
 RELAXED = wk.ViscoelasticHalfSpace(wk.StandardSolid(0.25, 0.25, 1e-9, poisson=0.0))
 """G = 0.25 under a rigid body, at once and in the end: E*, G* and G_t of the pair."""
+SLOW_PAIR = wk.ViscoelasticHalfSpace(*2 * [wk.StandardSolid(0.25, 0.25, 1e9, poisson=0.0)])
+RELAXED_PAIR = wk.ViscoelasticHalfSpace(*2 * [wk.StandardSolid(0.5, 0.5, 1e-9, poisson=0.0)])
+"""The same of two bodies that are alike: pixels know that a rigid one is dissimilar."""
 BALL, MU, A = wk.Paraboloid(1.0), 0.3, 0.1
 DEPTH = A**2
 FORCE = 4.0 / 3.0 * HALF.modulus * A**3
@@ -90,10 +93,13 @@ def turned(medium, **more):
     return problem
 
 
-def on_a_map(normal, lateral):
-    heights = wk.SampledProfile([2.5 * A, 2.5 * A], BALL, (49, 49))
-    path = wk.Path(np.arange(len(next(iter(vars(lateral).values())))), normal, lateral)
-    return wk.SurfaceTangential(heights, HALF, wk.Coulomb(MU), path)
+def on_a_map(medium):
+    def problem(normal, lateral):
+        heights = wk.SampledProfile([2.5 * A, 2.5 * A], BALL, (49, 49))
+        path = wk.Path(np.arange(len(next(iter(vars(lateral).values())))), normal, lateral)
+        return wk.SurfaceTangential(heights, medium, wk.Coulomb(MU), path)
+
+    return problem
 
 
 def on_a_line(medium, method=wk.Method.AUTO):
@@ -115,12 +121,15 @@ ROWS = {
     "rings": Row(PUSH, pushed(LAYERS), 1e-12, CURVED),
     "relaxing springs": Row(PUSH, pushed(SLOW, count=400, tolerance=1e-5), 1e-4, relaxes=True),
     "relaxed springs": Row(PUSH, pushed(RELAXED, count=400, tolerance=1e-5), 1e-4, relaxes=True),
-    "pixels": Row(PUSH, on_a_map, 1e-3, steady=True),
+    "pixels": Row(PUSH, on_a_map(HALF), 1e-3, steady=True),
+    "relaxing pixels": Row(PUSH, on_a_map(SLOW_PAIR), 1e-3, steady=True, relaxes=True),
+    "relaxed pixels": Row(PUSH, on_a_map(RELAXED_PAIR), 1e-3, steady=True, relaxes=True),
     "a twist": Row(TURN, turned(HALF), 1e-12, CURVED),
     "a twist of rings": Row(TURN, turned(LAYERS), 1e-12, CURVED),
     "a twist of relaxing springs": Row(TURN, turned(SLOW, count=400, tolerance=1e-5), 1e-4, relaxes=True),
     "a twist of relaxed springs": Row(TURN, turned(RELAXED, count=400, tolerance=1e-5), 1e-4, relaxes=True),
-    "a twist of pixels": Row(TURN, on_a_map, 1e-3, steady=True),
+    "a twist of pixels": Row(TURN, on_a_map(HALF), 1e-3, steady=True),
+    "a twist of relaxing pixels": Row(TURN, on_a_map(SLOW_PAIR), 1e-3, steady=True, relaxes=True),
     "earlier strips": Row(STRIP, on_a_line(HALF), 1e-11),
     "elements of a line": Row(STRIP, on_a_line(HALF, wk.Method.ELEMENTS), 3e-4),
     "elements on layers": Row(STRIP, on_a_line(LAYERS), 3e-4),

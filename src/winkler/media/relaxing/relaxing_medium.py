@@ -18,6 +18,7 @@ from winkler.media.offers import PlaneMedium, offers
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array, ComplexArray
 from winkler.profiles.profile import Profile
+from winkler.values.checks.contract import offered
 from winkler.values.errors import OutsideValidity
 
 if TYPE_CHECKING:  # layers are loaded with media that have some
@@ -35,6 +36,7 @@ def relaxes(medium: object) -> bool:
     return hasattr(medium, "timeless")
 
 
+@offered("one that relaxes, such as ViscoelasticHalfSpace(first, second)")
 class RelaxingMedium(Protocol):
     """An elastic medium times a function of time: whoever has these members is asked as such, of whatever class."""
 
@@ -90,7 +92,8 @@ class RelaxingMedium(Protocol):
         return OutsideValidity(
             f"{type(self).__name__}: its stiffness changes in time, so no single value exists; use "
             "ViscoelasticIndentation(bed, path), with friction Tangential or Torsion, whose path has cycles, on lines "
-            "LineViscoelasticIndentation(bed, path) or LineTangential, or an elastic medium."
+            "LineViscoelasticIndentation(bed, path) or LineTangential, on height maps SurfaceTangential, or an elastic "
+            "medium."
         )
 
     def elastic_parts(self, displacement: Displacement) -> tuple[Displacement, ...]:

@@ -12,6 +12,7 @@ bodies bear the same pressure, so their creep adds up.
 from __future__ import annotations
 
 import functools
+from typing import Any
 
 import numpy as np
 
@@ -30,7 +31,7 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["ViscoelasticHalfSpace", "share_of_creep"]
+__all__ = ["ViscoelasticHalfSpace", "creep_ratio", "share_of_creep"]
 
 UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 """E* = 1 Pa."""
@@ -145,12 +146,20 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         return BodyField(*loaded[:4], *moved[4:])
 
 
-def share_of_creep(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
-    """Return how much of a common displacement is a body's; refuse two that do not creep in proportion."""
+def creep_ratio(body: Any, other: Any) -> float | None:
+    """Return the modulus of one body over that of another, nothing unless both relax in proportion."""
+    if not (isinstance(body, ViscoelasticSolid) and isinstance(other, ViscoelasticSolid)):
+        return None
     own, its = body.series, other.series
     ratio = own.viscosity / its.viscosity if its.viscosity > 0.0 else own.glassy / its.glassy
     alike = np.array_equal(own.times, its.times) and np.allclose(own.moduli, ratio * its.moduli, rtol=1e-12, atol=0.0)
-    if not (alike and np.isclose(own.relaxed, ratio * its.relaxed, rtol=1e-12, atol=0.0)):
+    return float(ratio) if alike and np.isclose(own.relaxed, ratio * its.relaxed, rtol=1e-12, atol=0.0) else None
+
+
+def share_of_creep(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
+    """Return how much of a common displacement is a body's; refuse two that do not creep in proportion."""
+    ratio = creep_ratio(body, other)
+    if ratio is None:
         raise OutsideValidity(
             "ViscoelasticHalfSpace: both bodies creep, each by a function of its own, so that how much each of them "
             "moves is not known; request the surface (without z), or take one of them elastic or rigid."

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
@@ -15,17 +14,16 @@ __all__ = ["path_notes", "times_notes"]
 SERIES = "sum of exponentials over a span of time"
 
 
-def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
+def times_notes(medium: object, shortest: float, longest: float) -> tuple[Note, ...]:
     """Return whether the series of the solid stand for it at these times; nothing if they do at all times.
 
     Parameters
     ----------
-    bed : Bed
-        On a medium that relaxes.
+    medium : object
+        Of the problem; nothing is said of one that does not relax.
     shortest, longest : float
         The shortest time between two moments of the problem, and the longest memory that is needed [s].
     """
-    medium = bed.medium
     if not offers(medium, RelaxingMedium):
         return ()
     first, last = medium.span
@@ -44,7 +42,7 @@ def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
     return (Note(Assumption.KNOWN_TIMES, standing, f"{span}; {verdict}.", SERIES),)
 
 
-def path_notes(bed: Bed, times: Array) -> tuple[Note, ...]:
+def path_notes(medium: object, times: Array) -> tuple[Note, ...]:
     """Return the same of a path through moments [s]; nothing of one that ends where it begins."""
     steps = np.diff(times)
-    return times_notes(bed, float(np.min(steps)), float(np.ptp(times))) if steps.size else ()
+    return times_notes(medium, float(np.min(steps)), float(np.ptp(times))) if steps.size else ()

@@ -85,8 +85,8 @@ class Tangential:
     ------
     InvalidInput
         If the path twists the bodies (use Torsion), the law is none of friction, or the method follows neither this law
-        nor paths in the plane.  If bodies relax and are no half-spaces, or their law is not Coulomb's, or their path
-        leaves its line.
+        nor paths in the plane.  If bodies relax by more than one function of time, their law is not Coulomb's, or their
+        path leaves its line.
     OutsideValidity
         If rings are asked for on another medium, or a contact that is no disc.
 

@@ -235,7 +235,7 @@ class LineRollingResistanceSolution(PerLoad[Q]):
             *((HUNTER,) if isinstance(bed, LineFoundation) else (_on_layers(bed), EXAMINED)),
             steepness_note(widest / bed.size),
             large_body_note(widest / bed.size, strip=True),
-            *times_notes(bed, float(np.min(times)), float(np.max(times))),  # type: ignore[arg-type]
+            *times_notes(bed.medium, float(np.min(times)), float(np.max(times))),
             *relaxing_yield(bed.medium),
         )
 

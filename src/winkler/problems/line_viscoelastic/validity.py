@@ -7,7 +7,6 @@ from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.times import path_notes
-from winkler.problems.line.load_springs import LoadSprings
 from winkler.problems.line.validity import shape_notes
 from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line
 from winkler.problems.normal.unknown_yield import relaxing_yield
@@ -51,4 +50,4 @@ def relaxing_line_notes(bed: RelaxingBed, time: Array, half_width: float) -> tup
         "a-posteriori check of pressure and separation, at sampled places",
     )
     own = (*shape_notes(bed, half_width, response, examined=False), *((examined,) if layered else ()))
-    return (*own, *path_notes(LoadSprings(bed), time), *relaxing_yield(medium))
+    return (*own, *path_notes(medium, time), *relaxing_yield(medium))

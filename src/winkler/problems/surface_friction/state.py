@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from winkler.numerics.types import Array, PerLoad, Q
+import numpy as np
+
+from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.values.value import value, words
 
 __all__ = ["MapSlip", "SurfaceShearState"]
@@ -29,7 +31,11 @@ class MapSlip(PerLoad[Q]):
     stick_share : float or ndarray, (points,)
         Part of the contact that does not slip in the last step [-].
     stored_energy, dissipation : float or ndarray, (points,)
-        Of the tractions along the surface, and lost by friction since the beginning [J].
+        Of the tractions along the surface, and lost since the beginning [J]: by friction, and inside of bodies that
+        relax.
+    bulk_loss : float or ndarray, (points,)
+        What of it the tractions along the surface lose inside of bodies that relax [J], pressing not counted; zero of
+        elastic ones.
     misfit : float or ndarray, (points,)
         Sum of mu p abs(s) - tau s with the slip s of the last step, over that of mu p abs(s) and of twice the stored
         energy.
@@ -40,6 +46,8 @@ class MapSlip(PerLoad[Q]):
     __words__ = words(
         shift=("u_i", "m", "sideways displacement of the bodies against each other, along x and y"),
         shear_force=("F_i", "N", "sideways force, along x and y"),
+        bulk_loss=("W_b", "J", "lost inside of bodies that relax, by the tractions along the surface"),
+        friction_loss=("W_f", "J", "lost by friction since the beginning"),
         stored_energy=("U_t", "J", "elastic energy of the tractions along the surface"),
         misfit=("", "", "what the solver left of the law of friction, over the energy"),
         peak_pressure=(r"p_{max}", "Pa", "greatest pressure"),
@@ -59,8 +67,14 @@ class MapSlip(PerLoad[Q]):
     stick_share: Q
     stored_energy: Q
     dissipation: Q
+    bulk_loss: Q
     misfit: Q
     penetration: Q
+
+    @property
+    def friction_loss(self) -> Q:
+        """Lost by friction since the beginning [J]."""
+        return shaped(np.subtract(self.dissipation, self.bulk_loss))
 
 
 @value

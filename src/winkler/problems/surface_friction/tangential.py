@@ -18,6 +18,8 @@ from winkler.loading.loads import Angle, Depth, ShearForce, Torque
 from winkler.loading.path import Path, numbers_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium, relaxes
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, MAPPED
@@ -30,6 +32,7 @@ from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.march import SurfaceMarch
 from winkler.problems.surface_friction.notes import surface_shear_notes
+from winkler.problems.surface_friction.relaxing import course_of, relaxing_map_notes
 from winkler.problems.surface_friction.state import MapSlip, SurfaceShearState
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, affordable, between
@@ -46,7 +49,7 @@ HELD = Angle(0.0)
 
 @value
 class SurfaceTangential:
-    """A height map pressed into an elastic half-space and sheared, with friction.
+    """A height map pressed into an elastic or viscoelastic half-space and sheared, with friction.
 
     Parameters
     ----------
@@ -54,7 +57,9 @@ class SurfaceTangential:
         Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
         ball, an ellipse or another profile.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
-        Both bodies.  Of layers the displacements across the surface under tractions along it are left out.
+        Both bodies.  Of layers the displacements across the surface under tractions along it are left out.  Bodies
+        relax by one function of time, as ViscoelasticHalfSpace or RelaxingInProportion; before the first point of the
+        path nothing has happened, and what is not zero there comes suddenly.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction; each pixel has the coefficient that belongs to its own path of slip.
     path : Path
@@ -70,7 +75,8 @@ class SurfaceTangential:
     ------
     InvalidInput
         If heights are missing, the map is periodic and twisted, the numbers of the twist do not fit the path, the path
-        twists and there is a twist beside it, or the map is too large.
+        twists and there is a twist beside it, or the map is too large.  If bodies relax by more than one function of
+        time, or a dashpot stands alongside.
 
     References
     ----------
@@ -98,7 +104,7 @@ class SurfaceTangential:
     __words__ = words(twist=("", None, "how the bodies turn beside a shift or a shear force"))
 
     topography: Topography
-    medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
+    medium: Annotated[MappedMedium | RelaxingMedium, Advice("the boundary elements apply to no other")]
     law: Slipped
     path: Path
     twist: Angle | Torque = HELD
@@ -107,11 +113,14 @@ class SurfaceTangential:
     references: ClassVar[tuple[str, ...]] = (
         "kalker_1990", "cattaneo_1938", "mindlin_1949", "spence_1975", "polonsky_keer_1999",
     )  # fmt: skip
-    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | BALANCED | {Assumption.UNCOUPLED, Assumption.SLIP}
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | BALANCED | {
+        Assumption.UNCOUPLED, Assumption.SLIP, Assumption.KNOWN_TIMES,
+    }  # fmt: skip
 
     def __post_init__(self) -> None:
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
-        pixels = 2 * around * self.topography.heights.size
+        remembered = 3 * self._course[1].moduli.size  # of each term of the relaxation
+        pixels = (2 * around + remembered) * self.topography.heights.size
         affordable("SurfaceTangential", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)
         missing = self.topography.missing
         if missing:
@@ -123,7 +132,7 @@ class SurfaceTangential:
             raise InvalidInput(
                 "SurfaceTangential: the periodic map is flat and touches everywhere at once; nothing to solve."
             )
-        compliance_of(self.medium)  # refuses bodies whose tractions are not known
+        compliance_of(self._course[0])  # refuses bodies whose tractions are not known
         turns = isinstance(self.path.lateral, Angle | Torque)
         if turns and self.twist != HELD:
             raise InvalidInput(
@@ -141,6 +150,11 @@ class SurfaceTangential:
                 "SurfaceTangential: a periodic map goes on for ever and has no middle to be turned about; leave the "
                 "twist out, or give a map that stands alone."
             )
+
+    @property
+    def _course(self) -> tuple[MappedMedium, RelaxationSeries]:
+        """The bodies as if they were elastic, and by what their moduli are multiplied in the course of time."""
+        return course_of("SurfaceTangential", self.medium)
 
     @property
     def total(self) -> int:
@@ -171,15 +185,15 @@ class SurfaceTangential:
             If stick and slip are not found to the tolerance.
         """
         given, by_force = self._motions()
-        march = SurfaceMarch(self.topography, self.medium, self.law, by_force, self.tolerance)
+        march = SurfaceMarch(self.topography, *self._course, self.law, by_force, self.tolerance)
         length = self.topography.pixel[0]
         unit = np.where(by_force, march.patch * np.array([1.0, 1.0, length]), np.array([length, length, 1.0]))
         for index, (time, load) in enumerate(zip(self.path.time.tolist(), self.path.across.tolist(), strict=True)):
             drive = ByDepth(load) if isinstance(self.path.normal, Depth) else ByLoad(load / march.patch)
             try:
                 if index == 0 and march.coupled:  # straight down first: that alone shears dissimilar bodies
-                    march.step(drive, np.zeros(3))
-                march.step(drive, given[index] / unit)
+                    march.step(drive, np.zeros(3), time)
+                march.step(drive, given[index] / unit, time)
             except (NotConverged, OutsideValidity) as error:
                 raise type(error)(f"SurfaceTangential: at index {index} of the path, {error}.") from None
             yield march.state(time)
@@ -248,7 +262,13 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
 
     @property
     def _medium(self) -> HomogeneousMedium:
-        return homogeneous("SurfaceTangentialSolution", "the stress below the surface", self.problem.medium)
+        who = "SurfaceTangentialSolution"
+        if relaxes(self.problem.medium):
+            raise OutsideValidity(
+                f"{who}: displacements and stresses below a height map on bodies that relax are not known to winkler, "
+                "its pressures and tractions are; give an elastic medium."
+            )
+        return homogeneous(who, "the stress below the surface", self.problem._course[0])
 
     @property
     def _loop(self) -> PathLoop:
@@ -283,13 +303,15 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: residuals, steps, border, slopes, pixels."""
         stated, touched = self.problem, self.area > 0.0
-        if isinstance(stated.medium, HomogeneousMedium):
+        if relaxes(stated.medium):
+            yielded = relaxing_map_notes(stated.medium, self.time)
+        elif isinstance(stated.medium, HomogeneousMedium):
             yielded = self._yield_notes(self.time.size)
         else:
             yielded = unknown_yield(stated.medium, "the stresses below a height map are not computed in layers")
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
-            stated.topography, stated.medium, stated.law, blurred, self.force,
+            stated.topography, stated._course[0], stated.law, blurred, self.force,
             self.penetration, self.misfit,
         )  # fmt: skip
         return (*notes, *yielded, *self._cycle_notes)

@@ -264,7 +264,7 @@ class ViscoelasticImpactSolution:
             stiffest = max(series.relaxed, series.viscosity / self.duration)
         modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
-        times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
+        times = times_notes(bed.medium, float(np.min(np.diff(self.time))), self.duration)
         balance = energy_note(self.kinetic_energy[0] - self.kinetic_energy, self.stored_energy, self.bulk_loss)
         return relaxing_notes(bed, self.depth, self.radius, (*times, balance, wave_note(share)))
 

@@ -287,7 +287,7 @@ class ViscoelasticSolution(RoundPress[Array], Looped):
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
         balance = energy_note(self.work, self.stored_energy, self.dissipation)
-        own = (*path_notes(bed, self.time), balance, *self._cycle_notes)
+        own = (*path_notes(bed.medium, self.time), balance, *self._cycle_notes)
         if is_layered("validity", bed):
             return layered_notes(self.problem, self, own)
         return relaxing_notes(bed, self.depth, self.radius, own)

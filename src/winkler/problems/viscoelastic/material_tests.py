@@ -196,7 +196,7 @@ class StepSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         depth, radius = np.broadcast_arrays(np.ravel(self.depth), np.ravel(self.radius))
-        times = times_notes(bed, float(np.min(self.time)), float(np.max(self.time)))
+        times = times_notes(bed.medium, float(np.min(self.time)), float(np.max(self.time)))
         if is_layered("validity", bed):
             return layered_notes(self.problem, self, times)
         return relaxing_notes(bed, depth, radius, times)

@@ -151,6 +151,6 @@ class HarmonicSolution(PerLoad[Q]):
             "go.",
             "linearisation about the relaxed contact",
         )
-        times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
+        times = times_notes(bed.medium, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
         # of layers that relax each by a law of its own, the notes are those of the relaxed stack, on which it rests
         return relaxing_notes(bed, np.array([self.depth]), np.array([self.radius]), (*times, small))

@@ -234,7 +234,7 @@ class SlidingResistanceSolution(PerLoad[Q]):
         bed = self.problem.bed
         depth, radius = (np.ravel(np.asarray(column)) for column in (self.depth, self.radius))
         passing = (2.0 * radius / np.ravel(np.asarray(self.speed)))[radius > 0.0]
-        times = times_notes(bed, float(np.min(passing)), float(np.max(passing))) if passing.size else ()
+        times = times_notes(bed.medium, float(np.min(passing)), float(np.max(passing))) if passing.size else ()
         return (
             *bed.notes,
             APPROXIMATE,

@@ -338,7 +338,7 @@ def dragged_notes(bed: Bed, law: Coulomb, time: Array, depth: Array, radius: Arr
         *slip,
         sticking_note(bed.medium, law.coefficient),
         *direction_notes(bed),
-        *path_notes(bed, time),
+        *path_notes(bed.medium, time),
         *contact_notes(elastic, depth, radius),
         *relaxing_yield(bed.medium),
     )

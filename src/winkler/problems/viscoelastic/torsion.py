@@ -87,7 +87,7 @@ def dragged_twist_notes(bed: Bed, states: Sequence[DraggedTwist]) -> tuple[Note,
         *bed.notes,
         Note(Assumption.SLIP, Standing.ASYMPTOTIC if nested else Standing.APPROXIMATE, statement, JAEGER),
         *twisted_layer_notes(elastic, widest, twist_bound(elastic, 1.0, widest, False)),
-        *path_notes(bed, time),
+        *path_notes(bed.medium, time),
         *contact_notes(elastic, depth, radius),
         *relaxing_yield(bed.medium),
     )

@@ -108,9 +108,10 @@ def _groove(problem: Any) -> tuple[str, ...]:
 
 def _hollow(outcome: Outcome) -> tuple[str, ...]:
     problem = outcome.study.problem
-    pair, modulus = getattr(problem, "bodies", None), getattr(getattr(problem, "medium", None), "modulus", math.nan)
+    pair = getattr(problem, "bodies", None)
     if not isinstance(pair, CurvedPair) or "peak_pressure" not in outcome.answers:
         return ()
+    modulus = getattr(getattr(problem, "medium", None), "modulus", math.nan)
     peak = float(np.nanmax(outcome.answer("peak_pressure"), initial=0.0))
     if min(_radii(pair).values()) > 0.0 and modulus > STIFF and peak > HARD_SHARE * modulus:
         return (

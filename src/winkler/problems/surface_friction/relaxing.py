@@ -1,0 +1,187 @@
+r"""Bodies under a height map that relax: what their surface remembers, and one step of it as a step of elastic bodies.
+
+All parts of the bodies relax by one function of time, and Poisson's ratios do not change, so that space and time
+separate: the surfaces are displaced as those of the elastic bodies under pressures and tractions w, and bear
+
+.. math:: q(t) = M_\infty w + \sum_i M_i s_i , \qquad \dot s_i = \dot w - s_i/\tau_i .
+
+Over a step w changes steadily, so that q at its end is an instantaneous modulus A times w, and what is left of before:
+
+.. math:: w = q/A + b , \qquad A = M_\infty + \sum_i M_i \frac{1-e^{-h_i}}{h_i} , \qquad h_i = \Delta t/\tau_i .
+
+The step is that of elastic bodies of A times their moduli whose surfaces b has displaced already.  A pixel that bears
+nothing any more is displaced by b alone: it recovers freely.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from winkler.materials.elastic import Rigid
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.halfspace import HalfSpace
+from winkler.media.mapped import MappedMedium
+from winkler.media.relaxing.at_rate import GLASSY, elastic_with
+from winkler.media.relaxing.relaxing_medium import LEE, relaxes
+from winkler.media.relaxing.viscoelastic import creep_ratio
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
+from winkler.numerics.surfaces.traction_grid import TractionGrid
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.times import path_notes
+from winkler.problems.normal.unknown_yield import relaxing_yield
+from winkler.values.errors import InvalidInput
+from winkler.values.validity import Assumption, Note, Standing
+
+__all__ = ["SurfaceMemory", "course_of", "relaxing_map_notes"]
+
+STILL = RelaxationSeries(1.0, 0.0, np.empty(0), np.empty(0))
+"""The course of bodies that do not relax."""
+SHORT = 1e-3
+"""Part of a relaxation time below which a loss is taken from its power series: its terms would cancel."""
+
+
+def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries]:
+    """Return the elastic bodies, and by what their moduli are multiplied in the course of time.
+
+    Parameters
+    ----------
+    owner : str
+        Kind of problem, for messages.
+    medium : MappedMedium
+        Elastic, or relaxing by one function of time.
+
+    Raises
+    ------
+    InvalidInput
+        If it relaxes by more than one function of time, or a dashpot stands alongside.
+    """
+    if not relaxes(medium):
+        return medium, STILL
+    if not medium.in_proportion:
+        raise InvalidInput(
+            f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
+            f"function of time stands for all pixels, as it must here; give {medium.alike}."
+        )
+    series = medium.relaxation
+    if series.viscosity > 0.0:
+        raise InvalidInput(
+            f"{owner}: a dashpot alongside bears pixels that are caught suddenly with an infinite pressure; give a "
+            "solid without one, such as StandardSolid or Prony."
+        )
+    bodies = [getattr(medium, name, None) for name in ("first", "second")]
+    if not any(isinstance(body, ViscoelasticSolid) for body in bodies):
+        return medium.elastic, series
+    if not any(isinstance(body, Rigid) for body in bodies) and creep_ratio(*bodies) is None:
+        raise InvalidInput(
+            f"{owner}: the bodies relax each by a function of its own, so that the surface relaxes otherwise along "
+            "than across itself and no single function of time stands for both; give bodies that relax in proportion, "
+            "or one of them rigid."
+        )
+    first, second = (elastic_with(body, GLASSY) for body in bodies)
+    return HalfSpace(first, second), series.scaled(1.0 / series.glassy)
+
+
+class SurfaceMemory:
+    """Pressures and tractions on elastic bodies that would be displaced alike, and what each term of relaxation keeps.
+
+    Parameters
+    ----------
+    series : RelaxationSeries
+        By what the moduli of the elastic bodies are multiplied, without a dashpot.
+    shape : tuple of int
+        (nx, ny) of the map.
+    """
+
+    def __init__(self, series: RelaxationSeries, shape: tuple[int, ...]) -> None:
+        self.series, self.relaxes = series, series.moduli.size > 0
+        self.held, self.change = np.zeros((3, *shape)), np.zeros((3, *shape))
+        self.parts = self.earlier = np.zeros((series.moduli.size, 3, *shape))
+        self.base, self.scale = np.zeros_like(self.held), series.glassy
+        self.spans = np.zeros(series.moduli.size)
+
+    def touched(self) -> Array:
+        """Which pixels have borne something that is remembered, ``(nx, ny)``."""
+        return np.asarray(np.any(self.held, 0) | np.any(self.parts, (0, 1)))
+
+    def begin(self, dt: float) -> float:
+        """Begin a step of a duration [s]: find A and b, and return A of the step before over it."""
+        series, before = self.series, self.scale
+        if self.relaxes:
+            self.spans = dt / series.times
+            fading, rising = np.exp(-self.spans), self._rising()
+            lifted = float(series.moduli @ rising)
+            self.scale = series.relaxed + lifted
+            self.base = (lifted * self.held - np.tensordot(series.moduli * fading, self.parts, 1)) / self.scale
+        return before / self.scale
+
+    def end(self, borne: Array) -> None:
+        """End it under pressures and tractions over A, ``(3, nx, ny)``."""
+        after = borne + self.base
+        self.change, self.held, self.earlier = after - self.held, after, self.parts
+        if self.relaxes:
+            fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), self._rising()))
+            self.parts = fading * self.parts + rising * self.change
+
+    def energies(self, grid: TractionGrid, box: tuple[slice, slice], moved: Array) -> tuple[float, float]:
+        """Return what tractions store at the end of the step, and what they lost in it inside of the bodies.
+
+        Parameters
+        ----------
+        grid : TractionGrid
+            The part of the map in which anything has been borne.
+        box : tuple of slice
+            Where it lies.
+        moved : ndarray, (2, nx, ny)
+            Displacement along the surface of that part at the end of the step.
+        """
+        here, series = (slice(1, None), *box), self.series
+        stored, lost = 0.5 * series.relaxed * float(np.sum(self.held[here] * moved)), 0.0
+        if not self.relaxes:
+            return stored, lost
+        change, fading, rising = self.change[here], np.exp(-self.spans), self._rising()
+        turned = grid.sheared(change)
+        terms = zip(series.moduli.tolist(), self.spans.tolist(), fading, rising, self.earlier, strict=True)
+        for modulus, span, fade, rise, part in terms:
+            first = part[here]
+            moved_first = grid.sheared(first)
+            products = [float(np.sum(row)) for row in (first * moved_first, first * turned, change * turned)]
+            stored += 0.5 * modulus * float(np.dot([fade**2, 2.0 * fade * rise, rise**2], products))
+            lost += modulus * float(np.dot(_loss_factors(span), products))
+        return stored, lost
+
+    def _rising(self) -> Array:
+        """Return what each term keeps of a steady change, ``(terms,)``."""
+        spans = self.spans
+        return np.where(spans > 0.0, -np.expm1(-spans) / np.where(spans > 0.0, spans, 1.0), 1.0)
+
+
+def _loss_factors(span: float) -> tuple[float, float, float]:
+    """Return by what a term loses: of what it kept at first, twice that with the change, and of the change."""
+    if span == 0.0:
+        return 0.0, 0.0, 0.0
+    once, twice = -math.expm1(-span), -math.expm1(-2.0 * span)
+    if span < SHORT:
+        rising = span * (1.0 / 3.0 - span * (0.25 - span * 7.0 / 60.0))
+    else:
+        rising = (1.0 - 2.0 * once / span + 0.5 * twice / span) / span
+    return 0.5 * twice, once**2 / span, rising
+
+
+def relaxing_map_notes(medium: Any, time: Array) -> tuple[Note, ...]:
+    """Return what is assumed of bodies that relax on a path through moments [s]; nothing of elastic ones."""
+    if not relaxes(medium):
+        return ()
+    return (COURSE, *path_notes(medium, time), *relaxing_yield(medium))
+
+
+COURSE = Note(
+    Assumption.RESPONSE,
+    Standing.ASYMPTOTIC,
+    "All bodies relax by one function of time with Poisson's ratios that do not change, so that each step is one of "
+    "the elastic bodies of the other notes. Surfaces are displaced steadily between the points of the path, and "
+    "results err in proportion to the steps; compare with twice the points.",
+    LEE,
+)
