@@ -326,7 +326,7 @@ def test_new_does_not_replace_a_file_without_consent(here, capsys):
         (
             ["indention"],
             "problem: 'indention' is not known (did you mean 'indentation'?); there are indentation, "
-            "line_indentation, rough_indentation, plastic_indentation and 88 more, which `winkler show` lists.",
+            "line_indentation, rough_indentation, plastic_indentation and 87 more, which `winkler show` lists.",
         ),
         (
             ["--load", "forces"],

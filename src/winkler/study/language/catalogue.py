@@ -82,6 +82,10 @@ FORMER_PARTS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "elliptic_friction_heating": ("contact", "elliptic_indentation", ("bodies", "medium", "load")),
     "transient_heating": ("contact", "indentation", ("bed", "load")),
     "line_friction_heating": ("contact", "line_indentation", ("bed", "load")),
+    "constriction": ("contact", "indentation", ("bed", "load")),
+    "thermal_constriction": ("contact", "indentation", ("bed", "load")),
+    "joule_heating": ("contact", "indentation", ("bed", "load")),
+    "line_constriction": ("contact", "line_indentation", ("bed", "load")),
     "surface_rolling_heating": ("contact", "", ("rolling",)),
     "surface_friction_heating": ("contact", "", ("load", "rolling")),
 }
