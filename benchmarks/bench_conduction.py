@@ -33,7 +33,7 @@ def rivet() -> wk.Foundation:
 @pytest.mark.parametrize("name", BODIES)
 def bench_a_thousand_loads(benchmark, below, rivet, name):
     pair = wk.ElectricalConductors(*BODIES[name])
-    problem = wk.Constriction(rivet, pair, wk.Force(FORCES))
+    problem = wk.Constriction(wk.Indentation(rivet, wk.Force(FORCES)), pair)
     curve = benchmark.pedantic(problem.solve, rounds=50, warmup_rounds=2)
     if name == "clean":
         expected = holm_resistance(float(curve.radius[500]), first=15.9e-9, second=15.9e-9)
@@ -44,7 +44,7 @@ def bench_a_thousand_loads(benchmark, below, rivet, name):
 def bench_hot_contacts(benchmark, below, rivet):
     """A current through contacts whose resistance grows with the temperature: 200 forces."""
     pair = wk.ElectricalConductors(SILVER, TIN)
-    problem = wk.JouleHeating(rivet, pair, wk.Force(FORCES[::5]), wk.Current(5.0))
+    problem = wk.JouleHeating(wk.Indentation(rivet, wk.Force(FORCES[::5])), pair, wk.Current(5.0))
     hot = benchmark.pedantic(problem.solve, rounds=20, warmup_rounds=1)
     assert np.all(hot.resistance > hot.cold_resistance)
     below(200e-3, "Joule heat of a given current, 200 forces")

@@ -24,7 +24,7 @@ steel, conductor = wk.Elastic(young=208e9, poisson=0.3), wk.ElectricalConductor(
 pair = wk.ElectricalConductors(conductor, conductor, film=wk.SurfaceFilm(area_resistance=1e-12))
 medium = wk.HalfSpace.between(steel, steel)
 bodies = wk.CurvedBodies(longitudinal_curvature_radius=3.4e-3, lateral_curvature_radius=90e-3)
-ball = wk.Constriction(wk.EllipticFoundation(bodies, medium), pair, wk.Force(100.0)).solve()
+ball = wk.Constriction(wk.Indentation(wk.EllipticFoundation(bodies, medium), wk.Force(100.0)), pair).solve()
 pressed = wk.EllipticIndentation(bodies, medium, wk.Force(100.0)).solve()
 short, long = sorted((pressed.longitudinal_semi_axis, pressed.lateral_semi_axis))
 holm = 0.44e-6 / (2.0 * np.pi * long) * ellipk(1.0 - (short / long) ** 2)
@@ -40,7 +40,7 @@ assert np.isclose(ball.film_resistance, 1e-12 / (np.pi * short * long), rtol=0.0
 
 roller = wk.LineFoundation(wk.Paraboloid(curvature_radius=4.2e-3), medium)
 loads = wk.LineForce(np.geomspace(1e3, 200e3, 7))
-strip = wk.LineConstriction(roller, pair, loads, first_depth=5e-3, second_depth=4e-3).solve()
+strip = wk.LineConstriction(wk.LineIndentation(roller, loads), pair, first_depth=5e-3, second_depth=4e-3).solve()
 for force, width, resistance in zip(loads.force_per_length, strip.half_width, strip.resistance_per_length, strict=True):
     print(f"{force / 1e3:6.1f} N/mm on {2e6 * width:6.1f} um: {resistance / 10e-3 * 1e6:5.1f} uOhm over 10 mm")
 assert np.allclose(

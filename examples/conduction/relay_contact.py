@@ -29,7 +29,7 @@ force = np.geomspace(0.01, 20.0, 60)
 figure, (left, right) = plt.subplots(1, 2, figsize=(10.5, 4.0), layout="constrained")
 for area_resistance, colour in ((0.0, "C0"), (1e-13, "C1"), (1e-12, "C2")):
     pair = wk.ElectricalConductors(metal, metal, wk.SurfaceFilm(area_resistance))
-    curve = wk.Constriction(rivet, pair, wk.Force(force), mean_free_path=53e-9).solve()
+    curve = wk.Constriction(wk.Indentation(rivet, wk.Force(force)), pair, mean_free_path=53e-9).solve()
     name = f"film of $10^{{{np.log10(area_resistance):.0f}}}$ Ω m²" if area_resistance else "clean"
     left.loglog(force, curve.resistance * 1e3, color=colour, label=name)
     power = np.polyfit(np.log(force), np.log(curve.resistance), 1)[0]
@@ -45,7 +45,7 @@ left.legend(frameon=False, fontsize="small")
 
 law = wk.WiedemannFranz()
 current = np.geomspace(1.0, 300.0, 25)
-hot = [wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Current(float(one))).solve() for one in current]
+hot = [wk.JouleHeating(wk.Indentation(rivet, wk.Force(1.0)), clean, wk.Current(float(one))).solve() for one in current]
 temperature = np.array([one.max_temperature for one in hot])
 right.semilogx(current, temperature, color="C3", label="hottest place")
 for name, kelvin in (("softens", 453.0), ("melts", 1235.0)):
@@ -56,9 +56,9 @@ right.set(xlabel="current [A]", ylabel="temperature [K]", title="clean contact u
 right.legend(frameon=False, loc="center left")
 plt.show()
 
-ten = wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Current(10.0)).solve()
+ten = wk.JouleHeating(wk.Indentation(rivet, wk.Force(1.0)), clean, wk.Current(10.0)).solve()
 print(f"\n10 A: {ten.voltage * 1e3:.2f} mV, {ten.heat_rate * 1e3:.1f} mW, {ten.rise:.2f} K above its surroundings")
-melting = wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Voltage(law.voltage_at(1235.0))).solve()
+melting = wk.JouleHeating(wk.Indentation(rivet, wk.Force(1.0)), clean, wk.Voltage(law.voltage_at(1235.0))).solve()
 print(f"it would melt at {melting.current:.0f} A, if it stayed as it is; softened silver yields, and the spot grows")
 
 # %%
@@ -66,7 +66,7 @@ print(f"it would melt at {melting.current:.0f} A, if it stayed as it is; softene
 # ------------------
 # Current enters at the edge, where its density is infinite; temperature falls off within a few radii.
 
-picture = draw(wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Current(100.0)).solve())
+picture = draw(wk.JouleHeating(wk.Indentation(rivet, wk.Force(1.0)), clean, wk.Current(100.0)).solve())
 
 # %%
 # Check
@@ -75,7 +75,7 @@ picture = draw(wk.JouleHeating(rivet, clean, wk.Force(1.0), wk.Current(100.0)).s
 
 like_temperature = wk.ElectricalConductor(15.9e-9, temperature_coefficient=1.0 / 293.15)
 pair = wk.ElectricalConductors(like_temperature, like_temperature)
-driven = wk.JouleHeating(rivet, pair, wk.Force(1.0), wk.Voltage(0.2)).solve()
+driven = wk.JouleHeating(wk.Indentation(rivet, wk.Force(1.0)), pair, wk.Voltage(0.2)).solve()
 v = 0.2 / (2.0 * np.sqrt(law.lorenz_number) * 293.15)
 assert np.isclose(driven.resistance / driven.cold_resistance, v / np.arctan(v), rtol=1e-12)
 assert np.isclose(driven.max_temperature, 293.15 * np.hypot(1.0, v), rtol=1e-13)

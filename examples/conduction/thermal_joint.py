@@ -26,7 +26,7 @@ joint = wk.HeatConductors(plate, pin, wk.ThermalInterface(interface_conductance=
 # than on a thick body.
 
 force = np.geomspace(1.0, 500.0, 40)
-curve = wk.ThermalConstriction(dome, joint, wk.Force(force), temperature_drop=50.0).solve()
+curve = wk.ThermalConstriction(wk.Indentation(dome, wk.Force(force)), joint, temperature_drop=50.0).solve()
 figure, axes = plt.subplots(figsize=(6.0, 4.0), layout="constrained")
 parts = {
     "constriction": curve.constriction,
@@ -49,7 +49,7 @@ for place in (0, 20, 39):
 # ----------------------
 
 bare = wk.HeatConductors(plate, wk.ThermalConductor(conductivity=45.0, diffusivity=12.2e-6))
-picture = draw(wk.ThermalConstriction(dome, bare, wk.Force(100.0), temperature_drop=50.0).solve())
+picture = draw(wk.ThermalConstriction(wk.Indentation(dome, wk.Force(100.0)), bare, temperature_drop=50.0).solve())
 
 # %%
 # Rough ends
@@ -72,6 +72,6 @@ for height in (0.05e-6, 0.2e-6, 1e-6):
 # -----
 # Without an interface two thick bodies pass 4 λ a ΔT, with half the harmonic mean of their conductivities for λ.
 
-thick = wk.ThermalConstriction(dome, bare, wk.Force(100.0), temperature_drop=50.0).solve()
+thick = wk.ThermalConstriction(wk.Indentation(dome, wk.Force(100.0)), bare, temperature_drop=50.0).solve()
 assert np.isclose(thick.heat_rate, 4.0 * thick.radius * 50.0 / (1.0 / 390.0 + 1.0 / 45.0), rtol=1e-12)
 assert np.isclose(thick.heat_rate / 50.0, bounds.smooth_conductance, rtol=1e-12)

@@ -32,7 +32,7 @@ assert abs(conductance * holm - 1.0) < 1e-12
 
 rivets = wk.Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace.between(silver, silver))
 alloy = wk.ElectricalConductor(resistivity=RESISTIVITY)
-relay = wk.Constriction(rivets, wk.ElectricalConductors(alloy, alloy), wk.Force(FORCE)).solve()
+relay = wk.Constriction(wk.Indentation(rivets, wk.Force(FORCE)), wk.ElectricalConductors(alloy, alloy)).solve()
 print(f"winkler: {1e6 * relay.resistance:.2f} uohm")
 assert abs(relay.resistance / holm - 1.0) < 1e-12
 
@@ -58,7 +58,9 @@ for (name, shape), colour in zip(shapes.items(), ("C3", "C0", "C2"), strict=True
     force = wk.Indentation(bed, wk.Depth(depths)).solve().force
     measured = np.gradient(force, depths)
     predicted = modulus * RESISTIVITY / measured
-    known = wk.Constriction(bed, wk.ElectricalConductors(alloy, alloy), wk.Depth(depths)).solve().resistance
+    known = (
+        wk.Constriction(wk.Indentation(bed, wk.Depth(depths)), wk.ElectricalConductors(alloy, alloy)).solve().resistance
+    )
     worst = float(np.max(np.abs(predicted / known - 1.0)[5:-5]))
     print(f"{name:9s}: resistance from the curve alone within {worst:.1e}")
     assert worst < 5e-3

@@ -30,7 +30,7 @@ new = wk.SampledProfile([18e-3, 14e-3], wheel, (72, 56))
 pulls = wk.SurfaceRolling(
     new, steel, wk.Force(80e3), wk.Coulomb(0.3), wk.Creepage(longitudinal=3e-3, spin=0.2), speed=SPEED
 )
-warm = wk.SurfaceRollingHeating(pulls, pair).solve()
+warm = wk.SurfaceFrictionHeating(pulls, pair).solve()
 assert np.isclose(warm.heat_rate, warm.creep_power, rtol=5e-3)
 print(f"{warm.heat_rate / 1e3:.2f} kW, up to {warm.max_temperature:.1f} K, {-warm.x * 1e3:.1f} mm behind the middle")
 draw(warm)
@@ -42,7 +42,7 @@ draw(warm)
 
 y = (np.arange(56) - 27.5) * new.pixel[1]
 worn = wk.Topography(new.heights - 10e-6 * np.exp(-((y / 2.5e-3) ** 2)), new.lengths)
-hollow = wk.SurfaceRollingHeating(dataclasses.replace(pulls, topography=worn), pair).solve()
+hollow = wk.SurfaceFrictionHeating(dataclasses.replace(pulls, topography=worn), pair).solve()
 print(f"{hollow.heat_rate / 1e3:.2f} kW, up to {hollow.max_temperature:.1f} K at y = {hollow.y * 1e3:.1f} mm")
 draw(hollow)
 
@@ -55,7 +55,7 @@ creepage = wk.Creepage(longitudinal=np.geomspace(2e-4, 2e-2, 9))
 figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
 for name, tread, look in (("new", new, "o-"), ("worn hollow", worn, "s-")):
     rolling = dataclasses.replace(pulls, topography=tread, drive=creepage)
-    curve = wk.SurfaceRollingHeating(rolling, pair).solve()
+    curve = wk.SurfaceFrictionHeating(rolling, pair).solve()
     axes.loglog(100 * creepage.longitudinal, curve.max_temperature, look, label=name)
 axes.set(xlabel="creepage [%]", ylabel="greatest rise of temperature [K]")
 axes.legend(frameon=False)

@@ -255,8 +255,7 @@ from winkler.problems.surface_current.constriction import SurfaceConstriction, S
 from winkler.problems.surface_friction.joint import JointStiffness, JointStiffnessSolution
 from winkler.problems.surface_friction.reduced import ReducedFriction, ReducedFrictionSolution
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
-from winkler.problems.surface_heating.rolling import SurfaceRollingHeating, SurfaceRollingHeatingSolution
-from winkler.problems.surface_heating.sliding import SurfaceFrictionHeating, SurfaceFrictionHeatingSolution
+from winkler.problems.surface_heating.steady import SurfaceFrictionHeating, SurfaceFrictionHeatingSolution
 from winkler.problems.surface_rolling.creep_force import CreepForce, Spin
 from winkler.problems.surface_rolling.start import SurfaceRollingStart, SurfaceRollingStartSolution
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
@@ -385,8 +384,8 @@ __all__ = [
     "SubsurfaceFields", "Sum", "SurfaceAdhesion", "SurfaceAdhesionSolution", "SurfaceConduction",
     "SurfaceConductionSolution", "SurfaceConstriction", "SurfaceConstrictionSolution", "SurfaceContact",
     "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm", "SurfaceFrictionHeating",
-    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling", "SurfaceRollingHeating",
-    "SurfaceRollingHeatingSolution", "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
+    "SurfaceFrictionHeatingSolution", "SurfaceLoad", "SurfaceRolling",
+    "SurfaceRollingSolution", "SurfaceRollingStart", "SurfaceRollingStartSolution",
     "SurfaceTangential", "SurfaceTangentialSolution", "SurfaceWear", "SurfaceWearSolution", "TabulatedGrading",
     "TabulatedTip", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalDrift", "ThermalInterface", "ThermalJoint", "ThermalJointSolution", "Tilt",

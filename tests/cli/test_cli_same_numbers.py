@@ -102,9 +102,8 @@ BY_HAND = {
     ),
     "friction_damping": wk.FrictionDamping(BED, RUBBER, wk.Force(100.0), wk.Shift(5e-7)),
     "wiedemann_franz": wk.JouleHeating(
-        BED,
+        wk.Indentation(BED, wk.Force(1.0)),
         wk.ElectricalConductors(*2 * [wk.ElectricalConductor(15.9e-9, 3.8e-3)]),
-        wk.Force(1.0),
         wk.Current(5.0),
         wk.WiedemannFranz(2.44e-8),
     ),

@@ -111,7 +111,7 @@ def test_a_film_counts_by_the_true_area():
     """The film has 1.72 times the resistance that the disc of equal stiffness would give: 146 against 85 microohm."""
     copper = wk.ElectricalConductor(1.7e-8)
     pair = wk.ElectricalConductors(copper, copper, wk.SurfaceFilm(1.25e-10))
-    found = wk.Constriction(BEARING.bed, pair, wk.Force(1500.0)).solve()
+    found = wk.Constriction(wk.Indentation(BEARING.bed, wk.Force(1500.0)), pair).solve()
     with mpmath.workdps(30):
         m = hertz(124 / 3.77)
         k, e = mpmath.ellipk(m), mpmath.ellipe(m)
@@ -119,11 +119,13 @@ def test_a_film_counts_by_the_true_area():
         film = 1.25e-10 / (mpmath.pi * a**2 * mpmath.sqrt(1 - m))
     assert found.film_resistance == pytest.approx(float(film), rel=1e-10)
     assert found.film_resistance == pytest.approx(146e-6, rel=0.01)
-    disc = wk.Constriction(wk.Foundation(wk.Paraboloid(BEARING.equivalent_radius), PAIR), pair, wk.Force(1500.0))
+    disc = wk.Constriction(
+        wk.Indentation(wk.Foundation(wk.Paraboloid(BEARING.equivalent_radius), PAIR), wk.Force(1500.0)), pair
+    )
     assert disc.solve().film_resistance == pytest.approx(85e-6, rel=0.03)
     plated = wk.ElectricalConductors(copper, wk.Plated(copper, 1e-6, on=copper))
     with pytest.raises(wk.OutsideValidity, match="a plating needs a round contact"):
-        wk.Constriction(BEARING.bed, plated, wk.Force(1500.0)).solve()
+        wk.Constriction(wk.Indentation(BEARING.bed, wk.Force(1500.0)), plated).solve()
 
 
 def test_what_needs_a_disc_is_refused():

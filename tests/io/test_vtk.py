@@ -191,7 +191,9 @@ def test_a_sheared_body_keeps_its_grid(tmp_path):
 
 def test_currents_and_heat_are_written(tmp_path):
     silver = wk.NamedElectricalConductor("silver")
-    hot = wk.JouleHeating(BED, wk.ElectricalConductors(silver, silver), wk.Force(1.0), wk.Current(5.0)).solve()
+    hot = wk.JouleHeating(
+        wk.Indentation(BED, wk.Force(1.0)), wk.ElectricalConductors(silver, silver), wk.Current(5.0)
+    ).solve()
     field = wk.restore_conduction(hot, np.linspace(0.0, 0.9e-5, 4)[:, None], np.array([1e-6, 2e-5])[None, :])
     wk.write_vtk(field, tmp_path / "current.vtk", around=4)
     dimensions, _, found = read(tmp_path / "current.vtk")

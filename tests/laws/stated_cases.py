@@ -312,7 +312,7 @@ def elliptic_spot(rng):
     )
 
 
-@states("SurfaceRollingHeatingSolution.grid_error")
+@states("SurfaceFrictionHeatingSolution.grid_error")
 def rolling_heat(rng):
     """Greatest temperature of an elliptic contact that rolls and slips."""
     radii, load = np.sort(10.0 ** rng.uniform(-2.3, -1.3, 2)), 100.0
@@ -325,7 +325,7 @@ def rolling_heat(rng):
     def warm(pixels):
         body = wk.SampledProfile(2.6 * semi_axes, wk.CurvedBodies(*radii), (pixels, pixels))
         rolling = wk.SurfaceRolling(body, STEEL, wk.Force(load), wk.Coulomb(0.3), wk.Creepage(slip), speed=speed)
-        return wk.SurfaceRollingHeating(rolling, conductors).solve()
+        return wk.SurfaceFrictionHeating(rolling, conductors).solve()
 
     rough, fine = warm(20), warm(60)
     return rough.grid_error, abs(rough.max_temperature / fine.max_temperature - 1.0)

@@ -92,9 +92,8 @@ GIVEN: dict[str, Any] = {
     "surface_contact.hardness": 1e9,
     "surface_friction_heating.first_bulk_temperature": 10.0,
     "surface_friction_heating.second_bulk_temperature": 10.0,
+    "surface_friction_heating.first_speed": 1.0,
     "surface_friction_heating.second_speed": 1.0,
-    "surface_rolling_heating.first_bulk_temperature": 10.0,
-    "surface_rolling_heating.second_bulk_temperature": 10.0,
     "surface_tangential.twist": wk.Angle(1e-4),
     "tangential.method": wk.Method.SPRINGS,
     "thermal_joint.jump_distance": 1e-7,
@@ -122,6 +121,8 @@ TOGETHER = {
     "line_fretting_wear.layer_wears": "no layers",
     "line_rolling_start.reference": "reference",
     "line_sliding_wear.layer_wears": "no layers",
+    "surface_friction_heating.first_speed": "leave both out",
+    "surface_friction_heating.second_speed": "leave both out",
     "thermal_joint.jump_distance": "gap_conductivity",
 }
 """Arguments that are refused alone, and what the sentence asks for."""

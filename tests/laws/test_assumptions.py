@@ -126,7 +126,7 @@ def narrower_than_the_free_path():
     silver = wk.ElectricalConductor(1.6e-8)
     bed = wk.Foundation(wk.Sphere(10e-9), LIKE)
     pair = wk.ElectricalConductors(silver, silver)
-    return wk.Constriction(bed, pair, wk.Force(1e-9), mean_free_path=53e-9).solve().validity
+    return wk.Constriction(wk.Indentation(bed, wk.Force(1e-9)), pair, mean_free_path=53e-9).solve().validity
 
 
 def hotter_than_any_solid():

@@ -65,7 +65,7 @@ PROBLEMS = {
     "AdhesiveShear": lambda bed: wk.AdhesiveShear(bed, SHORT, LOAD, STUCK),
     "BimodalDamping": lambda bed: wk.BimodalDamping(bed, MU, 0.02, 0.002, 0.001),
     "ConductanceBounds": lambda bed: wk.ConductanceBounds(bed, WIRES, 1e-4, 0.005),
-    "Constriction": lambda bed: wk.Constriction(bed, WIRES, LOAD),
+    "Constriction": lambda bed: wk.Constriction(wk.Indentation(bed, LOAD), WIRES),
     "ContactLaw": lambda bed: wk.ContactLaw(bed, 0.02),
     "CreepTest": lambda bed: wk.CreepTest(bed, 0.005, [1.0]),
     "Equilibrium": lambda bed: wk.Equilibrium(bed, SHORT, 0.3, count=50),
@@ -78,7 +78,7 @@ PROBLEMS = {
     "HarmonicIndentation": lambda bed: wk.HarmonicIndentation(bed, LOAD, 1.0),
     "Impact": lambda bed: wk.Impact(bed, MU, 1.0, 0.01, 0.002, count=11),
     "Indentation": lambda bed: wk.Indentation(bed, LOAD),
-    "JouleHeating": lambda bed: wk.JouleHeating(bed, WIRES, LOAD, wk.Voltage(1e-3)),
+    "JouleHeating": lambda bed: wk.JouleHeating(wk.Indentation(bed, LOAD), WIRES, wk.Voltage(1e-3)),
     "LimitingProfile": lambda bed: wk.LimitingProfile(bed, MU, DEPTH, wk.Shift(0.003)),
     "MeasuredConstriction": lambda bed: wk.MeasuredConstriction(
         bed, wk.ResistanceLog(np.linspace(1e-3, 1e-2, 30), 1e-3 * np.linspace(1e-3, 1e-2, 30) ** -0.4)
@@ -99,7 +99,7 @@ PROBLEMS = {
     "SpringMarch": lambda bed: wk.SpringMarch(bed, MU, PUSH, count=40),
     "Tangential": lambda bed: wk.Tangential(bed, MU, PUSH, count=20),
     "Tangential, springs": lambda bed: wk.Tangential(bed, MU, PUSH, wk.Method.SPRINGS),
-    "ThermalConstriction": lambda bed: wk.ThermalConstriction(bed, STEEL, LOAD, 1.0),
+    "ThermalConstriction": lambda bed: wk.ThermalConstriction(wk.Indentation(bed, LOAD), STEEL, 1.0),
     "Torsion": lambda bed: wk.Torsion(bed, MU, TWIST),
     "TransientHeating": lambda bed: wk.TransientHeating(wk.Indentation(bed, LOAD), MU, STEEL, 3e-5, [1.0]),
     "ViscoelasticAdhesion": lambda bed: wk.ViscoelasticAdhesion(bed, CRACK, RISE),

@@ -144,9 +144,9 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
         ("SurfaceRollingStartSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-8 of the energy")
         for name in ("longitudinal_creepage", "longitudinal_force", "stick_share")
     },
-    **{(name, "mismatch"): ERROR for name in ("SurfaceRollingHeatingSolution", "SurfaceFrictionHeatingSolution")},
+    ("SurfaceFrictionHeatingSolution", "mismatch"): ERROR,
     **{
-        ("SurfaceRollingHeatingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")
+        ("SurfaceFrictionHeatingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")
         for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error")
     },
     **{

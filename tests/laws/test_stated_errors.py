@@ -166,7 +166,6 @@ NOTES = {
     "problems.rough.reduce": (1, "the misfit at contacts between those it is made of, tested in test_reduce"),
     "problems.surface_current.notes": (1, MODELS),
     "problems.surface_friction.joint": (1, COMPARED),
-    "problems.surface_heating.rolling": (1, MODELS),
     "problems.surface_wear.wear": (1, TOLERANCE),
     "problems.wear.validity": (1, TOLERANCE),
     "problems.wear.worn_layers": (1, "the grid against the equation it stands for, computed beside it"),

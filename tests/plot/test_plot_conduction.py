@@ -23,7 +23,7 @@ def labels(figure) -> list[str]:
 
 
 def test_resistance_is_drawn_over_force_with_the_requested_points():
-    item = wk.Constriction(BALL, PAIR, wk.Force(1.0)).solve()
+    item = wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), PAIR).solve()
     figure = draw(item)
     left = figure.axes[0]
     point = next(line for line in left.lines if line.get_label() == "requested")
@@ -36,7 +36,7 @@ def test_resistance_is_drawn_over_force_with_the_requested_points():
 
 
 def test_parts_of_a_resistance_add_up():
-    figure = draw(wk.Constriction(BALL, FILMED, wk.Force(np.geomspace(0.1, 10.0, 5))).solve())
+    figure = draw(wk.Constriction(wk.Indentation(BALL, wk.Force(np.geomspace(0.1, 10.0, 5))), FILMED).solve())
     names = list(figure.axes[0].get_legend_handles_labels()[1])
     assert names == ["resistance", "constriction", "film", "length of the rods", "requested"]
     assert figure.axes[1].get_ylim() == (0.0, 100.0)
@@ -46,8 +46,8 @@ def test_parts_of_a_resistance_add_up():
 @pytest.mark.parametrize(
     "item",
     [
-        wk.JouleHeating(BALL, PAIR, wk.Force(1.0), wk.Voltage(0.1)),
-        wk.ThermalConstriction(BALL, HEAT, wk.Force(1.0), 10.0),
+        wk.JouleHeating(wk.Indentation(BALL, wk.Force(1.0)), PAIR, wk.Voltage(0.1)),
+        wk.ThermalConstriction(wk.Indentation(BALL, wk.Force(1.0)), HEAT, 10.0),
     ],
     ids=["current", "heat"],
 )
@@ -62,15 +62,15 @@ def test_the_map_covers_both_bodies_and_the_cut_the_contact(item):
 
 @pytest.mark.slow
 def test_where_the_field_is_not_known_other_curves_are_drawn():
-    figure = draw(wk.JouleHeating(BALL, FILMED, wk.Force(1.0), wk.Current(5.0)).solve())
+    figure = draw(wk.JouleHeating(wk.Indentation(BALL, wk.Force(1.0)), FILMED, wk.Current(5.0)).solve())
     assert len(figure.axes) == 2
     assert "current $I$ [A]" in labels(figure)
-    many = draw(wk.JouleHeating(BALL, PAIR, wk.Force(np.array([0.1, 1.0])), wk.Current(5.0)).solve())
+    many = draw(wk.JouleHeating(wk.Indentation(BALL, wk.Force(np.array([0.1, 1.0]))), PAIR, wk.Current(5.0)).solve())
     assert "force $F_N$ [mN]" in labels(many)
 
 
 def test_fields_are_drawn_on_grids_and_along_lines():
-    solution = wk.ThermalConstriction(BALL, HEAT, wk.Force(1.0), 10.0).solve()
+    solution = wk.ThermalConstriction(wk.Indentation(BALL, wk.Force(1.0)), HEAT, 10.0).solve()
     r, z = np.linspace(0.0, 1e-4, 13), np.linspace(-5e-5, 1e-4, 11)
     one = draw(wk.restore_conduction(solution, r[:, None], z[None, :]))
     turned = draw(wk.restore_conduction(solution, r[None, :], z[:, None]))
@@ -98,8 +98,8 @@ def test_spots_and_bounds():
 @pytest.mark.parametrize(
     ("item", "message"),
     [
-        (wk.Constriction(BALL, PAIR, wk.Depth(-1e-6)), "do not touch"),
-        (wk.JouleHeating(BALL, PAIR, wk.Force(1.0), wk.Voltage(0.0)), "no current flows"),
+        (wk.Constriction(wk.Indentation(BALL, wk.Depth(-1e-6)), PAIR), "do not touch"),
+        (wk.JouleHeating(wk.Indentation(BALL, wk.Force(1.0)), PAIR, wk.Voltage(0.0)), "no current flows"),
     ],
 )
 def test_nothing_is_not_drawn(item, message):

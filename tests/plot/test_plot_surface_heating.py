@@ -18,7 +18,7 @@ def of_rolling(creepage: list[float]):
     rolling = wk.SurfaceRolling(
         BALL, MEDIUM, wk.Force(60.0), wk.Coulomb(0.3), wk.Creepage(longitudinal=creepage), speed=5.0
     )
-    return sheet_of(wk.SurfaceRollingHeating(rolling, STEELS).solve())
+    return sheet_of(wk.SurfaceFrictionHeating(rolling, STEELS).solve())
 
 
 def of_sliding(first: float, second: float, traction: float, hot: float = 0.0):

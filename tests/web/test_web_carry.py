@@ -182,8 +182,9 @@ def test_what_was_put_aside_comes_back_before_numbers_of_examples():
     study.change(f"{FIRST}.young", "70 GPa", "one number")
     for question in ("viscoelastic_indentation", "seal", "constriction"):
         study.choose("problem", question)
-    assert form.at(study.table, f"{FIRST}.young") == "70 GPa"
-    assert f"{FIRST}.young" not in study.assumed
+    first = FIRST.replace("problem.", "problem.contact.")
+    assert form.at(study.table, f"{first}.young") == "70 GPa"
+    assert f"{first}.young" not in study.assumed
 
 
 def test_bodies_and_load_stay(entered):
@@ -217,9 +218,10 @@ def test_what_has_no_place_is_said_and_comes_back(entered):
         "Of the example: longitudinal curvature radius 20 mm, lateral curvature radius 10 mm."
     )
     entered.choose("problem", "constriction")
-    assert form.at(entered.table, FIRST) == RUBBER
-    assert form.at(entered.table, PROFILE) == TIP
-    assert form.at(entered.table, LOAD) == {"kind": "force", "force": "2 N"}
+    contact = form.at(entered.table, "problem.contact")
+    assert contact["bed"]["medium"]["first"] == RUBBER
+    assert contact["bed"]["profile"] == TIP
+    assert contact["load"] == {"kind": "force", "force": "2 N"}
 
 
 def test_numbers_stay_where_a_part_does_not_fit(entered):
@@ -232,7 +234,7 @@ def test_numbers_stay_where_a_part_does_not_fit(entered):
 def test_a_sweep_stays_where_its_keys_do(entered):
     entered.vary(f"{LOAD}.force")
     ranges = dict(entered.table["sweep"])
-    entered.choose("problem", "constriction")
+    entered.choose("problem", "adhesive_indentation")
     assert entered.table["sweep"] == ranges
     assert "Left out" not in entered.carried_remark
     entered.choose("problem", "line_indentation")
@@ -241,7 +243,7 @@ def test_a_sweep_stays_where_its_keys_do(entered):
 
 
 def test_another_shape_ends_the_remark(entered):
-    entered.choose("problem", "constriction")
+    entered.choose("problem", "adhesive_indentation")
     entered.choose(PROFILE, "cone")
     assert entered.carried_remark == ""
 

@@ -143,12 +143,13 @@ def _spot() -> dict[str, Array]:
     from winkler.laws.film import SurfaceFilm
     from winkler.media.conduction.conductors import ElectricalConductors
     from winkler.problems.conduction.constriction import Constriction
+    from winkler.problems.normal.indentation import Indentation
 
     one, radius = ElectricalConductor(1.0), float(hertz()[1])
 
     def at(logarithm: float) -> Any:
         film = SurfaceFilm(2.0 * radius * math.exp(logarithm))
-        return Constriction(_bed(), ElectricalConductors(one, one, film), Force(FORCE)).solve()
+        return Constriction(Indentation(_bed(), Force(FORCE)), ElectricalConductors(one, one, film)).solve()
 
     unit = at(0.0)
     return {

@@ -20,6 +20,9 @@ from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.numerics.equations.highest import highest, highest_of_curve
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
+from winkler.problems.line.greatest_stress import in_strip
+from winkler.problems.line.layered_stress import greatest_in_part
+from winkler.problems.line.strip import Strip
 from winkler.problems.line_strips.profile_notes import _greatest as greatest_below_strips
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
@@ -340,3 +343,53 @@ def test_below_a_coated_strip(half_width):
     for layer, top, bottom in zip(contact.layer_stresses(), tops[:-1], tops[1:], strict=True):
         most = in_part(lambda x, z: contact.stresses(x, z).von_mises, top, bottom, half_width + top, 12)
         assert most <= layer.von_mises * (1.0 + 1e-6)
+
+
+STRONG = wk.CoatedHalfSpace(
+    [wk.Layer(wk.Elastic(3e9, 0.4), 2e-5), wk.Layer(wk.Elastic(90e9, 0.3), 1e-5)],
+    on=wk.Elastic(210e9, 0.3), second=wk.Elastic(70e9, 0.33),
+)  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("measure", "seed"), [(tensor.von_mises, 21), (tensor.max_shear, 22), (tensor.orthogonal_shear, 23)]
+)
+def test_below_a_dragged_strip_on_layers_in_all_parts(measure, seed):
+    """In each layer and in both bodies; dragged the other way, its place is mirrored."""
+    random = np.random.default_rng(seed)
+    half_width, friction = 10.0 ** random.uniform(-5.0, -4.2), random.uniform(0.1, 0.6)
+    bed = wk.LayeredLineFoundation(wk.Paraboloid(1e-3), STRONG)
+    contact = wk.LineIndentation(bed, wk.HalfWidth(half_width)).solve()
+    compared = in_strip(measure)
+    for part in solid_parts(STRONG):
+        found = greatest_in_part(bed, Strip(half_width, 0.0), part, friction, measure=compared)
+        back = greatest_in_part(bed, Strip(half_width, 0.0), part, -friction, measure=compared)
+        assert back.value == pytest.approx(found.value, rel=1e-9)
+        assert (back.x, back.z) == pytest.approx((-found.x, found.z), abs=1e-4 * half_width)
+        sign = 1.0 if part.first else -1.0
+
+        def field(x, z, sign=sign, part=part):
+            return compared(
+                contact.stresses(x, sign * np.clip(z, part.top * (1.0 + 1e-9) + 1e-15, part.bottom), friction)
+            )
+
+        bottom = min(part.bottom, part.top + 2.0 * (half_width + part.top))
+        width, span = half_width + part.top, bottom - part.top
+        places = random.uniform(0.0, 1.0, (2, 300)) * [[4.0 * width], [span]] + [[-2.0 * width], [part.top]]
+        most = by_chance(field, places, 0.1 * min(span, half_width), seed, surface=part.top == 0.0, rounds=8)
+        assert found.value * (1.0 - 1e-3) < most < found.value * (1.0 + 1e-6)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.2])
+def test_below_a_sharp_tip_on_layers_the_greatest_away_from_it_is_stated(friction):
+    """Sampled on a grid, which stood before, it was 7 % too low under friction."""
+    bed = wk.LayeredLineFoundation(wk.Cone(0.05), STRONG)
+    contact = wk.LineIndentation(bed, wk.LineForce(2e4)).solve()
+    a, part = contact.half_width, solid_parts(STRONG)[0]
+    found = contact.part_stress(part, friction)
+    x, z = np.meshgrid(a * np.linspace(-0.3, 0.3, 2001), [0.05 * a], indexing="ij")
+    line = contact.stresses(x, z, friction).von_mises
+    assert found.value >= np.max(line) * (1.0 - 1e-9)
+    assert found.value == pytest.approx(np.max(line), rel=1e-4)
+    assert found.z == pytest.approx(0.05 * a)

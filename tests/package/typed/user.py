@@ -87,9 +87,11 @@ speeds = np.array([0.1, 0.2])
 band = wk.BandHeating(1e-4, 1e6, pair, first_speed=speeds, second_speed=-speeds).solve()
 print(worn.worn_volume[-1], hottest, np.max(band.flash_temperature))
 metal = wk.ElectricalConductor(15.9e-9)
-spots = wk.Constriction(bed, wk.ElectricalConductors(metal, metal), wk.Force(np.array([1.0, 2.0]))).solve()
+spots = wk.Constriction(
+    wk.Indentation(bed, wk.Force(np.array([1.0, 2.0]))), wk.ElectricalConductors(metal, metal)
+).solve()
 ohms: list[float] = [spots.at(0).resistance, spots.at(1).conductance]
-passed = wk.ThermalConstriction(bed, pair, wk.Force(1.0), temperature_drop=10.0).solve()
+passed = wk.ThermalConstriction(wk.Indentation(bed, wk.Force(1.0)), pair, temperature_drop=10.0).solve()
 watts: float = passed.heat_rate
 print(spots.constriction.max(), ohms, watts)
 

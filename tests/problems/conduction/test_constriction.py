@@ -31,7 +31,7 @@ HEAT = wk.ThermalConductor(conductivity=45.0, diffusivity=12e-6)
 def test_conductance_is_barbers_analogy_of_the_stiffness(profile):
     """2 / (E* (rho_1 + rho_2)) dF/dd, with dF/dd from differences of the force itself."""
     bed = wk.Foundation(profile, MEDIUM)
-    contact = wk.Constriction(bed, PAIR, wk.Force(50.0)).solve()
+    contact = wk.Constriction(wk.Indentation(bed, wk.Force(50.0)), PAIR).solve()
     step = 1e-4 * contact.depth
     near = [wk.Indentation(bed, wk.Depth(contact.depth + side * step)).solve().force for side in (-1.0, 1.0)]
     slope = (near[1] - near[0]) / (2.0 * step)
@@ -39,7 +39,7 @@ def test_conductance_is_barbers_analogy_of_the_stiffness(profile):
 
 
 def test_holms_resistance_to_all_digits():
-    contact = wk.Constriction(BALL, PAIR, wk.Force(100.0)).solve()
+    contact = wk.Constriction(wk.Indentation(BALL, wk.Force(100.0)), PAIR).solve()
     with mp.workdps(30):
         modulus = mp.mpf(210e9) / (2 * (1 - mp.mpf(0.3) ** 2))
         radius = mp.cbrt(3 * mp.mpf(100) * mp.mpf(10e-3) / (4 * modulus))
@@ -52,7 +52,7 @@ def test_holms_resistance_to_all_digits():
 def test_a_layered_elastic_body_conducts_by_its_radius_not_by_its_stiffness():
     coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(450e9, 0.25), 20e-6)], on=STEEL)
     bed = wk.Foundation(wk.Paraboloid(10e-3), coated)
-    contact = wk.Constriction(bed, PAIR, wk.Force(10.0)).solve()
+    contact = wk.Constriction(wk.Indentation(bed, wk.Force(10.0)), PAIR).solve()
     assert contact.conductance == pytest.approx(4.0 * contact.radius / 32.7e-9, rel=1e-14)
     stiff = wk.Indentation(bed, wk.Force(10.0)).solve().stiffness
     assert abs(2.0 * stiff / (coated.modulus * 32.7e-9) / contact.conductance - 1.0) > 0.05
@@ -69,7 +69,7 @@ def test_an_elliptic_contact_given_by_its_force_curve():
     stiffness = np.pi * major * share ** (1.0 / 3.0) / k
     bed = wk.MeasuredBed(stiffness / 2.0, stiffness, depth * share ** (2.0 / 3.0))
     unit = wk.ElectricalConductor(1.0)
-    contact = wk.Constriction(bed, wk.ElectricalConductors(unit, unit), wk.Force(1.0)).solve()
+    contact = wk.Constriction(wk.Indentation(bed, wk.Force(1.0)), wk.ElectricalConductors(unit, unit)).solve()
     assert contact.depth == pytest.approx(0.7739655, rel=1e-6)
     # Smythe: an isothermal ellipse on a half-space has R = rho K(e) / (2 pi a)
     assert contact.resistance == pytest.approx(2.0 * k / (2.0 * np.pi * 1.3499607), rel=1e-6)
@@ -77,14 +77,16 @@ def test_an_elliptic_contact_given_by_its_force_curve():
     plated = wk.ElectricalConductors(unit, wk.Plated(wk.ElectricalConductor(2.0), 1.0, on=unit))
     for pair, why in ((filmed, "The area of the contact is not known"), (plated, "a plating needs a round contact")):
         with pytest.raises(wk.OutsideValidity, match=why):
-            wk.Constriction(bed, pair, wk.Force(1.0)).solve()
+            wk.Constriction(wk.Indentation(bed, wk.Force(1.0)), pair).solve()
         with pytest.raises(wk.OutsideValidity, match=why):
-            wk.JouleHeating(bed, pair, wk.Force(1.0), wk.Current(1.0)).solve()
+            wk.JouleHeating(wk.Indentation(bed, wk.Force(1.0)), pair, wk.Current(1.0)).solve()
 
 
 def test_a_thousand_loads_come_at_once_and_as_one_by_one():
     force = np.geomspace(0.01, 1e3, 1000)
-    problem = wk.Constriction(BALL, wk.ElectricalConductors(SILVER, COPPER, wk.SurfaceFilm(1e-12)), wk.Force(force))
+    problem = wk.Constriction(
+        wk.Indentation(BALL, wk.Force(force)), wk.ElectricalConductors(SILVER, COPPER, wk.SurfaceFilm(1e-12))
+    )
     problem.solve()
     start = time.perf_counter()
     curve = problem.solve()
@@ -96,10 +98,10 @@ def test_a_thousand_loads_come_at_once_and_as_one_by_one():
 
 
 def test_bodies_apart_conduct_nothing():
-    apart = wk.Constriction(BALL, PAIR, wk.Depth([-1e-6, 1e-6])).solve()
+    apart = wk.Constriction(wk.Indentation(BALL, wk.Depth([-1e-6, 1e-6])), PAIR).solve()
     assert apart.resistance[0] == math.inf
     assert apart.conductance[0] == 0.0
-    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, HEAT), wk.Depth(-1e-6), 10.0).solve()
+    joint = wk.ThermalConstriction(wk.Indentation(BALL, wk.Depth(-1e-6)), wk.HeatConductors(HEAT, HEAT), 10.0).solve()
     assert joint.heat_rate == 0.0
     assert joint.first_drop == 0.0
 
@@ -108,18 +110,20 @@ def test_a_film_lies_between_the_bounds_of_thomson():
     """One voltage on both sides of the film: too little resistance. Even flux everywhere: too much."""
     for area_resistance in (1e-15, 1e-12, 1e-9):
         pair = wk.ElectricalConductors(SILVER, COPPER, wk.SurfaceFilm(area_resistance))
-        contact = wk.Constriction(BALL, pair, wk.Force(1.0)).solve()
+        contact = wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), pair).solve()
         holm, film = 32.7e-9 / (4.0 * contact.radius), area_resistance / (math.pi * contact.radius**2)
         assert holm + film <= contact.resistance <= 32.0 / (3.0 * math.pi**2) * holm + film
 
 
 def test_rods_constrict_less_and_add_their_length():
     rod = wk.Rod(SILVER, radius=1e-3, length=20e-3)
-    contact = wk.Constriction(BALL, wk.ElectricalConductors(rod, rod), wk.Radius(1e-4)).solve()
+    contact = wk.Constriction(wk.Indentation(BALL, wk.Radius(1e-4)), wk.ElectricalConductors(rod, rod)).solve()
     assert contact.bulk_resistance == pytest.approx(2.0 * 15.9e-9 * 20e-3 / (math.pi * 1e-6), rel=1e-14)
     assert contact.constriction == pytest.approx(0.8594136006 * 15.9e-9 / 2e-4, rel=1e-9)
     with pytest.raises(wk.OutsideValidity, match="nearly as wide as the rod"):
-        wk.Constriction(BALL, wk.ElectricalConductors(wk.Rod(SILVER, 1e-4, 1e-2), SILVER), wk.Radius(0.95e-4)).solve()
+        wk.Constriction(
+            wk.Indentation(BALL, wk.Radius(0.95e-4)), wk.ElectricalConductors(wk.Rod(SILVER, 1e-4, 1e-2), SILVER)
+        ).solve()
 
 
 @pytest.mark.parametrize(("plating", "on", "below"), [(1.0, 10.0, None), (10.0, 1.0, None), (1.0, 10.0, 0.3)])
@@ -133,7 +137,9 @@ def test_a_plating_conducts_as_the_best_flux_allows(plating, on, below):
         base = wk.Plated(base, 0.3, on=wk.ElectricalConductor(below))
     body = wk.Plated(wk.ElectricalConductor(plating), thickness, on=base)
     bed = wk.Foundation(wk.FlatPunch(1.0), wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
-    result = wk.Constriction(bed, wk.ElectricalConductors(body, body), wk.Force(1e-3)).solve().resistance
+    result = (
+        wk.Constriction(wk.Indentation(bed, wk.Force(1e-3)), wk.ElectricalConductors(body, body)).solve().resistance
+    )
     nodes, weights = np.polynomial.legendre.leggauss(16)
     starts = np.arange(40.0)  # the difference to a bare body dies out like exp(-xi)
     xi, dxi = (starts[:, None] + 0.5 * (nodes + 1.0)).ravel(), np.tile(0.5 * weights, 40)
@@ -187,7 +193,7 @@ def test_platings_of_one_metal_are_one():
     two = wk.Plated(COPPER, 1e-6, wk.Plated(COPPER, 2e-6, SILVER))
     one = wk.Plated(COPPER, 3e-6, SILVER)
     first, second = (
-        wk.Constriction(BALL, wk.ElectricalConductors(body, SILVER), wk.Force(1.0)).solve().resistance
+        wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), wk.ElectricalConductors(body, SILVER)).solve().resistance
         for body in (two, one)
     )
     assert first == pytest.approx(second, rel=1e-9)
@@ -198,19 +204,22 @@ def test_platings_of_one_metal_are_one():
 
 def test_a_plating_of_the_same_metal_is_none():
     same = wk.Plated(SILVER, 1e-6, on=SILVER)
-    plain = wk.Constriction(BALL, PAIR, wk.Force(1.0)).solve().resistance
-    assert wk.Constriction(BALL, wk.ElectricalConductors(same, COPPER), wk.Force(1.0)).solve().resistance == plain
+    plain = wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), PAIR).solve().resistance
+    assert (
+        wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), wk.ElectricalConductors(same, COPPER)).solve().resistance
+        == plain
+    )
 
 
 def test_heat_flows_with_the_harmonic_mean_of_conductivities():
     other = wk.ThermalConductor(conductivity=390.0, diffusivity=1.1e-4)
-    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, other), wk.Force(100.0), 25.0).solve()
+    joint = wk.ThermalConstriction(wk.Indentation(BALL, wk.Force(100.0)), wk.HeatConductors(HEAT, other), 25.0).solve()
     harmonic = 1.0 / (1.0 / 45.0 + 1.0 / 390.0)
     assert joint.heat_rate == pytest.approx(4.0 * harmonic * joint.radius * 25.0, rel=1e-14)
     assert joint.first_drop + joint.second_drop == pytest.approx(25.0, rel=1e-14)
     assert joint.first_drop / joint.second_drop == pytest.approx(390.0 / 45.0, rel=1e-13)
     pair = wk.HeatConductors(HEAT, other, wk.ThermalInterface(1e6))
-    held = wk.ThermalConstriction(BALL, pair, wk.Force(100.0), 25.0).solve()
+    held = wk.ThermalConstriction(wk.Indentation(BALL, wk.Force(100.0)), pair, 25.0).solve()
     assert held.interface_resistance == pytest.approx(1.0 / (1e6 * math.pi * held.radius**2), rel=1e-14)
     assert held.heat_rate < joint.heat_rate
 
@@ -218,11 +227,15 @@ def test_heat_flows_with_the_harmonic_mean_of_conductivities():
 def test_steady_heat_needs_no_diffusivity():
     """Two glass beads, 1/(4 lambda_h a) = 6649.5 K/W."""
     glass = wk.ThermalConductor(conductivity=1.0)
-    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(glass, glass), wk.Radius(75.1931e-6), 200.0).solve()
+    joint = wk.ThermalConstriction(
+        wk.Indentation(BALL, wk.Radius(75.1931e-6)), wk.HeatConductors(glass, glass), 200.0
+    ).solve()
     assert joint.resistance == pytest.approx(6649.5, rel=1e-5)
     assert "after a time not known here" in joint.validity[-1].statement
     plated = wk.Plated(wk.ThermalConductor(1.0, 1e-6), 1e-6, wk.ThermalConductor(1.0, 1e-7))
-    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, plated), wk.Radius(1e-4), 200.0).solve()
+    joint = wk.ThermalConstriction(
+        wk.Indentation(BALL, wk.Radius(1e-4)), wk.HeatConductors(HEAT, plated), 200.0
+    ).solve()
     slowest = joint.validity[-1].statement  # the slowest part of a body decides
     assert slowest.startswith("Steady state: within 9 % after 1 s, ten times the square")
 
@@ -234,11 +247,15 @@ def test_steady_heat_needs_no_diffusivity():
 def test_a_contact_in_proportion_to_temperature_heats_like_an_arc_tangent(alpha):
     """lambda constant, rho = rho_0 T / T_0: hot over cold resistance is v / atan(v), v = V / (2 sqrt(L) T_0)."""
     metal = wk.ElectricalConductor(15.9e-9, alpha)
-    hot = wk.JouleHeating(BALL, wk.ElectricalConductors(metal, metal), wk.Radius(20e-6), wk.Voltage(0.2)).solve()
+    hot = wk.JouleHeating(
+        wk.Indentation(BALL, wk.Radius(20e-6)), wk.ElectricalConductors(metal, metal), wk.Voltage(0.2)
+    ).solve()
     v = 0.2 / (2.0 * math.sqrt(2.44e-8) * 293.15)
     assert hot.max_temperature == pytest.approx(293.15 * math.hypot(1.0, v), rel=1e-14)
     assert hot.resistance / hot.cold_resistance == pytest.approx(v / math.atan(v) if alpha else 1.0, rel=1e-13)
-    back = wk.JouleHeating(BALL, hot.problem.conductors, wk.Radius(20e-6), wk.Current(hot.current)).solve()
+    back = wk.JouleHeating(
+        wk.Indentation(BALL, wk.Radius(20e-6)), hot.problem.conductors, wk.Current(hot.current)
+    ).solve()
     assert back.voltage == pytest.approx(0.2, rel=1e-12)
 
 
@@ -273,9 +290,11 @@ def test_unlike_bodies_and_a_film_against_the_equations_of_heat_and_current():
             wk.ElectricalConductor(4.0 * radius * resistances[1] / spread, alphas[1]),
             wk.SurfaceFilm(film * math.pi * radius**2),
         )
-        cold = wk.Constriction(BALL, pair, wk.Radius(radius)).solve()
+        cold = wk.Constriction(wk.Indentation(BALL, wk.Radius(radius)), pair).solve()
         spread *= float(cold.first_constriction) / resistances[0]
-    hot = wk.JouleHeating(BALL, pair, wk.Radius(radius), wk.Current(current), temperature=ambient).solve()
+    hot = wk.JouleHeating(
+        wk.Indentation(BALL, wk.Radius(radius)), pair, wk.Current(current), temperature=ambient
+    ).solve()
     assert hot.film_voltage == pytest.approx(current * film, rel=1e-12)
     assert hot.voltage - hot.film_voltage == pytest.approx(voltage, rel=1e-7)
     assert hot.max_temperature == pytest.approx(greatest, rel=1e-4)
@@ -288,15 +307,17 @@ def test_melting_voltages_as_they_are_commonly_quoted():
         assert law.voltage_at(melting) == pytest.approx(listed, rel=0.06)
     metal = wk.ElectricalConductor(15.9e-9, 4e-3)
     pair = wk.ElectricalConductors(metal, metal)
-    melting = wk.JouleHeating(BALL, pair, wk.Radius(2e-5), wk.Voltage(law.voltage_at(1235.0))).solve()
+    melting = wk.JouleHeating(wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Voltage(law.voltage_at(1235.0))).solve()
     assert melting.max_temperature == pytest.approx(1235.0, rel=1e-13)
     assert any(note.standing is wk.Standing.OUTSIDE for note in melting.validity)
 
 
 def test_small_voltages_heat_with_their_square():
     """V^2 / (8 lambda rho), with lambda rho = L T_0."""
-    hot = wk.JouleHeating(BALL, PAIR, wk.Force(1.0), wk.Voltage(1e-3)).solve()
-    equal = wk.JouleHeating(BALL, wk.ElectricalConductors(SILVER, SILVER), wk.Force(1.0), wk.Voltage(1e-3)).solve()
+    hot = wk.JouleHeating(wk.Indentation(BALL, wk.Force(1.0)), PAIR, wk.Voltage(1e-3)).solve()
+    equal = wk.JouleHeating(
+        wk.Indentation(BALL, wk.Force(1.0)), wk.ElectricalConductors(SILVER, SILVER), wk.Voltage(1e-3)
+    ).solve()
     assert equal.rise == pytest.approx(1e-6 / (8.0 * 2.44e-8 * 293.15), rel=1e-4)
     assert hot.rise == pytest.approx(equal.rise, rel=1e-9)
     assert hot.contact_temperature < hot.max_temperature
@@ -306,9 +327,9 @@ def test_too_much_current_is_refused():
     metal = wk.ElectricalConductor(15.9e-9, 4e-3)
     pair = wk.ElectricalConductors(metal, metal)
     with pytest.raises(wk.OutsideValidity, match="No voltage drives"):
-        wk.JouleHeating(BALL, pair, wk.Radius(2e-5), wk.Current(1e5)).solve()
+        wk.JouleHeating(wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Current(1e5)).solve()
     with pytest.raises(wk.InvalidInput, match="do not touch"):
-        wk.JouleHeating(BALL, pair, wk.Depth(-1e-6), wk.Current(1.0)).solve()
+        wk.JouleHeating(wk.Indentation(BALL, wk.Depth(-1e-6)), pair, wk.Current(1.0)).solve()
 
 
 def test_beyond_the_greatest_current_there_is_a_second_voltage():
@@ -316,17 +337,22 @@ def test_beyond_the_greatest_current_there_is_a_second_voltage():
     pair = wk.ElectricalConductors(wk.ElectricalConductor(1.6e-8), wk.ElectricalConductor(1.6e-6, 6e-3))
     voltage = np.geomspace(1e-2, 3.0, 60)
     current = np.array(
-        [wk.JouleHeating(BALL, pair, wk.Radius(2e-5), wk.Voltage(float(one))).solve().current for one in voltage]
+        [
+            wk.JouleHeating(wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Voltage(float(one))).solve().current
+            for one in voltage
+        ]
     )
     top = int(np.argmax(current))
     assert 0 < top < 59
-    last = wk.JouleHeating(BALL, pair, wk.Radius(2e-5), wk.Current(float(current[-1]))).solve()
+    last = wk.JouleHeating(wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Current(float(current[-1]))).solve()
     assert last.voltage < voltage[top]
     assert last.current == pytest.approx(current[-1], rel=1e-12)
-    near = wk.JouleHeating(BALL, pair, wk.Radius(2e-5), wk.Current(0.99999 * float(current[top]))).solve()
+    near = wk.JouleHeating(
+        wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Current(0.99999 * float(current[top]))
+    ).solve()
     assert near.voltage < 1.01 * voltage[top]
     with pytest.raises(wk.OutsideValidity, match="no more than"):
-        wk.JouleHeating(BALL, pair, wk.Radius(2e-5), wk.Current(1.01 * float(current[top]))).solve()
+        wk.JouleHeating(wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Current(1.01 * float(current[top]))).solve()
 
 
 # -------------------------------------------------------------------------------------------------------- fields
@@ -334,7 +360,9 @@ def test_beyond_the_greatest_current_there_is_a_second_voltage():
 
 def test_the_fields_carry_the_whole_current_and_meet_at_the_contact():
     metals = wk.ElectricalConductor(15.9e-9, 4e-3), wk.ElectricalConductor(60e-9, 1e-3)
-    problem = wk.JouleHeating(BALL, wk.ElectricalConductors(*metals), wk.Radius(20e-6), wk.Voltage(0.15))
+    problem = wk.JouleHeating(
+        wk.Indentation(BALL, wk.Radius(20e-6)), wk.ElectricalConductors(*metals), wk.Voltage(0.15)
+    )
     hot = problem.solve()
     nodes, weights = np.polynomial.legendre.leggauss(60)
     mu, dmu = 0.5 * (nodes + 1.0), 0.5 * weights
@@ -354,7 +382,7 @@ def test_the_fields_carry_the_whole_current_and_meet_at_the_contact():
 
 
 def test_heat_fields():
-    joint = wk.ThermalConstriction(BALL, wk.HeatConductors(HEAT, HEAT), wk.Radius(1e-4), 10.0).solve()
+    joint = wk.ThermalConstriction(wk.Indentation(BALL, wk.Radius(1e-4)), wk.HeatConductors(HEAT, HEAT), 10.0).solve()
     result = wk.restore_conduction(joint, np.array([0.0, 1e-4, 2e-4]), 0.0)
     assert result.excess_temperature[0] == pytest.approx(5.0, rel=1e-14)
     assert result.excess_temperature[2] == pytest.approx(10.0 - 5.0 * 2.0 / math.pi * math.asin(0.5), rel=1e-13)
@@ -363,15 +391,15 @@ def test_heat_fields():
     far = wk.restore_conduction(joint, 0.0, np.array([1.0, -1.0]))
     assert far.excess_temperature == pytest.approx([10.0, 0.0], abs=1e-3)
     pair = wk.HeatConductors(HEAT, HEAT, wk.ThermalInterface(1e6))
-    filmed = wk.ThermalConstriction(BALL, pair, wk.Radius(1e-4), 1.0).solve()
+    filmed = wk.ThermalConstriction(wk.Indentation(BALL, wk.Radius(1e-4)), pair, 1.0).solve()
     with pytest.raises(wk.OutsideValidity, match="plain disc"):
         wk.restore_conduction(filmed, 0.0)
     with pytest.raises(wk.InvalidInput, match="drives nothing"):
-        wk.restore_conduction(wk.Constriction(BALL, PAIR, wk.Force(1.0)).solve(), 0.0)
+        wk.restore_conduction(wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), PAIR).solve(), 0.0)
 
 
 def test_the_size_of_free_flight_is_noted():
-    contact = wk.Constriction(BALL, PAIR, wk.Radius(1e-7), mean_free_path=4e-8).solve()
+    contact = wk.Constriction(wk.Indentation(BALL, wk.Radius(1e-7)), PAIR, mean_free_path=4e-8).solve()
     note = contact.validity[-1]
     assert note.standing is wk.Standing.OUTSIDE
     assert f"{100.0 * 8.0 * 0.4 / (3.0 * math.pi):.3g} %" in note.statement
@@ -391,7 +419,7 @@ def test_the_size_of_free_flight_is_noted():
         (lambda: wk.Current(-1.0), "current"),
         (lambda: wk.WiedemannFranz(0.0), "lorenz_number"),
         (lambda: wk.WiedemannFranz().voltage_at(200.0), "below that of the bodies"),
-        (lambda: wk.Constriction(BALL, SILVER, wk.Force(1.0)), "conductors"),
+        (lambda: wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), SILVER), "conductors"),
         (lambda: wk.SpotCluster([0.0], [0.0, 1.0], [1.0], SILVER, SILVER), "one of each"),
     ],
 )
@@ -407,20 +435,20 @@ SPOT = wk.Foundation(wk.FlatPunch(5e-6), wk.HalfSpace.between(wk.Elastic(100e9, 
 
 def test_a_spot_between_unlike_platings_has_no_single_temperature():
     """Numbers of an independent solution; one temperature of 604.2 K was given, and a share of .7824."""
-    hot = wk.JouleHeating(SPOT, UNLIKE, wk.Force(1.0), wk.Voltage(0.2)).solve()
+    hot = wk.JouleHeating(wk.Indentation(SPOT, wk.Force(1.0)), UNLIKE, wk.Voltage(0.2)).solve()
     assert (hot.middle_temperature, hot.edge_temperature) == pytest.approx((615.0, 600.2), abs=0.05)
     assert hot.edge_temperature < hot.contact_temperature < hot.middle_temperature
-    many = wk.Constriction(BALL, UNLIKE, wk.Radius(np.geomspace(1e-6, 9e-6, 60))).solve()
+    many = wk.Constriction(wk.Indentation(BALL, wk.Radius(np.geomspace(1e-6, 9e-6, 60))), UNLIKE).solve()
     one = many.at(41)
     assert many.first_constriction[41] == pytest.approx(one.first_constriction, rel=1e-8)
-    contact = wk.Constriction(SPOT, UNLIKE, wk.Force(1.0)).solve()
+    contact = wk.Constriction(wk.Indentation(SPOT, wk.Force(1.0)), UNLIKE).solve()
     assert contact.first_constriction / contact.resistance == pytest.approx(0.7801, abs=5e-5)
     assert any("614.99 K on its axis, 600.21 K at its edge" in note.statement for note in hot.validity)
     turned = wk.JouleHeating(
-        SPOT, wk.ElectricalConductors(UNLIKE.second, UNLIKE.first), wk.Force(1.0), wk.Voltage(0.2)
+        wk.Indentation(SPOT, wk.Force(1.0)), wk.ElectricalConductors(UNLIKE.second, UNLIKE.first), wk.Voltage(0.2)
     ).solve()
     assert turned.edge_temperature == pytest.approx(hot.edge_temperature, rel=1e-9)
-    like = wk.JouleHeating(SPOT, PAIR, wk.Force(1.0), wk.Voltage(0.2)).solve()
+    like = wk.JouleHeating(wk.Indentation(SPOT, wk.Force(1.0)), PAIR, wk.Voltage(0.2)).solve()
     assert like.middle_temperature == like.edge_temperature == like.contact_temperature
 
 
@@ -449,7 +477,7 @@ def test_the_hot_spot_between_unlike_platings_on_a_grid(alpha):
         for one, other in ((1e-6, 2e-8), (2e-8, 1e-6))
     ]
     pair = wk.ElectricalConductors(*plated)
-    hot = wk.JouleHeating(SPOT, pair, wk.Force(1.0), wk.Voltage(0.2)).solve()
+    hot = wk.JouleHeating(wk.Indentation(SPOT, wk.Force(1.0)), pair, wk.Voltage(0.2)).solve()
     share = float(UNLIKE.resistances(np.array([5e-6])).middle[0])
     lorenz, ambient = hot.problem.law.lorenz_number, 293.15
     phi = np.linspace(0.0, 0.2, 200_001)
@@ -465,5 +493,5 @@ def test_conductance_is_in_proportion_to_stiffness_of_bare_bodies_alone():
     rods = wk.ElectricalConductors(wk.Rod(GOOD, 1e-3, 1e-2), wk.Rod(GOOD, 1e-3, 1e-2))
     filmed = wk.ElectricalConductors(GOOD, GOOD, wk.SurfaceFilm(1e-14))
     for pair, said in ((PAIR, True), (UNLIKE, False), (plated, False), (rods, False), (filmed, False)):
-        notes = wk.Constriction(BALL, pair, wk.Force(1.0)).solve().validity
+        notes = wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), pair).solve().validity
         assert any("are in proportion, 2 / (E*" in note.statement for note in notes) == said

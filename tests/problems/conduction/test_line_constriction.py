@@ -15,7 +15,9 @@ FILM = wk.SurfaceFilm(2e-12)
 
 
 def passed(load, first=5e-3, second=8e-3, film=FILM):
-    return wk.LineConstriction(ROLLER, wk.ElectricalConductors(WIRE, LEAD, film), load, first, second).solve()
+    return wk.LineConstriction(
+        wk.LineIndentation(ROLLER, load), wk.ElectricalConductors(WIRE, LEAD, film), first, second
+    ).solve()
 
 
 def test_line_sources_on_a_strip_of_one_voltage():
@@ -68,7 +70,9 @@ def test_what_is_refused():
         passed(wk.HalfWidth(1e-4), first=0.0)
     plated = wk.Plated(WIRE, 1e-6, LEAD)
     with pytest.raises(wk.InvalidInput, match="known for two thick bodies"):
-        wk.LineConstriction(ROLLER, wk.ElectricalConductors(plated, LEAD), wk.HalfWidth(1e-4), 1e-3, 1e-3)
+        wk.LineConstriction(
+            wk.LineIndentation(ROLLER, wk.HalfWidth(1e-4)), wk.ElectricalConductors(plated, LEAD), 1e-3, 1e-3
+        )
 
 
 @pytest.mark.parametrize("radii", [(20e-3, 5e-3), (1e-3, 90e-3)])
@@ -79,7 +83,9 @@ def test_an_ellipse_is_that_of_holm(radii):
     short, long = sorted((a, b))
     holm = 0.5e-6 * ellipk(1.0 - (short / long) ** 2) / (2.0 * np.pi * long)
     bed, clean = wk.EllipticFoundation(bodies, PAIR), wk.ElectricalConductors(WIRE, LEAD)
-    assert wk.Constriction(bed, clean, wk.Force(100.0)).solve().resistance == pytest.approx(holm, rel=1e-10)
+    assert wk.Constriction(wk.Indentation(bed, wk.Force(100.0)), clean).solve().resistance == pytest.approx(
+        holm, rel=1e-10
+    )
     thin = wk.ElectricalConductors(WIRE, LEAD, wk.SurfaceFilm(1e-15))
-    filmed = wk.Constriction(bed, thin, wk.Force(100.0)).solve()
+    filmed = wk.Constriction(wk.Indentation(bed, wk.Force(100.0)), thin).solve()
     assert filmed.film_resistance == pytest.approx(1e-15 / (np.pi * a * b), rel=1e-10)

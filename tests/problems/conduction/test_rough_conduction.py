@@ -83,5 +83,5 @@ def test_a_wavy_ball_keeps_within_the_bounds():
         bounds = wk.ConductanceBounds(
             wk.Foundation(wk.Paraboloid(10e-3), medium), PAIR, roughness=rough, force=force
         ).solve()
-        own = wk.Constriction(wavy, PAIR, wk.Force(force)).solve()
+        own = wk.Constriction(wk.Indentation(wavy, wk.Force(force)), PAIR).solve()
         assert bounds.least_conductance < own.conductance < bounds.greatest_conductance

@@ -58,7 +58,7 @@ def fretted(bed):
 
 def conducting(bed):
     pair = wk.ElectricalConductors(WIRE, WIRE)
-    return wk.LineConstriction(bed, pair, LOAD, first_depth=2.0, second_depth=2.0).solve()
+    return wk.LineConstriction(wk.LineIndentation(bed, LOAD), pair, first_depth=2.0, second_depth=2.0).solve()
 
 
 def worn(bed):

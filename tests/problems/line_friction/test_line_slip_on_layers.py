@@ -195,7 +195,7 @@ def test_current_through_a_line_on_layers_converges_on_their_strip(contrast, a):
     load = wk.LineForce(by_equations(contrast, a).load)
     pair = wk.ElectricalConductors(wk.ElectricalConductor(2.0), wk.ElectricalConductor(3.0))
     bed = wk.LayeredLineFoundation(CYLINDER, coating(contrast))
-    found = wk.LineConstriction(bed, pair, load, first_depth=20.0, second_depth=30.0).solve()
+    found = wk.LineConstriction(wk.LineIndentation(bed, load), pair, first_depth=20.0, second_depth=30.0).solve()
     expected = (2.0 * np.arcsinh(20.0 / a) + 3.0 * np.arcsinh(30.0 / a)) / np.pi
     assert found.resistance_per_length == pytest.approx(expected, rel=1e-11)
 

@@ -48,7 +48,6 @@ WITHOUT = {
     "friction_loops": "measurements",
     "measured_constriction": "measurements",
     "spot_cluster": "no elastic bodies",
-    "surface_friction_heating": "a map of loads without elastic bodies",
     "yield_onset": "the onset is its answer",
 }
 UNKNOWN = {
@@ -62,7 +61,7 @@ PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and nam
 
 ON_MAPS = {
     "reduced_friction", "surface_conduction", "surface_constriction", "surface_contact", "surface_rolling",
-    "surface_rolling_heating", "surface_rolling_start", "surface_tangential",
+    "surface_friction_heating", "surface_rolling_start", "surface_tangential",
 }  # fmt: skip
 """Whose stresses take a second; those of one of them are computed by default."""
 LATER = (LASTING | ON_MAPS | {"profile_pair_rolling", "seal"}) - {"surface_contact"}

@@ -75,7 +75,7 @@ def test_springs_on_layers_conduct_nothing_and_fit_no_other_body():
     assert not reduced.bed.homogeneous
     copper = wk.ElectricalConductor(1.7e-8)
     with pytest.raises(OutsideValidity, match="on layers do not tell what it conducts"):
-        wk.Constriction(reduced.bed, wk.ElectricalConductors(copper, copper), wk.Depth(0.02)).solve()
+        wk.Constriction(wk.Indentation(reduced.bed, wk.Depth(0.02)), wk.ElectricalConductors(copper, copper)).solve()
     with pytest.raises(InvalidInput, match="whose layers no other medium has"):
         reduced.on(wk.HalfSpace(wk.Elastic(1.0, 0.3)))
     assert "discs as stiff on the same layers" in " ".join(str(note) for note in reduced.validity)

@@ -164,7 +164,10 @@ def test_damping_runs_on_a_height_map(reduced):
 
 def test_conduction_runs_on_a_height_map(reduced):
     pair = wk.ElectricalConductors(wk.ElectricalConductor(1e-8), wk.ElectricalConductor(2e-8))
-    ohms = [wk.Constriction(bed, pair, wk.Depth(0.04)).solve().resistance for bed in (reduced[0].bed, reduced[1])]
+    ohms = [
+        wk.Constriction(wk.Indentation(bed, wk.Depth(0.04)), pair).solve().resistance
+        for bed in (reduced[0].bed, reduced[1])
+    ]
     assert ohms[0] == pytest.approx(ohms[1], rel=5e-3)
     assert ohms[1] == pytest.approx(3e-8 / (4.0 * 0.2), rel=1e-12)  # Holm
 

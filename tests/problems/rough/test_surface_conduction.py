@@ -71,12 +71,14 @@ def test_a_round_spot_through_elastic_layers_and_platings():
     """Beside springs on layers, and the integral equation of a disc through platings."""
     body = wk.Plated(GOLD, 3e-6, BRONZE)
     pair, coated = wk.ElectricalConductors(body, BRONZE), wk.CoatedHalfSpace([wk.Layer(LAYER, 3e-6)], on=BASE)
-    disc = wk.Constriction(wk.Foundation(wk.Paraboloid(2e-3), coated), pair, wk.Radius(10e-6)).solve()
+    disc = wk.Constriction(wk.Indentation(wk.Foundation(wk.Paraboloid(2e-3), coated), wk.Radius(10e-6)), pair).solve()
     ball = map_of(lambda x, y: -((x + 0.1e-6) ** 2 + (y - 0.1e-6) ** 2) / 4e-3, 40e-6, 65)
     contact = wk.SurfaceContact(ball, coated, wk.Force(disc.force))
     found = wk.SurfaceConduction(contact, pair, realisations=2).solve()
     assert found.resistance == pytest.approx(disc.resistance, rel=2e-3)
-    bare = wk.Constriction(disc.problem.bed, wk.ElectricalConductors(BRONZE, BRONZE), wk.Radius(10e-6)).solve()
+    bare = wk.Constriction(
+        wk.Indentation(disc.problem.bed, wk.Radius(10e-6)), wk.ElectricalConductors(BRONZE, BRONZE)
+    ).solve()
     assert disc.resistance < 0.75 * bare.resistance  # what the plating does is no trifle here
     assert found.least_resistance < 0.8 * found.resistance
     assert np.isinf(found.greatest_resistance)

@@ -41,7 +41,7 @@ def wheel(shared_data):
     rough = wk.SampledProfile([14e-3, 23e-3], wk.CurvedBodies(*radii), (70, 46))
     medium = elastic(given["shear_modulus_Pa"], given["poisson"])
 
-    def warm(creepage: float, hot: float) -> wk.SurfaceRollingHeatingSolution:
+    def warm(creepage: float, hot: float) -> wk.SurfaceFrictionHeatingSolution:
         rolling = wk.SurfaceRolling(
             rough,
             medium,
@@ -50,7 +50,7 @@ def wheel(shared_data):
             wk.Creepage(creepage),
             speed=given["speed_m_per_s"],
         )
-        return wk.SurfaceRollingHeating(rolling, STEELS, second_bulk_temperature=hot).solve()
+        return wk.SurfaceFrictionHeating(rolling, STEELS, second_bulk_temperature=hot).solve()
 
     return warm, table
 
@@ -100,7 +100,7 @@ def test_creep_curve_with_temperatures(shared_data):
     creeps = np.array([8e-4, 1.2e-3, 2e-3, 3.2e-3, 1e-2, 0.15, 0.2, 0.25])
     medium, pixel = elastic(given["shear_modulus_Pa"], given["poisson"]), 0.3152e-3
     rough = wk.SampledProfile([44 * pixel, 88 * pixel], wk.CurvedBodies(0.625, 1.77672), (44, 44))
-    problem = wk.SurfaceRollingHeating(
+    problem = wk.SurfaceFrictionHeating(
         wk.SurfaceRolling(
             rough,
             medium,
@@ -134,7 +134,7 @@ def test_power_of_lateral_creepage_and_spin():
     rolling = wk.SurfaceRolling(
         rough, elastic(82e9, 0.28), wk.Force(30.0), wk.Coulomb(0.3), wk.Creepage(1e-3, -2e-3, 10.0), speed=5.0
     )
-    warm = wk.SurfaceRollingHeating(rolling, STEELS).solve()
+    warm = wk.SurfaceFrictionHeating(rolling, STEELS).solve()
     assert math.isclose(warm.heat_rate, warm.creep_power, rel_tol=0.01)
 
 
@@ -234,15 +234,21 @@ def test_two_spots_as_hot_as_each_other_are_hottest_within_one():
 
 def test_refusals(monkeypatch):
     load = ball(9)
+    rough = wk.SampledProfile([0.3e-3, 0.3e-3], wk.Paraboloid(10e-3), (15, 15))
+    rolling = wk.SurfaceRolling(
+        rough, elastic(82e9, 0.28), wk.Force(30.0), wk.Coulomb(0.3), wk.Creepage(1e-3), 1e-7, 5.0
+    )
     for changed, words in (
         ({"first_speed": -1.0}, "change the sign"),
-        ({"load": dataclasses.replace(load, periodic=True)}, "repeated for ever"),
-        ({"load": wk.SurfaceLoad([[1e6, 2e6]], [1e-3, 1e-3])}, "two pixels"),
-        ({"load": wk.SurfaceLoad(-load.pressure, [1e-3, 1e-3])}, "nothing touches"),
+        ({"contact": dataclasses.replace(load, periodic=True)}, "repeated for ever"),
+        ({"contact": wk.SurfaceLoad([[1e6, 2e6]], [1e-3, 1e-3])}, "two pixels"),
+        ({"contact": wk.SurfaceLoad(-load.pressure, [1e-3, 1e-3])}, "nothing touches"),
         ({"conductors": wk.HeatConductors(STEEL, STEEL, wk.ThermalInterface(1e4))}, "leave the interface out"),
         ({"first_bulk_temperature": math.nan}, "first_bulk_temperature"),
+        ({"contact": rolling}, "leave both out"),
+        ({"contact": dataclasses.replace(rolling, speed=0.0), "first_speed": 0.0}, "give SurfaceRolling a speed"),
     ):
-        given = {"load": load, "conductors": STEELS, "first_speed": 1.0}
+        given = {"contact": load, "conductors": STEELS, "first_speed": 1.0}
         with pytest.raises(InvalidInput, match=words):
             wk.SurfaceFrictionHeating(**(given | changed))
     with pytest.raises(OutsideValidity, match="Peclet"):

@@ -35,24 +35,28 @@ def test_every_kind_makes_a_study_that_has_an_answer(name):
 
 def test_formulas_state_what_was_done():
     bare, filmed = wk.ElectricalConductors(METAL, METAL), FILMED
-    plain = [one.says for one in formulas_of(wk.Constriction(BALL, bare, wk.Force(1.0)))]
-    more = [one.says for one in formulas_of(wk.Constriction(BALL, filmed, wk.Force(1.0)))]
+    plain = [one.says for one in formulas_of(wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), bare))]
+    more = [one.says for one in formulas_of(wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), filmed))]
     assert any("after Barber" in says for says in plain)
     assert not any("film" in says for says in plain)
     assert {"film", "rod"} <= {word for word in ("film", "rod") for says in more if word in says}
     soil = wk.Foundation(wk.Paraboloid(1e-2), wk.GradedHalfSpace.between(wk.PowerLawGraded(1e9, 1e-3, 0.3, 0.3)))
-    graded = [one.says for one in formulas_of(wk.Constriction(soil, bare, wk.Force(1.0)))]
+    graded = [one.says for one in formulas_of(wk.Constriction(wk.Indentation(soil, wk.Force(1.0)), bare))]
     assert any("whatever the elastic medium" in says for says in graded)
 
 
 SWEPT = Study(
-    "Relay", wk.Constriction(BALL, FILMED, wk.Force(1.0)), sweep=(Axis("problem.load.force", (0.1, 1.0, 10.0)),)
+    "Relay",
+    wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), FILMED),
+    sweep=(Axis("problem.contact.load.force", (0.1, 1.0, 10.0)),),
 )
 
 
 def test_a_sweep_over_forces_is_tabled():
     outcome = run(SWEPT)
-    expected = [wk.Constriction(BALL, FILMED, wk.Force(force)).solve().resistance for force in (0.1, 1.0, 10.0)]
+    expected = [
+        wk.Constriction(wk.Indentation(BALL, wk.Force(force)), FILMED).solve().resistance for force in (0.1, 1.0, 10.0)
+    ]
     assert outcome.answer("resistance")[:, 0] == pytest.approx(expected, rel=1e-12)
     assert outcome.word("resistance").unit == "ohm"
 

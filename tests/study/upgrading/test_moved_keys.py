@@ -21,6 +21,12 @@ def test_a_setting_of_a_key_that_moved_counts():
     assert study.problem.contact.medium.first.poisson == 0.28
 
 
+def test_a_key_with_another_name_counts_in_sweeps_and_settings():
+    study = read_study(KEPT / "slipping_wheel.toml", settings=["problem.rolling.load.force=60 kN"])
+    assert [axis.key for axis in study.sweep] == ["problem.contact.speed"]
+    assert study.problem.contact.load.force == 60e3
+
+
 def test_words_of_other_problems_stay():
     table = {"problem": {"kind": "indentation", "bed": {"kind": "foundation"}}, "sweep": {"problem.bed.x": [1.0]}}
     assert in_present_kinds(table) == table

@@ -344,7 +344,7 @@ class MeasuredConstrictionSolution:
             )
         body, force = ElectricalConductor(self.resistivity), Force(float(np.max(self.problem.log.force)))
         between = ElectricalConductors(body, body, SurfaceFilm(self.film))
-        return (*notes, *Constriction(self.problem.bed, between, force).solve().validity)
+        return (*notes, *Constriction(Indentation(self.problem.bed, force), between).solve().validity)
 
     def _numbers(self) -> Note:
         free = [name for name in PARTS if name != "resistivity" or self.problem.resistivity == 0.0]

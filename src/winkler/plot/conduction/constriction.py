@@ -59,7 +59,8 @@ def _curve_over_force(item: Any) -> Any:
     for less in (1.0, 0.3, 0.0):
         many = np.logspace(low - wide, high + less * wide, POINTS)
         try:
-            return dataclasses.replace(item.problem, load=Force(many)).solve()
+            contact = dataclasses.replace(item.problem.contact, load=Force(many))
+            return dataclasses.replace(item.problem, contact=contact).solve()
         except WinklerError:
             continue
     raise OutsideValidity(

@@ -36,7 +36,8 @@ def line_constriction_sheet(item: LineConstrictionSolution) -> Sheet:
     low, high = np.log10(np.min(requested)), np.log10(np.max(requested))
     wide = DECADES_BEYOND if high - low < 1.0 else 0.0
     force = np.logspace(low - wide, high + 0.5 * wide, POINTS)
-    curve = dataclasses.replace(item.problem, load=LineForce(force)).solve()
+    contact = dataclasses.replace(item.problem.contact, load=LineForce(force))
+    curve = dataclasses.replace(item.problem, contact=contact).solve()
     marks = []
     for name, label, colour, dash in PARTS:
         part = series(name, np.asarray(getattr(curve, name)), type(item))

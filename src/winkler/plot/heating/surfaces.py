@@ -13,12 +13,11 @@ from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Arrow, Panel, PanelAxis, Rule, Sheet, Strokes, among, points, titled
 from winkler.plot.rough.roughness import framed, image_of, models_panel
 from winkler.plot.series import Series, common_scale, row_of, scale_of, series, with_unit
-from winkler.problems.surface_heating.rolling import SurfaceRollingHeatingSolution
-from winkler.problems.surface_heating.sliding import SurfaceFrictionHeatingSolution
 from winkler.problems.surface_heating.state import SurfaceHeatState
+from winkler.problems.surface_heating.steady import SurfaceFrictionHeatingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_friction_heating_sheet", "surface_rolling_heating_sheet"]
+__all__ = ["surface_friction_heating_sheet"]
 
 RIM = 0.4
 """Frame around the contact, over its size."""
@@ -54,13 +53,10 @@ class Frame(NamedTuple):
         return x, y
 
 
-@without_extent(SurfaceRollingHeatingSolution)
-def surface_rolling_heating_sheet(item: SurfaceRollingHeatingSolution) -> Sheet:
+@without_extent(SurfaceFrictionHeatingSolution)
+def surface_friction_heating_sheet(item: SurfaceFrictionHeatingSolution) -> Sheet:
     """Return flux, temperature of the first surface, both along the motion under the last creepage; many: the curve."""
-    rough, speed = item.problem.rolling.topography, item.problem.rolling.speed
-    middles = [(np.arange(n) - 0.5 * (n - 1)) * step for n, step in zip(rough.heights.shape, rough.pixel, strict=True)]
-    place = float(np.ravel(item.x)[-1]), float(np.ravel(item.y)[-1])
-    panels = _panels(item.last, (middles[0], middles[1]), place, (-speed, -speed))
+    panels = _panels(item.last, item.problem.places, item.problem.speeds)
     if np.size(item.heat_rate) >= FEWEST_POINTS:
         names = ("max_temperature", "mean_temperature")
         curves = [
@@ -68,27 +64,15 @@ def surface_rolling_heating_sheet(item: SurfaceRollingHeatingSolution) -> Sheet:
         ]
         curve = models_panel(row_of(item, "heat_rate"), curves, label="temperature")
         panels = (*panels, curve.plus(title="all creepages"))
-    return _sheet(item.last, panels, float(np.ravel(item.max_temperature)[-1]))
-
-
-@without_extent(SurfaceFrictionHeatingSolution)
-def surface_friction_heating_sheet(item: SurfaceFrictionHeatingSolution) -> Sheet:
-    """Return flux, temperature of the first surface, and both along the motion."""
-    speeds = item.problem.first_speed, item.problem.second_speed
-    return _sheet(
-        item.last, _panels(item.last, item.problem.load.places, (item.x, item.y), speeds), item.max_temperature
-    )
-
-
-def _sheet(state: SurfaceHeatState, panels: tuple[Panel, ...], hottest: float) -> Sheet:
+    state = item.last
     share = f"first body takes {100.0 * state.first_share:.3g} %"
-    title = f"$T_\\mathrm{{max}}$ = {with_unit(hottest, 'K')}   heat {with_unit(state.heat_rate, 'W')}   {share}"
+    hottest = with_unit(state.max_temperature, "K")
+    title = f"$T_\\mathrm{{max}}$ = {hottest}   heat {with_unit(state.heat_rate, 'W')}   {share}"
     return Sheet(panels, len(panels) if len(panels) <= IN_A_ROW else 2, width=4.4, height=3.4, title=title)
 
 
-def _panels(
-    state: SurfaceHeatState, middles: tuple[Array, Array], place: tuple[float, float], speeds: tuple[float, float]
-) -> tuple[Panel, ...]:
+def _panels(state: SurfaceHeatState, middles: tuple[Array, Array], speeds: tuple[float, float]) -> tuple[Panel, ...]:
+    place = state.x, state.y
     frame = _frame(state.pressure > 0.0, middles)
     touching = (state.pressure > 0.0)[frame.part]
     flux = series("flux", np.where(touching, state.flux[frame.part], np.nan), SurfaceHeatState)

@@ -15,16 +15,15 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
-from winkler.loading.loads import Depth, Force, Radius
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc, mean_free_path_note
 from winkler.problems.conduction.solution import ConductingSolution
+from winkler.problems.normal.indentation import Indentation
 from winkler.values.checks.number_checks import NonNegative
 from winkler.values.validity import Assumption, Note
-from winkler.values.value import value
+from winkler.values.value import value, words
 
 __all__ = ["Constriction", "ConstrictionSolution"]
 
@@ -35,12 +34,11 @@ class Constriction(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : Bed
-        The springs: Foundation, PlaneFoundation, or MeasuredBed (a contact of any shape).
+    contact : Indentation
+        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
+        contact of any shape); of many loads, the results have their shape.
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
-    load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the results then have its shape.
     mean_free_path : float, optional
         Of the electrons [m], not negative; with it a note states how far the resistance may be off by free flight.
         Zero (the default) leaves the note out.
@@ -66,14 +64,15 @@ class Constriction(PerLoad[Q]):
     >>> silver = Elastic(young=83e9, poisson=0.37)
     >>> bed = Foundation(Paraboloid(2e-3), HalfSpace.between(silver, silver))
     >>> pair = ElectricalConductors(ElectricalConductor(15.9e-9), ElectricalConductor(15.9e-9))
-    >>> contact = Constriction(bed, pair, Force(1.0)).solve()
+    >>> contact = Constriction(Indentation(bed, Force(1.0)), pair).solve()
     >>> round(contact.resistance * 1e3, 4)  # milliohm
     0.2525
     """
 
-    bed: Bed
+    __words__ = words(contact=("", None, "how the bodies are pressed together"))
+
+    contact: Indentation[Q]
     conductors: ElectricalConductors
-    load: Force[Q] | Depth[Q] | Radius[Q]
     mean_free_path: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003", "popov_hess_2015")
@@ -93,13 +92,11 @@ class Constriction(PerLoad[Q]):
             If the load is tensile, leads beyond the reach of the profile or opens a contact that is no disc; if the
             contact is nearly as wide as a rod; if there is a film or a plating and the area of the contact is unknown.
         """
-        contact, parts = conducting_disc(self.bed, self.conductors, self.load)
+        contact, parts = conducting_disc(self.contact, self.conductors)
         shape = np.shape(contact.radius)
         return ConstrictionSolution(
             self,
-            contact.depth,
-            contact.force,
-            contact.radius,
+            contact,
             resistance=shaped(parts.whole, shape),
             first_constriction=shaped(parts.first, shape),
             second_constriction=shaped(parts.second, shape),
@@ -116,8 +113,8 @@ class ConstrictionSolution(ConductingSolution["ConstrictionSolution[float]", Q])
     ----------
     problem : Constriction
         The problem that was solved.
-    depth, force, radius : float or ndarray
-        d [m], F_N [N], a [m] of the contact.
+    contact : IndentationSolution
+        The contact, of the shape of the load.
     resistance : float or ndarray
         R [ohm], all parts in series; infinite without contact.
     first_constriction, second_constriction : float or ndarray

@@ -9,7 +9,6 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.footprint import RoundOutline
-from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conducting_body import Plated
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
@@ -52,11 +51,11 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
 
 
 def conducting_disc(
-    bed: Bed, conductors: ElectricalConductors | HeatConductors, load: Force[Q] | Depth[Q] | Radius[Q]
+    contact: Indentation[Q], conductors: ElectricalConductors | HeatConductors
 ) -> tuple[IndentationSolution[Q], Resistances]:
-    """Return the contact under loads, and the resistances `(m,)` of its disc."""
-    contact = Indentation(bed, load).solve()
-    return contact, resistances_of(bed, conductors, np.ravel(np.asarray(contact.radius, dtype=float)))
+    """Return the contact under its loads, and the resistances `(m,)` of its disc."""
+    pressed = contact.solve()
+    return pressed, resistances_of(contact.bed, conductors, np.ravel(np.asarray(pressed.radius, dtype=float)))
 
 
 def scope_notes(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> tuple[Note, ...]:

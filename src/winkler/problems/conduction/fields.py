@@ -125,10 +125,10 @@ def restore_conduction(
     across, down = np.broadcast_arrays(*places)
     match solution:
         case JouleHeatingSolution():
-            _refuse(solution.problem.bed, solution.problem.conductors)
+            _refuse(solution.problem.contact.bed, solution.problem.conductors)
             return _current(solution, across, down)
         case ThermalConstrictionSolution():
-            _refuse(solution.problem.bed, solution.problem.conductors)
+            _refuse(solution.problem.contact.bed, solution.problem.conductors)
             return _heat(solution, across, down)
         case _:
             raise InvalidInput(
@@ -163,7 +163,7 @@ def _current(solution: JouleHeatingSolution, r: Array, z: Array) -> CurrentField
         voltage = np.where(z < 0.0, float(solution.voltage), 0.0)
         ambient = np.full(r.shape, problem.temperature)
         return CurrentFields(r, z, voltage, ambient, np.zeros(r.shape), np.zeros(r.shape))
-    parts = resistances_of(problem.bed, problem.conductors, np.array([radius]))
+    parts = resistances_of(problem.contact.bed, problem.conductors, np.array([radius]))
     cold = cold_contact(problem, parts, parts.middle, np.array([True]))
     hot = hot_at_voltage(cold, np.array([float(solution.voltage)]))
     potential, temperature = np.zeros(r.shape), np.zeros(r.shape)

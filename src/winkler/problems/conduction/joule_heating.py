@@ -10,9 +10,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
-from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conducting_body import ConductingBody, Rod, parts_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
@@ -28,6 +26,7 @@ from winkler.problems.conduction.heated_contact import (
     temperatures,
 )
 from winkler.problems.conduction.solution import ConductingSolution
+from winkler.problems.normal.indentation import Indentation
 from winkler.values.checks.number_checks import Advice, Positive
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
@@ -46,12 +45,11 @@ class JouleHeating(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : Bed
-        The springs: Foundation, PlaneFoundation, or MeasuredBed (a contact of any shape).
+    contact : Indentation
+        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
+        contact of any shape); of many loads, the results have their shape.
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
-    load : Force, Depth or Radius
-        What presses them together; its value may be an array, the results then have its shape.
     drive : Current or Voltage
         What is sent through; of several voltages at which a current flows, the lowest is taken.
     law : WiedemannFranz, optional
@@ -78,19 +76,19 @@ class JouleHeating(PerLoad[Q]):
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(2e-3), HalfSpace.between(Elastic(83e9, 0.37)))
     >>> pair = ElectricalConductors(ElectricalConductor(15.9e-9), ElectricalConductor(15.9e-9))
-    >>> hot = JouleHeating(bed, pair, Radius(20e-6), Voltage(0.1)).solve()
+    >>> hot = JouleHeating(Indentation(bed, Radius(20e-6)), pair, Voltage(0.1)).solve()
     >>> round(hot.max_temperature, 2)  # sqrt(T0^2 + V^2/(4L))
     434.05
     """
 
     __words__ = words(
+        contact=("", None, "how the bodies are pressed together"),
         temperature=("T_0", "K", "temperature of both bodies far from the contact"),
         law=("", None, "how heat and current conduction go together"),
     )
 
-    bed: Bed
+    contact: Indentation[Q]
     conductors: ElectricalConductors
-    load: Force[Q] | Depth[Q] | Radius[Q]
     drive: Drive
     law: WiedemannFranz = DEFAULT_LAW
     temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM_TEMPERATURE
@@ -114,7 +112,7 @@ class JouleHeating(PerLoad[Q]):
         InvalidInput
             If a current is sent through bodies that do not touch.
         """
-        contact, parts = conducting_disc(self.bed, self.conductors, self.load)
+        contact, parts = conducting_disc(self.contact, self.conductors)
         hot = self._driven(parts)
         flowing = hot.current > 0.0
         resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), parts.whole)
@@ -124,9 +122,7 @@ class JouleHeating(PerLoad[Q]):
         shape = np.shape(contact.radius)
         return JouleHeatingSolution(
             self,
-            contact.depth,
-            contact.force,
-            contact.radius,
+            contact,
             resistance=shaped(resistance, shape),
             cold_resistance=shaped(parts.whole, shape),
             current=shaped(hot.current, shape),
@@ -221,8 +217,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
     ----------
     problem : JouleHeating
         The problem that was solved.
-    depth, force, radius : float or ndarray
-        d [m], F_N [N], a [m] of the contact.
+    contact : IndentationSolution
+        The contact, of the shape of the load.
     resistance, cold_resistance : float or ndarray
         Voltage over current [ohm], and what it would be without heating; infinite without contact.
     current, voltage : float or ndarray

@@ -12,15 +12,12 @@ current, from that of a strip of one voltage towards an even one, which costs at
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.foundation.layered_line import LayeredLineFoundation
-from winkler.foundation.line import LineFoundation
-from winkler.foundation.power_law_line import PowerLawLineFoundation
-from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import HOLM
@@ -44,12 +41,10 @@ class LineConstriction(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Profile and bodies.
+    contact : LineIndentation
+        How they are pressed together; of many loads, the results have their shape.
     conductors : ElectricalConductors
         Two bodies of ElectricalConductor, and the film between them.
-    load : LineForce, HalfWidth or MeanPressure
-        What is prescribed; its value may be an array, the results then have its shape.
     first_depth, second_depth : float
         How deep below the middle of either surface the points lie between which the resistance is counted [m].
 
@@ -64,27 +59,28 @@ class LineConstriction(PerLoad[Q]):
 
     Examples
     --------
+    >>> from winkler.foundation.line import LineFoundation
+    >>> from winkler.loading.loads import LineForce
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> steel, wire = Elastic(210e9, 0.3), ElectricalConductor(0.2e-6)
     >>> roller = LineFoundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
     >>> pair = ElectricalConductors(wire, wire)
-    >>> contact = LineConstriction(roller, pair, LineForce(100e3), first_depth=5e-3, second_depth=5e-3).solve()
+    >>> pressed = LineIndentation(roller, LineForce(100e3))
+    >>> contact = LineConstriction(pressed, pair, first_depth=5e-3, second_depth=5e-3).solve()
     >>> round(contact.resistance_per_length * 1e6, 4)  # micro-ohm times metre
     0.5801
     """
 
     __words__ = words(
-        bed=("", None, "profile and bodies of the line contact"),
-        load=("", None, "what is prescribed: a force per length, a half-width or a mean pressure"),
+        contact=("", None, "how the bodies are pressed together"),
         first_depth=("d_1", "m", "depth in the first body from which the resistance is counted"),
         second_depth=("d_2", "m", "depth in the second body up to which the resistance is counted"),
     )
 
-    bed: LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
+    contact: LineIndentation[Q]
     conductors: ElectricalConductors
-    load: LineForce[Q] | HalfWidth[Q] | MeanPressure[Q]
     first_depth: Positive
     second_depth: Positive
 
@@ -112,7 +108,7 @@ class LineConstriction(PerLoad[Q]):
         OutsideValidity
             If the load is refused by `LineIndentation`.
         """
-        contact = LineIndentation(self.bed, self.load).solve()
+        contact = self.contact.solve()
         half_width = np.asarray(contact.half_width, dtype=float)
         touches = half_width > 0.0
         a = np.where(touches, half_width, 1.0)
@@ -181,8 +177,8 @@ class LineConstrictionSolution(PerLoad[Q]):
         InvalidInput
             If there is no such load.
         """
-        given, load = self.problem, self.contact.at(index).problem.load
-        return LineConstriction(given.bed, given.conductors, load, given.first_depth, given.second_depth).solve()
+        one: LineConstriction[float] = dataclasses.replace(self.problem, contact=self.contact.at(index).problem)
+        return one.solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

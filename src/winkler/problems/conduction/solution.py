@@ -10,9 +10,9 @@ import numpy as np
 from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import PerLoad, Q
 from winkler.problems.conduction.disc import scope_notes
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.yield_statement import yield_notes_of_bed
-from winkler.problems.one_load import picked, single
 from winkler.values.validity import Note
 from winkler.values.value import value
 
@@ -30,30 +30,43 @@ class ConductingSolution(PerLoad[One, Q]):
     Parameters
     ----------
     problem : Constriction, ThermalConstriction or JouleHeating
-        The problem that was solved, with a bed and a load.
-    depth, force, radius : float or ndarray
-        d [m], F_N [N], a [m] of the contact.
+        The problem that was solved.
+    contact : IndentationSolution
+        The contact, of the shape of the load.
     resistance : float or ndarray
         R [ohm or K/W]; infinite without contact.
     """
 
     problem: Any
-    depth: Q
-    force: Q
-    radius: Q
+    contact: IndentationSolution[Q]
     resistance: Q
 
-    per_load: ClassVar[str] = "depth"
+    per_load: ClassVar[str] = "resistance"
+
+    @property
+    def depth(self) -> Q:
+        """d [m] of the contact."""
+        return self.contact.depth
+
+    @property
+    def force(self) -> Q:
+        """F_N [N]."""
+        return self.contact.force
+
+    @property
+    def radius(self) -> Q:
+        """a [m] of the contact."""
+        return self.contact.radius
 
     @property
     def pressed(self) -> PressedSprings:
         """The springs, from which pressure and stress are restored; of one load."""
-        return PressedSprings(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
+        return self.contact.pressed
 
     @property
     def _disc_notes(self) -> tuple[Note, ...]:
         """How far analogy, bodies and film can be trusted."""
-        bed, conductors = self.problem.bed, self.problem.conductors
+        bed, conductors = self.problem.contact.bed, self.problem.conductors
         depth, radius = np.asarray(self.depth, dtype=float), np.asarray(self.radius, dtype=float)
         yielding = yield_notes_of_bed(bed, depth, radius) if strong_parts(bed.medium) else ()
         return (*scope_notes(bed, conductors, radius), *yielding, *conductors.notes)
@@ -66,6 +79,5 @@ class ConductingSolution(PerLoad[One, Q]):
         InvalidInput
             If there is no such load.
         """
-        load, *_ = picked(self.problem.load, index, self.depth, self.force, self.radius)
-        one: One = dataclasses.replace(self.problem, load=load).solve()
+        one: One = dataclasses.replace(self.problem, contact=self.contact.at(index).problem).solve()
         return one

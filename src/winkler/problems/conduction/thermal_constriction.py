@@ -12,8 +12,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
-from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.conducting_body import parts_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
@@ -21,6 +19,7 @@ from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.solution import ConductingSolution
+from winkler.problems.normal.indentation import Indentation
 from winkler.values.checks.number_checks import Finite
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
@@ -34,12 +33,11 @@ class ThermalConstriction(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : Bed
-        The springs: Foundation, PlaneFoundation, or MeasuredBed (a contact of any shape).
+    contact : Indentation
+        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
+        contact of any shape); of many loads, the results have their shape.
     conductors : HeatConductors
         What the bodies conduct, and how well heat passes between the surfaces.
-    load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the results then have its shape.
     temperature_drop : float
         Temperature of the first body far away less that of the second [K].
 
@@ -62,14 +60,16 @@ class ThermalConstriction(PerLoad[Q]):
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(Elastic(210e9, 0.3)))
     >>> steel = ThermalConductor(conductivity=45.0)
-    >>> joint = ThermalConstriction(bed, HeatConductors(steel, steel), Radius(1e-4), temperature_drop=10.0).solve()
+    >>> pressed, pair = Indentation(bed, Radius(1e-4)), HeatConductors(steel, steel)
+    >>> joint = ThermalConstriction(pressed, pair, temperature_drop=10.0).solve()
     >>> round(joint.heat_rate, 6)  # 4 lambda_h a dT
     0.09
     """
 
-    bed: Bed
+    __words__ = words(contact=("", None, "how the bodies are pressed together"))
+
+    contact: Indentation[Q]
     conductors: HeatConductors
-    load: Force[Q] | Depth[Q] | Radius[Q]
     temperature_drop: Finite
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
@@ -88,14 +88,12 @@ class ThermalConstriction(PerLoad[Q]):
         OutsideValidity
             As for `winkler.problems.conduction.constriction.Constriction.solve`.
         """
-        contact, parts = conducting_disc(self.bed, self.conductors, self.load)
+        contact, parts = conducting_disc(self.contact, self.conductors)
         heat = self.temperature_drop / parts.whole
         shape = np.shape(contact.radius)
         return ThermalConstrictionSolution(
             self,
-            contact.depth,
-            contact.force,
-            contact.radius,
+            contact,
             resistance=shaped(parts.whole, shape),
             constriction=shaped(parts.first + parts.second, shape),
             interface_resistance=shaped(parts.film, shape),
@@ -120,8 +118,8 @@ class ThermalConstrictionSolution(ConductingSolution["ThermalConstrictionSolutio
     ----------
     problem : ThermalConstriction
         The problem that was solved.
-    depth, force, radius : float or ndarray
-        d [m], F_N [N], a [m] of the contact.
+    contact : IndentationSolution
+        The contact, of the shape of the load.
     resistance : float or ndarray
         Temperature drop over heat rate [K/W], all parts in series; infinite without contact.
     constriction : float or ndarray

@@ -77,14 +77,18 @@ def _of_cylinder(measure: Measure, poisson: float, friction: float) -> Placed:
     return sought(LineContact(bed, 1.0, 0.0, poisson, friction), measure)
 
 
-def sought(contact: LineContact, measure: Measure) -> Placed:
-    """Return what `greatest` does, of any one contact: also of a cylinder that is not similar to all others."""
+def sought(contact: LineContact, measure: Measure, *, shallowest: float = 0.0) -> Placed:
+    """Return what `greatest` does, of any one contact: also of a cylinder that is not similar to all others.
+
+    It begins at the depth `shallowest` [m], as below a sharp tip or rim.
+    """
     x, z = _grid(contact)
+    z = np.append(shallowest, z[z > shallowest])
     even = contact.friction == 0.0
     found = highest(
         lambda across, down: measure(stresses(contact, np.abs(across) if even else across, down)),
         [x, z],
-        [(-math.inf, math.inf), (0.0, math.inf)],
+        [(-math.inf, math.inf), (shallowest, math.inf)],
     )
     across, down = found.place
     return Placed(found.value, abs(across) if even else across, down)

@@ -14,15 +14,19 @@ from winkler.media.layered.plane_interior import PlaneWaves, added_stresses
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
 from winkler.media.offers import LayerStack
+from winkler.numerics.equations.highest import MOST_ROUNDS, highest
 from winkler.numerics.types import Array
-from winkler.problems.line.greatest_stress import Measure, von_mises
+from winkler.problems.line.greatest_stress import Measure, Placed, sought, von_mises
+from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.line.strip import Strip
+from winkler.problems.normal.strong_parts import StrongPart
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
 __all__ = [
     "LayerStress",
+    "greatest_in_part",
     "greatest_within",
     "in_layers",
     "layer_stresses",
@@ -32,10 +36,13 @@ __all__ = [
 
 PLACES, DEPTHS = 25, 13
 """Places and depths of the first grid in each layer."""
-FINE, REFINEMENTS = 7, 11
+STARTS = 2
+"""Places of the grid from which the greatest is sought."""
 WIDTHS_SEARCHED, DEEPEST_SEARCHED = 2.0, 4.0
 """How far beside the middle and below its upper face the maximum in a layer is sought, over the width of its load."""
 CLOSEST = 1e-4
+NEAR = 0.05
+"""Distance below a sharp place at which the search begins, over the half-width."""
 INTERFACE_PLACES = 65
 
 
@@ -185,16 +192,48 @@ def layer_stresses(bed: LayeredLineFoundation, strip: Strip, friction: float) ->
     return tuple(found)
 
 
+def greatest_in_part(
+    bed: Any,
+    strip: Strip,
+    part: StrongPart,
+    friction: float,
+    rounds: int = MOST_ROUNDS,
+    measure: Measure = von_mises,
+) -> Placed:
+    """Return the greatest stress of a kind in a part, away from sharp places, and its place; z < 0 in the second body.
+
+    Parameters
+    ----------
+    bed : LayeredLineFoundation
+    strip : Strip
+    part : StrongPart
+    friction : float
+        Traction over pressure [-].
+    rounds : int
+        As of `winkler.numerics.equations.highest.highest`.
+    measure
+        Of which kind; von Mises' unless given.
+    """
+    shallowest = NEAR * strip.half_width if part.top == 0.0 and is_sharp(bed, *strip) else 0.0
+    if not part.first:
+        contact = LineContact(bed, *strip, part.solid.poisson, friction)
+        place = sought(contact, measure, shallowest=shallowest)
+        return place._replace(z=-place.z)
+    top = max(part.top, min(shallowest, 0.5 * part.bottom))
+    waves = waves_for_search(bed, strip, part.top)
+    return greatest_within(bed, strip, (top, part.bottom), waves, friction, rounds, measure)
+
+
 def greatest_within(
     bed: LayeredLineFoundation,
     strip: Strip,
     span: tuple[float, float],
     waves: PlaneWaves,
     friction: float,
-    refinements: int = REFINEMENTS,
+    rounds: int = MOST_ROUNDS,
     measure: Measure = von_mises,
-) -> tuple[float, float, float]:
-    """Return the greatest stress of a kind between two depths and its place, on grids that close in on it.
+) -> Placed:
+    """Return the greatest stress of a kind between two depths and its place.
 
     Parameters
     ----------
@@ -206,52 +245,47 @@ def greatest_within(
         Of the strip, from `waves_for_search`.
     friction : float
         Traction on the body along x over the pressure [-].
-    refinements : int
-        How often the grid is refined.
+    rounds : int
+        As of `winkler.numerics.equations.highest.highest`.
     measure
         Of which kind; von Mises' unless given.
     """
     top, bottom = span
     wide = _spread(strip, top)
-    if math.isinf(bottom):
-        top, bottom = np.nextafter(top, math.inf), top + DEEPEST_SEARCHED * wide
+    if top > 0.0:  # an interface belongs to the upper layer
+        top = float(np.nextafter(top, math.inf))
+    bottom = min(bottom, top + DEEPEST_SEARCHED * wide) if math.isinf(bottom) else bottom
     near = strip.half_width * np.array([1.0 - CLOSEST, 1.0])
     x = np.unique(np.concatenate([wide * np.linspace(0.0, WIDTHS_SEARCHED, PLACES), near]))
-    x = x if friction == 0.0 else np.concatenate([-x[:0:-1], x])
     lower = min(bottom, top + DEEPEST_SEARCHED * wide)
     below = np.geomspace(CLOSEST, 1.0, DEPTHS)
     z = np.unique(np.concatenate([[top], top + (lower - top) * below, np.linspace(top, lower, DEPTHS), [bottom]]))
-    z = z[z <= bottom]
-    first = top if top == 0.0 else np.nextafter(top, math.inf)
-    best, whole = (0.0, 0.0, 0.0), ((x[0], x[-1]), (z[0], z[-1]))
-    for _ in range(refinements + 1):
-        depth = np.maximum(z, first)
-        level = measure(layered_fields(bed, strip, x[:, None], depth[None, :], True, waves, friction))
-        i, j = (int(index) for index in np.unravel_index(np.argmax(level), level.shape))
-        if level[i, j] > best[0]:
-            best = (float(level[i, j]), float(x[i]), float(depth[j]))
-        x, z = (_nearer(row, at, last) for row, at, last in ((x, i, whole[0]), (z, j, whole[1])))
-    return best
+    even = friction == 0.0
+
+    def field(across: Array, depth: Array) -> Array:
+        places = np.abs(across) if even else across
+        return measure(layered_fields(bed, strip, places, depth, True, waves, friction))
+
+    found = highest(
+        field, [_both_sides(x, even), z[z <= bottom]], [(-x[-1], x[-1]), (top, bottom)], starts=STARTS, rounds=rounds
+    )
+    across, depth = found.place
+    return Placed(found.value, abs(across) if even else across, depth)
 
 
-def _nearer(places: Array, at: int, ends: tuple[float, float]) -> Array:
-    """Return a finer grid about one of ascending places; one as wide, farther on, about the first or the last."""
-    if 0 < at < places.size - 1:
-        return np.linspace(places[at - 1], places[at + 1], FINE)
-    half = 0.5 * (places[-1] - places[0]) if places.size == FINE else abs(places[at] - places[1 if at == 0 else at - 1])
-    return np.linspace(max(places[at] - half, ends[0]), min(places[at] + half, ends[1]), FINE)
+def _both_sides(x: Array, even: bool) -> Array:
+    """Return places x >= 0, and where stresses are not `even` also those on the other side."""
+    return x if even else np.concatenate([-x[:0:-1], x])
 
 
 def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float, friction: float) -> tuple[float, float]:
     """Return the greatest shear stress at one depth, and its place."""
     x = np.linspace(0.0, WIDTHS_SEARCHED * (strip.half_width + depth), INTERFACE_PLACES)
-    x = x if friction == 0.0 else np.concatenate([-x[:0:-1], x])
     waves = bed.waves_below(*strip, float(x[-1]))
-    best = (0.0, 0.0)
-    for _ in range(REFINEMENTS + 1):
-        level = np.abs(layered_fields(bed, strip, x, np.full(x.shape, depth), True, waves, friction).xz_stress)
-        at = int(np.argmax(level))
-        if level[at] > best[0]:
-            best = (float(level[at]), float(x[at]))
-        x = np.linspace(x[max(at - 1, 0)], x[min(at + 1, x.size - 1)], FINE)
-    return best
+
+    def shear(across: Array) -> Array:
+        fields = layered_fields(bed, strip, across, np.full(across.shape, depth), True, waves, friction)
+        return np.abs(fields.xz_stress)
+
+    found = highest(shear, [_both_sides(x, friction == 0.0)])
+    return found.value, *found.place

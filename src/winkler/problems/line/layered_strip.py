@@ -9,8 +9,8 @@ import numpy as np
 from winkler.numerics.types import ArrayLike, PerLoad, Q, shaped
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_approach import has_depth, layered_approach
-from winkler.problems.line.layered_notes import greatest_of_part, layered_notes
-from winkler.problems.line.layered_stress import LayerStress, layer_stresses, layered_fields
+from winkler.problems.line.layered_notes import layered_notes
+from winkler.problems.line.layered_stress import LayerStress, greatest_in_part, layer_stresses, layered_fields
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineFields, one_coefficient
@@ -149,5 +149,5 @@ class OnLayers(StressedOnLayers, OfStrip, PerLoad[Q]):
         return layered_notes(self._bed, a, rim_load(self._bed, force, a), friction)
 
     def part_stress(self, part: StrongPart, friction: float) -> Placed:
-        """Return the greatest von Mises stress [Pa] of a part, as of `LineSolution.part_stress`; sampled."""
-        return greatest_of_part(self._bed, self._strip("part_stress"), part, friction)
+        """Return the greatest von Mises stress [Pa] of a part, as of `LineSolution.part_stress`."""
+        return greatest_in_part(self._bed, self._strip("part_stress"), part, friction)

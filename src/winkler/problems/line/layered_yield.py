@@ -9,16 +9,16 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
+from winkler.numerics.equations.highest import MOST_ROUNDS
 from winkler.numerics.equations.roots import between, rough_root
 from winkler.numerics.types import Array
-from winkler.problems.line.greatest_stress import Measure, Placed, sought, von_mises
-from winkler.problems.line.layered_stress import REFINEMENTS, greatest_within, waves_for_search
-from winkler.problems.line.stress import LineContact
+from winkler.problems.line.greatest_stress import Placed
+from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.strip import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["at_strength_on_layers", "full_on_layers", "greatest_in_part"]
+__all__ = ["at_strength_on_layers", "full_on_layers"]
 
 MOST_STEPS = 60
 NEAREST_END = 1e-3
@@ -27,12 +27,12 @@ WIDEST_START = 100.0
 """Widest strip with which the search begins, over half of the thickness of the uppermost layer."""
 OVERSHOT, LEAST_STEP, LONGEST_STEP = 1.2, 0.02, 2.0
 """Steps of the logarithm of the half-width, over that of the stress, while the strength is bracketed."""
-COARSE, COARSE_TOLERANCE = 4, 1e-4
-"""Refinements while the half-width is sought, and to which part; two full secant steps follow."""
+COARSE, COARSE_TOLERANCE = 3, 1e-4
+"""Rounds of the search while the half-width is sought, and to which part; two full secant steps follow."""
 
 
 Share = Callable[[float, int], Placed]
-"""Takes a half-width [m] and how often grids are refined; returns the greatest of a stress over the strength."""
+"""Takes a half-width [m] and how often its search closes in; returns the greatest of a stress over the strength."""
 
 
 def at_strength_on_layers(
@@ -51,11 +51,11 @@ def at_strength_on_layers(
         Of the problem, for its refusals.
     """
 
-    def share(half_width: float, refinements: int) -> Placed:
-        place = greatest_in_part(bed, half_width, part, friction, refinements)
+    def share(half_width: float, rounds: int) -> Placed:
+        place = greatest_in_part(bed, Strip(half_width, 0.0), part, friction, rounds)
         return place._replace(value=place.value / part.solid.strength)
 
-    return full_on_layers(bed, share, (COARSE, REFINEMENTS), COARSE_TOLERANCE, name)
+    return full_on_layers(bed, share, (COARSE, MOST_ROUNDS), COARSE_TOLERANCE, name)
 
 
 def full_on_layers(
@@ -127,35 +127,3 @@ def _bracket(
         f"{name}: within the reach of the profile ({bed.flat + width:.6g} m) the strength is not reached; give a "
         "lower strength or a profile that is known farther."
     )
-
-
-def greatest_in_part(
-    bed: LayeredLineFoundation,
-    half_width: float,
-    part: StrongPart,
-    friction: float,
-    refinements: int = REFINEMENTS,
-    measure: Measure = von_mises,
-) -> Placed:
-    """Return the greatest stress of a kind in a part, and its place; z < 0 in the second body.
-
-    Parameters
-    ----------
-    bed : LayeredLineFoundation
-        Without a sharp tip, kink or rim.
-    half_width : float
-        [m].
-    part : StrongPart
-    friction : float
-        Traction over pressure [-].
-    refinements : int, optional
-        As of `greatest_within`.
-    measure
-        Of which kind; von Mises' unless given.
-    """
-    strip = Strip(half_width, 0.0)
-    if part.first:
-        waves = waves_for_search(bed, strip, part.top)
-        return Placed(*greatest_within(bed, strip, (part.top, part.bottom), waves, friction, refinements, measure))
-    place = sought(LineContact(bed, half_width, 0.0, part.solid.poisson, friction), measure)
-    return place._replace(z=-place.z)

@@ -25,9 +25,10 @@ from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import greatest, in_strip
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.line.layered_yield import greatest_in_part
+from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import LineContact
+from winkler.problems.line.strip import Strip
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -324,7 +325,7 @@ def _below_strip(contact: LineSolution) -> _Search:
 
     def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
         if isinstance(bed, LayeredLineFoundation):
-            deep = greatest_in_part(bed, half_width, part, 0.0, measure=in_strip(measure))
+            deep = greatest_in_part(bed, Strip(half_width, edge_load), part, 0.0, measure=in_strip(measure))
             return _Greatest(deep.value, deep.z)
         strip = LineContact(bed, half_width, edge_load, part.solid.poisson, 0.0)
         deep = greatest(strip, in_strip(measure))

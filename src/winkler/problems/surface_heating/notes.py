@@ -7,14 +7,31 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.surface_heating.state import SurfaceHeatState
+from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.values.validity import Assumption, Note, Standing, standing_left, standing_of
 
-__all__ = ["JAEGER", "surface_heating_notes"]
+__all__ = ["passing_note", "surface_heating_notes"]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, Wear 6 (1963) 483-494, doi:10.1016/0043-1648(63)90283-7"
 FINE, COARSE = 0.01, 0.2
 """Change of the greatest rise from pixels of twice the size up to which they count as fine, and as coarse."""
+
+SMALL_CREEPAGE, LARGE_CREEPAGE = 0.01, 0.25
+"""Change of a share up to which the speeds of both bodies count as one, and beyond which they do not."""
+
+
+def passing_note(rolled: SurfaceRollingState) -> Note:
+    """Return that both bodies are taken to pass at the speed of rolling."""
+    creepage = float(np.max(np.abs(rolled.creep)))
+    return Note(
+        Assumption.CONDUCTION,
+        standing_of(0.25 * creepage, SMALL_CREEPAGE, LARGE_CREEPAGE),
+        f"Both bodies pass at the speed of rolling; with a slip of {creepage:.2g} of it the share of either may "
+        f"differ by {25.0 * creepage:.2g} per cent.",
+        JAEGER,
+        0.25 * creepage,
+    )
 
 
 def surface_heating_notes(

@@ -16,6 +16,7 @@ STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity
 COPPER = {"kind": "electrical_conductor", "resistivity": "16.8 nohm m"}
 SILVER_PAIR: dict[str, Any] = {"first": SILVER, "second": SILVER}
 STEEL_PAIR: dict[str, Any] = {"first": STEEL, "second": STEEL}
+PRESSED = {"kind": "indentation", "load": {"kind": "force", "force": "1 N"}}
 MEASURED_FORCE = ["0.1 N", "0.2 N", "0.5 N", "1 N", "2 N", "5 N", "10 N", "20 N", "50 N", "100 N"]
 MEASURED_RESISTANCE = [
     *("589.06 uohm", "474.08 uohm", "364.60 uohm", "298.16 uohm", "248.02 uohm"),
@@ -85,12 +86,14 @@ STRIP = Equation(
 
 def electric_formulas(problem: Any, *more: Equation) -> tuple[Equation, ...]:
     """Return the formulas of a contact that conducts a current."""
-    return followed_by(normal_formulas, *_constriction_formulas(problem, problem.conductors.film), *more)(problem)
+    parts = _constriction_formulas(problem, problem.conductors.film)
+    return followed_by(normal_formulas, *parts, *more)(problem.contact)
 
 
 def thermal_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a contact that conducts heat."""
-    return followed_by(normal_formulas, *_constriction_formulas(problem, problem.conductors.interface, HEAT))(problem)
+    parts = _constriction_formulas(problem, problem.conductors.interface, HEAT)
+    return followed_by(normal_formulas, *parts)(problem.contact)
 
 
 def joule_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -99,7 +102,7 @@ def joule_formulas(problem: Any) -> tuple[Equation, ...]:
 
 
 def _constriction_formulas(problem: Any, film: Any, *more: Equation) -> tuple[Equation, ...]:
-    bodies, bed = (problem.conductors.first, problem.conductors.second), problem.bed
+    bodies, bed = (problem.conductors.first, problem.conductors.second), problem.contact.bed
     alike = not is_a(bed.footprint, "winkler.foundation.footprint:RoundOutline") or is_a(bed.medium, HOMOGENEOUS)
     return (
         ANALOGY if alike else DISC,
@@ -185,7 +188,7 @@ CONDUCTION = Chapter(
             de="kontaktwiderstand elektrisch holm relais stecker engewiderstand übergangswiderstand schalter steckverbinder vergoldung ohm fremdschichtwiderstand kohlebürste kommutator schleifring klemmkraft kupferschiene anlaufschicht durchgangswiderstand kontaktnormalkraft",
             fr="résistance de contact électrique holm relais connecteur interrupteur constriction dorure ohm fiche balai collecteur connexion électrique pince film d'oxyde",
             headline=("resistance", "conductance", "film_resistance", "radius"),
-            load={"kind": "force", "force": "1 N"},
+            contact=PRESSED,
             picture=Caption(
                 "contact_resistance",
                 "The contact resistance",
@@ -218,7 +221,7 @@ CONDUCTION = Chapter(
             de="sammelschiene stromschiene engewiderstand linienkontakt draht übergangswiderstand je länge",
             fr="barre conductrice résistance linéique fil sur plan contact électrique linéaire",
             headline=("resistance_per_length", "film_resistance_per_length", "half_width"),
-            bed=ROLLER,
+            contact={"kind": "line_indentation", "bed": ROLLER},
             first_depth="5 mm",
             second_depth="5 mm",
             picture=Caption(
@@ -256,7 +259,7 @@ CONDUCTION = Chapter(
             de="stromwärme joule schweissen kontakttemperatur erweichungsspannung überhitzung strom heiss stecker schmelzspannung punktschweissen stromtragfähigkeit kontakterwärmung überlast stecker heizt sich auf verschweisst schmelzspannung",
             fr="effet joule température de contact soudage courant surchauffe tension de ramollissement fusion ampère chaud échauffement d'une connexion électrique surcharge soudure des contacts courant d'appel",
             headline=("max_temperature", "contact_temperature", "voltage", "current", "resistance"),
-            load={"kind": "force", "force": "1 N"},
+            contact=PRESSED,
             picture=Caption(
                 "joule",
                 "Heating of the contact by a current",

@@ -1,11 +1,13 @@
-"""Heat of friction on contacts of any outline: the problems of height maps and of given maps, and their formulas."""
+"""Heat of friction on contacts of any outline: the problem of given maps and of maps that roll, and its formulas."""
 
 from __future__ import annotations
 
+from typing import Any
+
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.heating import STEELS
+from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.rough import ELEMENTS
-from winkler.study.chapters.subsurface import HILL
 from winkler.study.chapters.surface_friction import CERRUTI
 from winkler.study.chapters.surface_rolling import COULOMB, PASSED, WHEEL
 
@@ -22,19 +24,6 @@ PULLS = {
         "longitudinal": {"from": 0.001, "to": 0.01, "count": 6, "spacing": "log"},
     },
 }
-RUBBED = {
-    "kind": "surface_load",
-    "pressure": HILL,
-    "lengths": ["1 mm", "1 mm"],
-    "x_traction": [
-        ["0 MPa", "-10 MPa", "-15 MPa", "-10 MPa", "0 MPa"],
-        ["-10 MPa", "-25 MPa", "-30 MPa", "-25 MPa", "-10 MPa"],
-        ["-15 MPa", "-30 MPa", "-35 MPa", "-30 MPa", "-15 MPa"],
-        ["-10 MPa", "-25 MPa", "-30 MPa", "-25 MPa", "-10 MPa"],
-        ["0 MPa", "-10 MPa", "-15 MPa", "-10 MPa", "0 MPa"],
-    ],
-}
-
 ROLLING_FLUX = Equation(
     "Where it slips, friction turns into heat",
     r"q = V\,\tau\cdot s', \quad Q = \int q\,\mathrm{d}A = V\,(\xi F_x+\eta F_y+\varphi M_z)",
@@ -50,48 +39,39 @@ WARMED = Equation(
 CONTINUOUS = Equation(
     "The surfaces have one temperature wherever they touch (Blok)", r"q_1+q_2 = q, \quad T_1 = T_2 \text{ where } p > 0"
 )
-MAPS = (
-    "The heat of friction, the temperature of the surface of the first body with the outline of the contact and the "
-    "place of the greatest, and both surfaces along the line through it{more}."
-)
+
+
+def surface_heating_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a map that slides, or that rolls."""
+    if is_a(problem.contact, "winkler.problems.subsurface.surface_load:SurfaceLoad"):
+        return (SLIDING_FLUX, WARMED, CONTINUOUS)
+    return (ELEMENTS, CERRUTI, PASSED, COULOMB, ROLLING_FLUX, WARMED, CONTINUOUS)
+
 
 SURFACE_HEATING = Chapter(
     "frictional heat",
     kinds={},
     answers={
-        "surface_rolling_heating": answer(
-            "winkler.problems.surface_heating.rolling:SurfaceRollingHeating",
-            question="How hot does a contact of any outline get that rolls with creepage?",
-            page="chapters/surfaces/surface-heating.md#a-wheel-that-slips",
-            en="temperature of rolling with creepage wheel rail heat traction martensite white etching layer wheel spin heat",
-            de="temperatur rollen schlupf rad schiene wärme martensit",
-            fr="température roulement pseudo-glissement roue rail chaleur",
+        "surface_friction_heating": answer(
+            "winkler.problems.surface_heating.steady:SurfaceFrictionHeating",
+            question="How hot does a contact of any outline get that slides under a map of pressures, or rolls with creepage?",
+            page="chapters/surfaces/surface-heating.md",
+            en="temperature of a rough sliding contact map flash temperature hot spots pressure map brake disc hot spot asperity temperature "
+            "temperature of rolling with creepage wheel rail heat traction martensite white etching layer wheel spin heat",
+            de="temperatur rauer gleitkontakt blitztemperatur heisse stellen druckkarte temperatur rollen schlupf rad schiene wärme martensit",
+            fr="température contact glissant rugueux points chauds carte de pression température roulement pseudo-glissement roue rail chaleur",
             headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
-            rolling=PULLS,
+            contact=PULLS,
             conductors=STEELS,
             picture=Caption(
                 "surface_heating",
-                "Temperatures of a contact that rolls",
-                MAPS.format(more=", under the last creepage"),
+                "Temperatures of a contact that slides or rolls",
+                "The heat of friction, the temperature of the surface of the first body with the outline of the contact and the "
+                "place of the greatest, and both surfaces along the line through it, under the last creepage.",
             ),
             curves=(("heat_rate", "max_temperature"), ("heat_rate", "mean_temperature")),
             pictured=PicturedContact.NONE,
-            formulas=(ELEMENTS, CERRUTI, PASSED, COULOMB, ROLLING_FLUX, WARMED, CONTINUOUS),
-        ),
-        "surface_friction_heating": answer(
-            "winkler.problems.surface_heating.sliding:SurfaceFrictionHeating",
-            question="How hot do bodies get that slide under a map of pressures?",
-            page="chapters/surfaces/surface-heating.md#bodies-that-slide",
-            en="temperature of a rough sliding contact map flash temperature hot spots pressure map brake disc hot spot asperity temperature",
-            de="temperatur rauer gleitkontakt blitztemperatur heisse stellen druckkarte",
-            fr="température contact glissant rugueux points chauds carte de pression",
-            headline=("max_temperature", "heat_rate", "first_share", "mean_temperature", "x"),
-            load=RUBBED,
-            conductors=STEELS,
-            first_speed="2 m/s",
-            picture=Caption("surface_heating", "Temperatures of a contact that slides", MAPS.format(more="")),
-            pictured=PicturedContact.NONE,
-            formulas=(SLIDING_FLUX, WARMED, CONTINUOUS),
+            formulas=surface_heating_formulas,
         ),
     },
 )

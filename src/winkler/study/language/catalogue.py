@@ -72,6 +72,7 @@ FORMER = {
     "coated_tangential": "tangential",
     "viscoelastic_tangential": "tangential",
     "elliptic_friction_heating": "friction_heating",
+    "surface_rolling_heating": "surface_friction_heating",
 }
 """Kinds of version 0.2 -> those that answer with the same numbers; studies that name the former still run."""
 FORMER_DEFAULTS: dict[str, dict[str, Any]] = {"viscoelastic_tangential": {"count": 500}}
@@ -81,8 +82,15 @@ FORMER_PARTS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "elliptic_friction_heating": ("contact", "elliptic_indentation", ("bodies", "medium", "load")),
     "transient_heating": ("contact", "indentation", ("bed", "load")),
     "line_friction_heating": ("contact", "line_indentation", ("bed", "load")),
+    "constriction": ("contact", "indentation", ("bed", "load")),
+    "thermal_constriction": ("contact", "indentation", ("bed", "load")),
+    "joule_heating": ("contact", "indentation", ("bed", "load")),
+    "line_constriction": ("contact", "line_indentation", ("bed", "load")),
+    "surface_rolling_heating": ("contact", "", ("rolling",)),
+    "surface_friction_heating": ("contact", "", ("load", "rolling")),
 }
-"""Kinds of version 0.2 some of whose keys stand in a table of their own today: its key, its kind, and what it holds."""
+"""Kinds of version 0.2 some of whose keys stand in a table of their own today: its key, its kind, and what it holds;
+without a kind the key is called otherwise today."""
 
 REFUSED: dict[str, Kind] = {"cylinder": kind("winkler.profiles.flat:Cylinder")}
 """Kinds that cannot be solved; creating one raises the reason."""
@@ -108,20 +116,20 @@ def in_present_kinds(content: Any) -> Any:
     """Return the tables and lists of a study with the kinds and keys of today in place of those of version 0.2."""
     problem = content.get("problem") if isinstance(content, dict) else None
     if isinstance(problem, dict) and isinstance(name := problem.get("kind"), str) and name in FORMER_PARTS:
-        place, _, keys = FORMER_PARTS[name]
-        moved = re.compile(rf"problem\.(?=({'|'.join(keys)})(\.|$))")
-        content = {key: item if key == "problem" else _renamed(item, moved, place) for key, item in content.items()}
+        place, there, keys = FORMER_PARTS[name]
+        moved, now = re.compile(rf"problem\.({'|'.join(keys)})(?=\.|$)"), f"problem.{place}" + r".\1" * bool(there)
+        content = {key: item if key == "problem" else _renamed(item, moved, now) for key, item in content.items()}
     return _present(content)
 
 
-def _renamed(content: Any, moved: re.Pattern[str], place: str) -> Any:
-    """Return tables and lists in which keys that lie in the table `place` of the problem today are called so."""
+def _renamed(content: Any, moved: re.Pattern[str], now: str) -> Any:
+    """Return tables and lists in which keys that were moved have their name of today."""
     if isinstance(content, str):
-        return moved.sub(f"problem.{place}.", content, count=1) if moved.match(content) else content
+        return moved.sub(now, content, count=1) if moved.match(content) else content
     if isinstance(content, list):
-        return [_renamed(item, moved, place) for item in content]
+        return [_renamed(item, moved, now) for item in content]
     if isinstance(content, dict):
-        return {_renamed(key, moved, place): _renamed(item, moved, place) for key, item in content.items()}
+        return {_renamed(key, moved, now): _renamed(item, moved, now) for key, item in content.items()}
     return content
 
 
@@ -136,8 +144,9 @@ def _present(content: Any) -> Any:
     if name in FORMER_PARTS:
         place, kind_there, keys = FORMER_PARTS[name]
         if before := {key: table.pop(key) for key in keys if key in table}:
-            there = table.get(place)
-            table[place] = _over(there if isinstance(there, dict) else {"kind": kind_there}, before)
+            there, part = table.get(place), before if kind_there else next(iter(before.values()))
+            new = there if isinstance(there, dict) else {"kind": kind_there} if kind_there else {}
+            table[place] = _over(new, part) if isinstance(part, dict) else part
     return {**FORMER_DEFAULTS.get(name, {}), **table, "kind": FORMER[name]} if name in FORMER else table
 
 

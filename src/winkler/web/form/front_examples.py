@@ -169,8 +169,8 @@ FRONT_EXAMPLES = (
         "What is its resistance?",
         "constriction",
         {
-            "problem.bed.medium.first": {"kind": "elastic", "young": "82 GPa", "poisson": 0.37},
-            SECOND: {"kind": "elastic", "young": "82 GPa", "poisson": 0.37},
+            "problem.contact.bed.medium.first": {"kind": "elastic", "young": "82 GPa", "poisson": 0.37},
+            "problem.contact.bed.medium.second": {"kind": "elastic", "young": "82 GPa", "poisson": 0.37},
         },
     ),
     FrontExample(
