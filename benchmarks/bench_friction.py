@@ -14,7 +14,6 @@ from winkler.laws.friction import Coulomb
 from winkler.loading.path import Path
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
-from winkler.problems.friction.spring_march import SpringMarch
 
 pytestmark = pytest.mark.bench
 
@@ -80,7 +79,7 @@ def bench_a_loop_of_a_thousand_steps(benchmark, below, steel_on_steel, name):
     depth = wk.Indentation(bed, wk.Force(1000.0)).solve().depth
     lateral, most = LOOPS[name]
     full = 0.3 * depth * steel_on_steel.modulus / steel_on_steel.shear_modulus
-    problem = SpringMarch(bed, Coulomb(0.3), Path(TIME, wk.Depth(depth), lateral(full)), 500)
+    problem = wk.Tangential(bed, Coulomb(0.3), Path(TIME, wk.Depth(depth), lateral(full)), wk.Method.SPRINGS, 500)
     trace = benchmark.pedantic(problem.solve, rounds=20, warmup_rounds=2)
     assert np.all(np.diff(trace.dissipation) >= 0.0)
     below(most, f"500 springs, {STEPS} steps, {name}")

@@ -94,7 +94,7 @@ def bench_a_history_on_reduced_springs(benchmark, below):
     bed = wk.reduce(rough, UNIT, 3e-6)
     turns = np.sin(np.linspace(0.0, 40.0, STEPS))
     path = wk.Path.through(wk.Depth(2.5e-6 + 0.3e-6 * turns), wk.Shift(3e-7 * np.roll(turns, 100)))
-    problem = wk.SpringMarch(bed, wk.Coulomb(0.3), path, 500)
+    problem = wk.Tangential(bed, wk.Coulomb(0.3), path, wk.Method.SPRINGS, 500)
     trace = benchmark.pedantic(problem.solve, rounds=40, warmup_rounds=3)
     assert np.all(np.diff(trace.dissipation) >= 0.0)
     below(10e-3, "1,000 steps of friction on the springs of a rough height map")

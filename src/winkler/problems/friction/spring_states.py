@@ -12,6 +12,7 @@ from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.round_march import RoundNormal
+from winkler.problems.row import CURVED_STEP_TOLERANCE
 from winkler.values.checks.contract import offered
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
@@ -118,14 +119,15 @@ IN_PLANE = Note(
     "restored over the contact is not admissible everywhere. It exceeds the coefficient times the pressure by 5 % "
     "after two strokes at a right angle; it grows like a logarithm at the edge of the stick zone of a circle.",
     "measured on a sphere, each stroke or the circle's radius half the shift of gross slip; tests/problems/"
-    "test_spring_march.py",
+    "friction/test_single_springs.py",
 )
 
 DROPPING = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump. "
-    "Forces and energies are of first order in the distance of the springs; restored tractions are singular there.",
+    "Forces and energies are of first order in the distance of the springs; restored tractions are singular there. "
+    "Between two points depth and shift go straight: where a prescribed force bends their path, give more points.",
     "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(
@@ -157,7 +159,8 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
             Standing.ASYMPTOTIC,
             f"{count} springs: shear force and energies are of second order in their distance; under a sphere the "
             f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force. "
-            "Between two points depth and shift go straight: where a prescribed force bends their path, give more.",
+            f"Where a prescribed force bends the step between two points, they are followed to "
+            f"{CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
             "compared with the exact solution for one direction, tests/convergence/test_order_springs.py",
         )
     ]
