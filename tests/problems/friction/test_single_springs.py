@@ -215,7 +215,7 @@ def test_its_validity_notes():
         spring_notes(wk.Springs.of(coated, 1.0, 20), Coulomb(MU), in_plane=False)[-1].standing is Standing.APPROXIMATE
     )
     state = list(wk.Tangential(coated, Coulomb(MU), still([0.0, 0.1]), wk.Method.SPRINGS, 20).steps())[-1]
-    with pytest.raises(wk.OutsideValidity, match="as in layered media"):
+    with pytest.raises(wk.OutsideValidity, match="the method rings"):
         _ = state.sheared
 
 
