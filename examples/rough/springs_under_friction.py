@@ -53,10 +53,10 @@ shear = 0.8 * friction.coefficient * found.force * (0.6 * np.sin(turn) + 0.4 * n
 path = wk.Path(turn, wk.Depth(0.8e-6), wk.ShearForce(shear))
 figure, axes = plt.subplots(figsize=(6.0, 4.2), layout="constrained")
 lost = {}
-wk.SpringMarch(bed, friction, path, 300).solve()  # compiles at its first use
+wk.Tangential(bed, friction, path, wk.Method.SPRINGS, 300).solve()  # compiles at its first use
 for name, springs in {"x": bed, "y": bed.turned}.items():
     begun = time.perf_counter()
-    shaken = wk.SpringMarch(springs, friction, path, 300).solve()
+    shaken = wk.Tangential(springs, friction, path, wk.Method.SPRINGS, 300).solve()
     print(f"along {name}: {turn.size} steps in {1e3 * (time.perf_counter() - begun):.0f} ms")
     axes.plot(shaken.shift * 1e9, shaken.shear_force, linewidth=0.8, label=f"along {name}")
     lost[name] = float(shaken.dissipation[-1])

@@ -162,7 +162,6 @@ from winkler.problems.conduction.thermal_constriction import ThermalConstriction
 from winkler.problems.friction.bimodal_damping import BimodalDamping, BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.friction.relaxation_damping import RelaxationDamper, RelaxationDamperSolution
-from winkler.problems.friction.spring_march import SpringMarch, SpringTrace
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.friction.torsion import Torsion, TorsionSolution
 from winkler.problems.friction.torsion_fields import TwistedFields
@@ -379,7 +378,7 @@ __all__ = [
     "ShearForce", "ShearedFields", "Shift", "ShiftedBy", "ShortRange", "SigmoidalGrading", "SimplifiedRolling",
     "SimplifiedRollingSolution", "SlidingFilm", "SlidingResistance", "SlidingResistanceSolution", "SlidingSolution",
     "SlidingWear", "SpectrumSolution", "Sphere", "SpheroConical", "Spikes", "Spin", "SpotCluster",
-    "SpotClusterSolution", "SpringMarch", "SpringTrace", "Springs", "StackLayer", "StackedHalfSpace", "Staircase",
+    "SpotClusterSolution", "Springs", "StackLayer", "StackedHalfSpace", "Staircase",
     "StandardSolid", "Standing", "Start", "StaticKinetic", "StrengthFromDent", "StrengthFromDentSolution",
     "SubsurfaceFields", "Sum", "SurfaceAdhesion", "SurfaceAdhesionSolution", "SurfaceConduction",
     "SurfaceConductionSolution", "SurfaceConstriction", "SurfaceConstrictionSolution", "SurfaceContact",

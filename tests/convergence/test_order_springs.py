@@ -13,7 +13,6 @@ from slopes import order
 import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.loading.path import Path
-from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.tangential import Tangential
 
 MEDIUM = wk.HalfSpace(wk.Elastic(1.0, 0.0))
@@ -74,7 +73,7 @@ def test_slip_is_of_second_order(name):
         exact = Tangential(bed, law, path).solve()
         scale = 0.4 * top.force
         for k, count in enumerate(COUNTS):
-            trace = SpringMarch(bed, law, path, int(count)).solve()
+            trace = wk.Tangential(bed, law, path, wk.Method.SPRINGS, int(count)).solve()
             for row, (got, true, size) in enumerate(
                 (
                     (trace.shear_force, exact.shear_force, scale),
@@ -93,7 +92,7 @@ def test_sliding_is_exact():
     """Where all springs slide, friction adds up to the coefficient times the true force, not that of the polygon."""
     bed = wk.Foundation(wk.Sphere(1.0), MEDIUM)
     path = Path(np.arange(4.0), wk.Depth([0.03, 0.1, 0.07, 0.05]), wk.Shift([0.1, 0.3, 0.5, 0.7]))
-    trace = SpringMarch(bed, Coulomb(0.3), path, 15).solve()
+    trace = wk.Tangential(bed, Coulomb(0.3), path, wk.Method.SPRINGS, 15).solve()
     np.testing.assert_allclose(trace.shear_force, 0.3 * trace.force, rtol=1e-13)
 
 
@@ -104,7 +103,7 @@ def test_pinned_contacts(name):
     bed = wk.Foundation(shape, MEDIUM)
     path = histories(0.2, 0.08)[0]
     exact = Tangential(bed, Coulomb(0.4), path).solve()
-    trace = SpringMarch(bed, Coulomb(0.4), path, 200).solve()
+    trace = wk.Tangential(bed, Coulomb(0.4), path, wk.Method.SPRINGS, 200).solve()
     scale = 0.4 * exact.force.max()
     for got, true, size in (
         (trace.shear_force, exact.shear_force, scale),

@@ -22,8 +22,8 @@ from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.adhesion.cycle import AdhesiveCycle
-from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.friction.tangential import Tangential
+from winkler.problems.method import Method
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.contacts import Contacts
 from winkler.problems.particles.elastic_plastic import ElasticPlasticParticle
@@ -146,7 +146,7 @@ def test_friction_does_what_the_march_of_springs_does():
     found = law(Tangential(BALL, Coulomb(0.3), path), count=50).trace(
         np.column_stack([depth, np.diff(shift, axis=0, prepend=shift[:1])])
     )
-    march = SpringMarch(BALL, Coulomb(0.3), path, count=50).solve()
+    march = Tangential(BALL, Coulomb(0.3), path, Method.SPRINGS, count=50).solve()
     np.testing.assert_allclose(found[:, 0], march.force, rtol=1e-12)
     np.testing.assert_allclose(found[:, 2:4], march.shear_force, rtol=0.0, atol=1e-10 * np.max(march.shear_force))
     np.testing.assert_allclose(found[:, 6], march.dissipation, rtol=1e-9, atol=1e-12 * march.dissipation[-1])

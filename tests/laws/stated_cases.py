@@ -21,7 +21,6 @@ from winkler.exporting.choose import law_of
 from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.numerics.fields.disc_charges import currents
 from winkler.problems.conduction.spots import SpotClusterSolution
-from winkler.problems.friction.spring_march import SpringMarch
 from winkler.problems.line_rolling.rolled_strip import creepage_error, loss_error, rolled_strip
 from winkler.problems.rolling.linear_theory import _forces, linear_creep_coefficients
 from winkler.problems.viscoelastic.layered_path import stepped
@@ -470,7 +469,7 @@ def springs_under_a_sphere(rng):
     slide = 0.4 * top.depth * UNIT.modulus / UNIT.shear_modulus
     depth, shift = top.depth * rng.uniform(0.2, 1.0, 12), 0.7 * slide * rng.uniform(-1.0, 1.0, 12)
     path = wk.Path(np.arange(12.0), wk.Depth(depth), wk.Shift(shift))
-    marched = SpringMarch(bed, wk.Coulomb(0.4), path, count).solve()
+    marched = wk.Tangential(bed, wk.Coulomb(0.4), path, wk.Method.SPRINGS, count).solve()
     known = wk.Tangential(bed, wk.Coulomb(0.4), path).solve()
     stated = next(re.search(r"is below (\S+) of", str(note)) for note in marched.validity if "springs: " in str(note))
     return float(stated[1]), change(marched.shear_force, known.shear_force, 0.4 * np.max(known.force))

@@ -60,16 +60,14 @@ class Row(NamedTuple):
     """A row: what it follows a path of loads with, and the error that it states or that its cells have.
 
     `error` is that of motion, load and loss over those of `Family` under a steady normal load, and as much as `curved`
-    more where a prescribed force bends the steps.  `straight` rows take the
-    points of a path as straight steps: they hold where depth and motion are prescribed, or the normal load is steady.
-    Those that are `steady` hold there alone.  `relaxes`: the friction loss is asked for, not all that is lost.
+    more where a prescribed force bends the steps.  Rows that are `steady` hold
+    under a steady normal load alone.  `relaxes`: the friction loss is asked for, not all that is lost.
     """
 
     family: Family
     problem: Callable[[Any, Any], Any]
     error: float
     curved: float = 0.0
-    straight: bool = False
     steady: bool = False
     relaxes: bool = False
 
@@ -116,8 +114,8 @@ CURVED = 6 * CURVED_STEP_TOLERANCE
 """Of the five steps and the first of a random history."""
 ROWS = {
     "springs by gap": Row(PUSH, pushed(HALF), 1e-12, CURVED),
-    "springs one by one": Row(PUSH, pushed(HALF, wk.Method.SPRINGS, count=400), 2e-5, straight=True),
-    "springs in the plane": Row(PUSH, pushed(HALF, in_plane=True, count=400), 2e-5, straight=True),
+    "springs one by one": Row(PUSH, pushed(HALF, wk.Method.SPRINGS, count=400), 2e-5, CURVED),
+    "springs in the plane": Row(PUSH, pushed(HALF, in_plane=True, count=400), 2e-5, CURVED),
     "rings": Row(PUSH, pushed(LAYERS), 1e-12, CURVED),
     "relaxing springs": Row(PUSH, pushed(SLOW, count=400, tolerance=1e-5), 1e-4, relaxes=True),
     "relaxed springs": Row(PUSH, pushed(RELAXED, count=400, tolerance=1e-5), 1e-4, relaxes=True),
@@ -183,13 +181,9 @@ LOADS = [
 SEEDS = [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))]
 
 
-def holding(family: Family, varying: bool, straight: bool) -> dict[str, Row]:
-    """Return the rows of a family that hold where the normal load varies, and steps are straight."""
-    return {
-        name: row
-        for name, row in ROWS.items()
-        if row.family is family and not (varying and (row.steady or (row.straight and not straight)))
-    }
+def holding(family: Family, varying: bool) -> dict[str, Row]:
+    """Return the rows of a family that hold where the normal load varies."""
+    return {name: row for name, row in ROWS.items() if row.family is family and not (varying and row.steady)}
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -197,7 +191,7 @@ def holding(family: Family, varying: bool, straight: bool) -> dict[str, Row]:
 def test_each_row_as_every_other(family, varying, by_force, by_load, seed):
     depth, lateral = history(family, seed, varying)
     loads = prescribed(family, by_force, depth, by_load, lateral)
-    rows = holding(family, varying, straight=not (by_force or by_load))
+    rows = holding(family, varying)
     found = {name: answers(row, row.problem(*loads)) for name, row in rows.items()}
     assert len(found) > 3
     for one, two in itertools.combinations(found, 2):
@@ -296,7 +290,7 @@ def test_turned_back_a_row_follows_its_first_loading_twice_as_large(name):
 @pytest.mark.parametrize("name", EACH)
 def test_a_negated_path_bears_and_loses_the_same(name, seed):
     row = ROWS[name]
-    by_force, by_load = divmod(seed % 4, 2) if not row.straight else (0, 0)
+    by_force, by_load = divmod(seed % 4, 2)
     depth, lateral = history(row.family, seed, not row.steady)
     there, back = (
         answers(row, row.problem(*prescribed(row.family, bool(by_force), depth, bool(by_load), sign * lateral)))
@@ -355,7 +349,7 @@ def test_work_is_stored_or_lost_and_no_loss_comes_back(name, seed):
 @pytest.mark.parametrize("name", EACH)
 def test_points_in_between_change_nothing_beyond_the_stated_error(name, seed):
     row = ROWS[name]
-    by_force, by_load = divmod(seed % 4, 2) if not row.straight else (0, 0)
+    by_force, by_load = divmod(seed % 4, 2)
     depth, lateral = history(row.family, seed, not row.steady, points=4)
     loads = prescribed(row.family, bool(by_force), depth, bool(by_load), lateral)
     fine = np.linspace(0.0, 3.0, 10)

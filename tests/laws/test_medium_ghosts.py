@@ -96,7 +96,6 @@ PROBLEMS = {
     "RoughIndentation": lambda bed: wk.RoughIndentation(SPECTRUM, bed, 1.0, LOAD, realisations=2, count=128),
     "SlidingResistance": lambda bed: wk.SlidingResistance(bed, LOAD, 1.0, count=10),
     "SlidingWear": lambda bed: wk.SlidingWear(bed, wk.Archard(1e-3), LOAD, [0.0, 1.0], count=30, tolerance=1e-2),
-    "SpringMarch": lambda bed: wk.SpringMarch(bed, MU, PUSH, count=40),
     "Tangential": lambda bed: wk.Tangential(bed, MU, PUSH, count=20),
     "Tangential, springs": lambda bed: wk.Tangential(bed, MU, PUSH, wk.Method.SPRINGS),
     "ThermalConstriction": lambda bed: wk.ThermalConstriction(wk.Indentation(bed, LOAD), STEEL, 1.0),
@@ -205,7 +204,7 @@ LONG = {
     *((name, medium) for name in ("YieldOnset", "YieldOnset, sliding", "AdhesiveImpact") for medium in MEDIA),
     *((name, "grading") for name in ("AdhesiveShear", "BimodalDamping", "Impact", "LimitingProfile", "Tangential")),
     *((name, "grading") for name in ("JointStiffness", "ProfilePairRolling", "ReducedFriction")),
-    *((name, "coating") for name in ("FrictionHeating", "Impact", "ReducedFriction", "SpringMarch")),
+    *((name, "coating") for name in ("FrictionHeating", "Impact", "ReducedFriction")),
     *(("AdhesiveIndentation, Dugdale", medium) for medium in ("stack", "grading")),
 }
 

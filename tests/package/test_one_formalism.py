@@ -23,6 +23,8 @@ GONE = {
     "SlipPath": "SlipRow, under follow",
     "SlipPoint": "SlipState",
     "SpringRun": "SingleSprings, under follow",
+    "SpringMarch": "Tangential by springs",
+    "SpringTrace": "TangentialSolution",
     "LineMarch": "ElementRow, under follow",
     "MarchedRow": "LineCells",
     "CoatedTangential": "Tangential",

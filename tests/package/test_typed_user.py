@@ -29,7 +29,7 @@ import numpy as np
 bed = wk.Foundation(wk.Sphere(1e-2), wk.HalfSpace(wk.Elastic(1e9, 0.3)))
 number: float = wk.Indentation(bed, wk.Force(np.array([1.0, 2.0]))).solve().depth
 """
-PLANE = {f"{name}: state {word}" for name in ("Tangential", "SpringMarch") for word in ("shear_force", "shift")}
+PLANE = {f"Tangential: state {word}" for word in ("shear_force", "shift")}
 """Numbers of a path along a line, arrays of two in the plane: no checker can tell from the class which path it is."""
 LOADS = re.compile(
     r"\b(Force|Depth|Radius|LineForce|HalfWidth|MeanPressure|NominalPressure|Shift|ShearForce|LineShearForce|Torque|Angle"

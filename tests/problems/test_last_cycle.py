@@ -115,8 +115,11 @@ UNIT = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
 SWING = np.concatenate([np.linspace(a, b, 4000) for a, b in ((-0.1, 0.1), (0.1, -0.1))])
 PRESSES = np.concatenate([np.linspace(a, b, 400) for a, b in ((0.0, 5e-5), (5e-5, 2e-5), (2e-5, 5e-5))])
 LOOPS = {
-    "springs": lambda: wk.SpringMarch(
-        BALL, wk.StaticKinetic(0.4, 0.3), wk.Path.oscillation(force=LOAD, amplitude=4e-7, cycles=2, count=400)
+    "springs": lambda: wk.Tangential(
+        BALL,
+        wk.StaticKinetic(0.4, 0.3),
+        wk.Path.oscillation(force=LOAD, amplitude=4e-7, cycles=2, count=400),
+        wk.Method.SPRINGS,
     ),
     "pressed rubber": lambda: wk.ViscoelasticIndentation(
         SOFT, wk.Path(np.linspace(0.0, 2.0, 401), wk.Depth(1e-4 + 2e-5 * np.sin(2 * np.pi * np.linspace(0, 2, 401))))

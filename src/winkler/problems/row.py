@@ -16,8 +16,8 @@ __all__ = ["CURVED_STEP_TOLERANCE", "Reached", "Row", "follow", "over"]
 
 CURVED_STEP_TOLERANCE = 3e-5
 """Curved steps are halved until cells and loss end elsewhere by less than this part of the greatest on the path."""
-MOST_HALVINGS = 40
-"""How often a step is halved at most."""
+MOST_HALVINGS, MOST_STEPS = 40, 50_000
+"""How often a step is halved, and how many steps lead from one point to the next, at most."""
 
 Goal = TypeVar("Goal")
 State = TypeVar("State")
@@ -127,8 +127,9 @@ def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reac
         return row.step(state, goal)
     done = Reached(state, 0.0, 0.0)
     ahead: list[tuple[Goal, int, Reached[State] | None]] = [(goal, 0, None)]
-    settled, error = 0, 0.0
+    settled, error, tried = 0, 0.0, 0
     while ahead:
+        tried += 1
         goal, halvings, whole = ahead.pop()
         middle = row.halfway(done.state, start, goal)
         if middle is not None and error * 8.0 ** (settled - halvings) > 1.0:
@@ -142,7 +143,7 @@ def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reac
             two = half.then(row.step(half.state, goal))
             error, settled = row.apart(whole, two), halvings
             if error > 1.0:
-                if halvings == MOST_HALVINGS:
+                if halvings == MOST_HALVINGS or tried > MOST_STEPS:
                     raise NotConverged("the step does not settle, however often it is halved; give points in between.")
                 ahead += [(goal, halvings + 1, None), (middle, halvings + 1, half)]
                 continue

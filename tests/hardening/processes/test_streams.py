@@ -100,8 +100,12 @@ LONG = {
         15_000,
     ),
     "springs": (
-        lambda count: wk.SpringMarch(
-            BED, FRICTION, wk.Path(times(count), wk.Depth(np.full(count, 1e-6)), wk.Shift(wave(count, 5e-7))), count=50
+        lambda count: wk.Tangential(
+            BED,
+            FRICTION,
+            wk.Path(times(count), wk.Depth(np.full(count, 1e-6)), wk.Shift(wave(count, 5e-7))),
+            wk.Method.SPRINGS,
+            count=50,
         ),
         2000,
         10_000,

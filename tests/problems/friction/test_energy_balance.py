@@ -219,7 +219,9 @@ def test_springs_on_random_paths_balance_energy(law, profile):
         (steady, plane, 1e-13),
         (depth, plane, 1e-4),
     ):
-        result = wk.SpringMarch(contact, law, wk.Path(time, wk.Depth(loads), wk.Shift(shift)), count=60).solve()
+        result = wk.Tangential(
+            contact, law, wk.Path(time, wk.Depth(loads), wk.Shift(shift)), wk.Method.SPRINGS, count=60
+        ).solve()
         missing = missing_energy(result.work, result.stored_energy, result.dissipation)
         assert missing <= allowed
         assert standing(result) is (Standing.EXACT if missing <= 1e-9 else Standing.APPROXIMATE)

@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import winkler as wk
-from winkler.problems.friction.spring_march import SpringMarch
 from winkler.reference.friction import (
     mindlin_shear_force,
     mindlin_traction,
@@ -117,7 +116,9 @@ def test_steps_curved_by_a_force_are_followed():
         [np.linspace(a, b, 500, endpoint=False) for a, b in zip(shifts, shifts[1:], strict=False)]
     )
     depth = wk.Indentation(BALL, wk.Force(np.append(fine_force, forces[-1]))).solve().depth
-    springs = SpringMarch(BALL, wk.Coulomb(MU), through(wk.Depth(depth), wk.Shift(np.append(fine_shift, 0.1))), 2000)
+    springs = wk.Tangential(
+        BALL, wk.Coulomb(MU), through(wk.Depth(depth), wk.Shift(np.append(fine_shift, 0.1))), wk.Method.SPRINGS, 2000
+    )
     trace = springs.solve()
     np.testing.assert_allclose(solution.shear_force, trace.shear_force[::500], atol=5e-6 * MU)
     np.testing.assert_allclose(solution.dissipation, trace.dissipation[::500], atol=5e-6 * MU)

@@ -112,7 +112,7 @@ def test_springs_one_by_one_agree_with_those_by_their_gap():
     path = wk.Path(np.arange(5.0), wk.Depth([0.5, 0.9, 0.7, 0.8, 0.6]), wk.Shift([0.0, 0.1, -0.1, 0.05, 0.1]))
     one, two = (
         wk.Tangential(bed, wk.Coulomb(0.3), path).solve(),
-        wk.SpringMarch(bed, wk.Coulomb(0.3), path, 2000).solve(),
+        wk.Tangential(bed, wk.Coulomb(0.3), path, wk.Method.SPRINGS, 2000).solve(),
     )
     assert one.shear_force == pytest.approx(two.shear_force, abs=3e-4)
     assert one.dissipation == pytest.approx(two.dissipation, abs=3e-4)

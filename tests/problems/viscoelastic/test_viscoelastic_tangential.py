@@ -18,7 +18,7 @@ from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardS
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.friction.tangential import Tangential
-from winkler.problems.viscoelastic.tangential_march import shear_relaxation
+from winkler.problems.viscoelastic.tangential_march import DraggedRow, shear_relaxation
 from winkler.values.errors import InvalidInput, OutsideValidity
 
 STANDARD = StandardSolid(0.05, 0.2, 0.2)
@@ -273,3 +273,48 @@ def test_what_cannot_be_is_refused_where_it_happens():
         dragged(voigt, [0.0, 1.0, 1.0], Depth([0.0, 0.01, 0.01]), Shift([0.0, 0.0, 0.001]))
     with pytest.raises(OutsideValidity, match="never touch"):
         dragged(STANDARD, [0.0, 1.0], Depth(-0.01), Shift(0.0))
+
+
+def crept_ball(time, force=1e-2, tau=0.3):
+    """Return the depth of a ball of unit radius on a Kelvin-Voigt half-space of G = 1/4, nu = 0, under a force."""
+    return (0.75 * force / 0.5 * -np.expm1(-time / tau)) ** (2.0 / 3.0)
+
+
+@pytest.mark.parametrize("count", [100, pytest.param(400, marks=pytest.mark.slow)])
+def test_a_dashpot_under_a_force_bears_the_rate_of_the_shift(count):
+    """Each spring bears G (U - U when it was touched) + eta dU/dt; the error falls with the number of springs."""
+    force, tau, stiff = 1e-2, 0.3, 0.5  # G* = 2 G for nu = 0
+    time = np.linspace(0.0, 2.0, 21)
+    shift = 0.05 * np.sin(3.0 * time)
+    pushed = dragged(
+        KelvinVoigt(0.25, 0.25 * tau, 0.0), time, Force(force), Shift(shift), Coulomb(math.inf), count=count
+    )
+    np.testing.assert_allclose(pushed.depth, crept_ball(time), rtol=1e-4)
+    fine = np.linspace(0.0, 2.0, 40_001)
+    width, moved = np.sqrt(crept_ball(fine)), np.interp(fine, time, shift)
+    borne = []
+    for now, rate in zip(time[1:], np.diff(shift) / np.diff(time), strict=True):
+        some = fine <= now + 1e-9
+        since = np.trapezoid(moved[some], width[some])
+        borne.append(2.0 * stiff * (width[some][-1] * (moved[some][-1] + tau * rate) - since))
+    np.testing.assert_allclose(pushed.shear_force[1:], borne, rtol=0.0, atol=0.5 / count * np.max(np.abs(borne)))
+
+
+@pytest.mark.parametrize("tau", [0.03, pytest.param(1.0, marks=pytest.mark.slow)])
+def test_a_dashpot_pushed_to_and_fro_under_a_force_is_followed_in_a_bounded_number_of_steps(tau, monkeypatch):
+    """Springs bear suddenly what a dashpot resists: their force was compared, and steps were halved for ever."""
+    steps, step = [], DraggedRow.step
+    monkeypatch.setattr(DraggedRow, "step", lambda row, *where: steps.append(0) or step(row, *where))
+    time = np.linspace(0.0, 2.0, 26)
+    shift = 5e-2 * np.sin(2.0 * np.pi * time)
+    solid, count = KelvinVoigt(0.25, 0.25 * tau, 0.0), 100
+    pushed = dragged(solid, time, Force(1e-2), Shift(shift), count=count)
+    assert len(steps) < 300 * time.size
+    assert np.all(
+        np.abs(pushed.shear_force) <= MU * pushed.force * (1.0 + 1.0 / count)
+    )  # one spring is touched suddenly
+    # the same by its depth, which is known, and more points
+    finer = np.unique(np.concatenate([time, np.linspace(0.0, 2.0, 1001)]))
+    again = dragged(solid, finer, Depth(crept_ball(finer, tau=tau)), Shift(np.interp(finer, time, shift)), count=count)
+    assert pushed.friction_loss[-1] == pytest.approx(again.friction_loss[-1], rel=5e-3)
+    assert pushed.bulk_loss[-1] == pytest.approx(again.bulk_loss[-1], rel=5e-3)

@@ -76,7 +76,6 @@ ELSEWHERE = {
     wk.RolledPatch,
     wk.RoughLine,
     wk.Spikes,
-    wk.SpringMarch,
     wk.TwistedFields,
 }
 """Thousands of contacts or springs at once, arrays that no study file holds; restored fields and statistics of a map,

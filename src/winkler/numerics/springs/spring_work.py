@@ -18,7 +18,7 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["work_on_springs"]
+__all__ = ["work_on_line", "work_on_springs"]
 
 NODES, WEIGHTS = gauss_legendre(12)
 INTERVAL_WIDTH = 2.0
@@ -65,6 +65,30 @@ def work_on_springs(
         share = (depths[0] - gap[left]) / -sunk
         work[left] = _worked(u[left], slips[left], bounds[0, left], np.zeros(before - after), hold, share, move)
     return work
+
+
+def work_on_line(u: Array, gap: Array, bounds: Array, depths: tuple[float, float], move: float) -> Array:
+    """Return as `work_on_springs`, of springs that stay in one line and have one bound, whether they slip or not.
+
+    Parameters
+    ----------
+    u : ndarray, (n,)
+        Where springs stand before [m].
+    gap, bounds, depths
+        As of `work_on_springs`.
+    move : float
+        Of the bodies along the line [m].
+    """
+    (first, last), sunk = bounds, depths[1] - depths[0]
+    came, left = gap >= depths[0], gap >= depths[1]
+    share = np.where(came ^ left, (max(depths) - gap) / (abs(sunk) or 1.0), ~came)
+    start, travel = np.where(came, 0.0, u), share * move
+    side = np.sign(start + travel)
+    closing = side * travel - (last - first)
+    slides = (side * (start + travel) > last) & (closing > 0.0)
+    part = np.where(slides, np.clip((first - side * start) / np.where(slides, closing, 1.0), 0.0, 1.0), 1.0)
+    onset = start + part * travel
+    return np.asarray(0.5 * travel * (part * (start + onset) + (1.0 - part) * (onset + side * last)))
 
 
 def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, share: Array, move: Array) -> Array:

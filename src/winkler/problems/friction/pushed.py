@@ -228,12 +228,10 @@ def pushed_states(bed: Bed, coefficient: float, path: Path) -> Iterator[PushedSt
         If a step is too long for the shift or the loss to settle.
     """
     forced = not isinstance(path.normal, Depth)
-    for point in ring_points(bed, coefficient, path, pushed_body(bed).shear_modulus, push_bound):
-        yield PushedState(
-            point.time, point.depth, point.force, point.radius, point.motion, point.load,
-            point.work, point.stored, point.lost, point.stick_radius, point.nested,
-            PushedSprings(bed, coefficient, point.bound.widest, forced, point.memory),
-        )  # fmt: skip
+    for normal, at, _, bound in ring_points(bed, coefficient, path, pushed_body(bed).shear_modulus, push_bound):
+        springs = PushedSprings(bed, coefficient, bound.widest, forced, at.memory)
+        energies = at.work, at.stored, at.lost
+        yield PushedState(*normal, at.motion, at.load, *energies, at.stick_radius, at.nested, springs)
 
 
 def pushed_notes(bed: Bed, law: Coulomb, states: Sequence[PushedState], by_force: bool) -> Iterator[Note]:

@@ -20,8 +20,8 @@ __all__ = ["sheared_by_pieces"]
 NARROWEST_PIECE = 1e-12
 """Pieces narrower than this, in parts of the depth, are none; steps smaller, in parts of the greatest displacement."""
 ON_LAYERS = (
-    "on layers tractions are no sums of pressures, and winkler cannot restore them; use a homogeneous or power-law "
-    "medium"
+    "tractions are no sums of pressures there, and cannot be restored from springs: use the method rings, which "
+    "restores them on bonded layers and on gradings in depth, or a homogeneous or power-law medium"
 )
 
 

@@ -10,19 +10,20 @@ import numpy as np
 from winkler.foundation.bed import Bed, slipping_springs
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading.loads import Depth, Force, Shift
+from winkler.loading.loads import Depth, Force
 from winkler.loading.path import Path
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.springs.slip_pull import pull_line
-from winkler.numerics.springs.spring_work import work_on_springs
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.springs.spring_work import work_on_line, work_on_springs
+from winkler.numerics.types import Array
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
+from winkler.problems.friction.tangential_march import PressedRow, SlipGoal, refuse_shear
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.row import Reached, Row, follow
-from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.problems.row import Reached, follow, over
+from winkler.values.errors import InvalidInput, NotConverged
 
-__all__ = ["SingleSprings", "SpringPlaces", "pressed_along", "springs_under"]
+__all__ = ["SingleSprings", "SpringPlaces"]
 
 UNREACHABLE_BOUND = 1e100
 """Instead of an infinite bound: so far no spring is ever displaced, and its square is still a number."""
@@ -34,39 +35,24 @@ BOUND_TOLERANCE = 1e-9
 """A spring this close to its bound, in parts of it, slips."""
 
 
-def pressed_along(bed: Bed, path: Path) -> tuple[Array, Array, Array]:
-    """Return depth, force and radius at every point; equal points are solved once."""
-    distinct, where = np.unique(path.across, return_inverse=True)
-    load = Depth(distinct) if isinstance(path.normal, Depth) else Force(distinct)
-    contact = Indentation(bed, load).solve()
-    depth, force, radius = (np.asarray(q)[where] for q in (contact.depth, contact.force, contact.radius))
-    return depth, force, radius
-
-
-def springs_under(bed: Bed, radius: float, count: int) -> Springs:
-    """Return springs up to a radius; none if nothing touches."""
-    if radius == 0.0:
-        return Springs(np.zeros(0), np.zeros(0), np.zeros(0), np.zeros(0))
-    return Springs.of(slipping_springs(bed), radius, count)
-
-
 class SpringPlaces(NamedTuple):
-    """What springs remember: u_t [m] ``(2, n)``, whether they slip, and the shift of the bodies [m] ``(2,)``.
+    """What springs remember: u_t [m] ``(2, n)``, whether they slip, their depth and the shift of the bodies [m].
 
-    `force` and `stored` are what they bear [N] and store [J].
+    `force` and `stored` are what they bear along the surface [N] ``(2,)`` and store [J].
     """
 
     u: Array
     slips: Array
+    depth: float
     shift: Array
-    force: Quantity
+    force: Array
     stored: float
 
 
-class SingleSprings(Row[int, SpringPlaces]):
+class SingleSprings(PressedRow[SpringPlaces]):
     """The springs under a path one by one: how far each is displaced, and what drives them.
 
-    Goals are the points of the path: a step between two of them is straight, and never halved.  One direction with
+    A step is straight in their own depth, at which they bear the true force, and in the shift.  One direction with
     Coulomb friction runs in a kernel of its own; everything else as motion in the plane.
 
     Parameters
@@ -82,20 +68,20 @@ class SingleSprings(Row[int, SpringPlaces]):
 
     def __init__(self, owner: str, bed: Bed, law: SpringLaw, path: Path, count: int) -> None:
         self.owner, self.bed, self.law, self.path = owner, bed, law, path
-        self.depth, self.force, self.radius = pressed_along(bed, path)
-        self.springs = springs = springs_under(bed, float(np.max(self.radius)), count)
-        # the springs' own depth, at which they bear the true force: so friction sums to the coefficient times it
-        own = np.where(self.force > 0.0, springs.depth(self.force), self.depth) if springs.gap.size else self.depth
-        self.own = np.concatenate([own[:1], own])
+        load = Depth(path.across) if isinstance(path.normal, Depth) else Force(path.across)
+        contact = Indentation(bed, load).solve()
+        self.contact = [np.asarray(q) for q in (contact.depth, contact.force, contact.radius)]
+        depth, force, radius = self.contact
+        none, widest = np.zeros(0), float(np.max(radius))
+        springs = Springs.of(slipping_springs(bed), widest, count) if widest > 0.0 else Springs(none, none, none, none)
+        self.springs = springs
+        own = np.where(force > 0.0, springs.depth(force), depth) if springs.gap.size else depth
+        self.line, along = not path.in_plane, path.along
+        along = np.column_stack([along, np.zeros(along.size)]) if self.line else along
+        rows = zip(own.tolist(), force.tolist(), along, strict=True)
+        super().__init__(path, [SlipGoal(*row) for row in rows])
         # writable copies: a kernel is compiled anew for arrays of another kind
         self.gap, self.stiffness = springs.gap.copy(), springs.tangential_stiffness
-        self.line = not path.in_plane
-        self.driven = isinstance(path.lateral, Shift)
-        along = path.along
-        self.along = np.column_stack([along, np.zeros(along.size)]) if self.line else along
-        self.shift = np.zeros((self.along.shape[0] + 1, 2))
-        if self.driven:
-            self.shift[1:] = self.along
         self.slope, self.hold = np.zeros(springs.gap.size), 1.0
         match law:
             case Coulomb(coefficient):
@@ -103,26 +89,57 @@ class SingleSprings(Row[int, SpringPlaces]):
             case StaticKinetic(static, kinetic):
                 self.slope, self.hold = kinetic / springs.mindlin_ratio, static / kinetic
         self.plain = self.line and self.hold == 1.0 and isinstance(law, Coulomb | StaticKinetic)
-        self.u = np.zeros((2, springs.gap.size))
-        self.slips = np.zeros(springs.gap.size, dtype=bool)
+        # where springs drop to a lesser bound each does so at its own time, and halves never agree
+        self.curves = self.hold == 1.0
+        self.bends = self.curves and not self.line
+        deepest = self.bound(float(np.max(own)))
+        self._allow(float(np.sum(self.stiffness[deepest > 0.0])), float(np.max(deepest, initial=0.0)))
 
-    def begin(self, goal: int) -> Reached[SpringPlaces]:
+    def begin(self, goal: SlipGoal) -> Reached[SpringPlaces]:
         """Return the springs at the first point, pressed straight down and moved after."""
-        return self.step(SpringPlaces(np.zeros_like(self.u), np.zeros_like(self.slips), np.zeros(2), 0.0, 0.0), goal)
+        count, none = self.gap.size, np.zeros(2)
+        return self.step(
+            SpringPlaces(np.zeros((2, count)), np.zeros(count, dtype=bool), goal.depth, none, none, 0.0), goal
+        )
 
-    def step(self, state: SpringPlaces, goal: int) -> Reached[SpringPlaces]:
-        """Return the springs at the next point."""
-        self.u[:], self.slips[:], self.shift[goal] = state.u, state.slips, state.shift
-        force, stored, lost = self.advance(goal, goal + 1)
-        work = self._work(goal, state.u.T, state.slips)
-        shift = self.shift[goal + 1].copy()
-        places = SpringPlaces(self.u.copy(), self.slips.copy(), shift, force[0], float(stored[0]))
-        return Reached(places, work, float(lost[0]))
+    def step(self, state: SpringPlaces, goal: SlipGoal) -> Reached[SpringPlaces]:
+        """Return the springs after a straight step, to a shift or to a shear force."""
+        u, slips, own = state.u.copy(), state.slips.copy(), np.array([state.depth, goal.depth])
+        bounds = np.array([self.bound(depth) for depth in own.tolist()])
+        ends, force, stored, lost = np.array([state.shift, goal.along]), np.zeros((1, 2)), np.zeros(1), np.zeros(1)
+        if self.plain:
+            fixed, shift = (self.gap, self.stiffness, self.slope, own), ends[:, 0].copy()
+            if self.driven:
+                march_line(u[0], *fixed, shift, force[:, 0], stored, lost)
+            elif pull_line(u[0], *fixed, goal.along[:1].copy(), shift, force[:, 0], stored, lost) < 1:
+                self._refuse(goal, bounds[1])
+            ends[:, 0] = shift
+        else:
+            if not self.driven:
+                ends[1] = self._found(state, goal, bounds)
+            fixed = self.gap, self.stiffness, bounds, self.hold, own
+            march_plane(u, slips, *fixed, ends, force, stored, lost)
+        depths, move = (own[0], own[1]), ends[1] - ends[0]
+        if self.plain:
+            worked = work_on_line(state.u[0], self.gap, bounds, depths, move[0])
+        else:
+            worked = work_on_springs(state.u.T, state.slips, self.gap, bounds, self.hold, depths, move)
+        places = SpringPlaces(u, slips, goal.depth, ends[1], force[0], float(stored[0]))
+        return Reached(places, float(self.stiffness @ worked), float(lost[0]))
 
-    def bound(self, start: int, end: int) -> Array:
-        """Return how far slipping springs are displaced at the ends of steps, (end - start, n)."""
-        pressed = np.maximum(self.own[start:end, np.newaxis] - self.gap, 0.0)
-        law = self.law
+    def apart(self, one: Reached[SpringPlaces], two: Reached[SpringPlaces]) -> float:
+        """Return by how much displacements and losses differ, over a small part of those on the path."""
+        (here, there), (near, cheap) = (one.state, two.state), self.allowed
+        moved = float(np.max(np.abs(here.u - there.u), initial=0.0)), float(np.max(np.abs(here.shift - there.shift)))
+        return max(over(max(moved), near), over(abs(one.lost - two.lost), cheap))
+
+    def force_at(self, depth: float) -> float:
+        """Return as `PressedRow.force_at`."""
+        return self.springs.force(depth)
+
+    def bound(self, depth: float) -> Array:
+        """Return how far slipping springs are displaced at a depth [m], ``(n,)``; zero out of contact."""
+        pressed, law = np.maximum(depth - self.gap, 0.0), self.law
         if isinstance(law, Coulomb | StaticKinetic):
             return np.asarray(self.slope * pressed)
         density = self.springs.density(slipping_springs(self.bed))
@@ -134,73 +151,32 @@ class SingleSprings(Row[int, SpringPlaces]):
             )
         return np.where(pressed > 0.0, borne / (density * self.springs.mindlin_ratio), 0.0)
 
-    def advance(self, start: int, end: int) -> tuple[Array, Array, Array]:
-        """Go from point `start` - 1 to `end` - 1; return shear force, stored energy and loss of every step."""
-        steps = end - start
-        stored, lost = np.zeros(steps), np.zeros(steps)
-        if self.plain:
-            return self._advance_line(start, end, np.zeros(steps), stored, lost), stored, lost
-        force = np.zeros((steps, 2))
-        bound = self.bound(start, end + 1)
-        for t in () if self.driven else range(steps):
-            one = slice(t, t + 1)
-            self._find(start + t, bound[t : t + 2])
-            self._go(start + t, bound[t : t + 2], force[one], stored[one], lost[one])
-        if self.driven:
-            self._go(start, bound, force, stored, lost)
-        return force[:, 0] if self.line else force, stored, lost
+    def _refuse(self, goal: SlipGoal, bound: Array) -> None:
+        refuse_shear(float(np.linalg.norm(goal.along)), self.hold * float(self.stiffness @ bound))
 
-    def _advance_line(self, start: int, end: int, force: Array, stored: Array, lost: Array) -> Array:
-        u = self.u[0]
-        fixed = self.gap, self.stiffness, self.slope, self.own[start : end + 1]
-        shift = self.shift[start : end + 1, 0].copy()
-        if self.driven:
-            march_line(u, *fixed, shift, force, stored, lost)
-            return force
-        done = pull_line(u, *fixed, self.along[start:end, 0].copy(), shift, force, stored, lost)
-        self.shift[start : end + 1, 0] = shift
-        if done < end - start:
-            self._refuse(start + done)
-        return force
-
-    def _go(self, start: int, bound: Array, force: Array, stored: Array, lost: Array) -> None:
-        end = start + stored.size + 1
-        own, shift = self.own[start:end], self.shift[start:end]
-        march_plane(self.u, self.slips, self.gap, self.stiffness, bound, self.hold, own, shift, force, stored, lost)
-
-    def _refuse(self, index: int) -> None:
-        shear = float(np.linalg.norm(self.along[index]))
-        most = self.hold * float(self.stiffness @ self.bound(index + 1, index + 2)[0])
-        raise OutsideValidity(
-            f"a shear force of {shear:.6g} N is prescribed where friction bears {most:.6g} N at most, and the bodies "
-            "would slide away; give a smaller one, or a Shift."
-        )
-
-    def _find(self, index: int, bound: Array) -> None:
-        """Find the shift in the plane that gives a force, by Broyden's method from the stiffness of stuck springs."""
-        target, start = self.along[index], self.shift[index]
+    def _found(self, state: SpringPlaces, goal: SlipGoal, bounds: Array) -> Array:
+        """Return the shift in the plane that gives a force, by Broyden's method from the stiffness of stuck springs."""
+        target, start = goal.along, state.shift
         size = float(np.linalg.norm(target))
-        if size > self.hold * float(self.stiffness @ bound[1]) * (1.0 + FORCE_TOLERANCE):
-            self._refuse(index)
-        stuck = float(self.stiffness @ (bound[1] > 0.0))
-        self.shift[index + 1] = start
+        if size > self.hold * float(self.stiffness @ bounds[1]) * (1.0 + FORCE_TOLERANCE):
+            self._refuse(goal, bounds[1])
+        stuck = float(self.stiffness @ (bounds[1] > 0.0))
         if stuck == 0.0:
-            return
-        scale = size + float(self.stiffness @ np.hypot(*self.u))
-        own, ends = self.own[index : index + 2], np.vstack([start, start])
-        u, slips, pull, rest = self.u.copy(), self.slips.copy(), np.zeros((1, 2)), np.zeros((2, 1))
+            return start
+        scale = size + float(self.stiffness @ np.hypot(*state.u))
+        own, ends = np.array([state.depth, goal.depth]), np.vstack([start, start])
+        u, slips, pull, rest = state.u.copy(), state.slips.copy(), np.zeros((1, 2)), np.zeros((2, 1))
 
         def short(at: Array) -> Array:
-            u[:], slips[:], ends[1] = self.u, self.slips, at
-            march_plane(u, slips, self.gap, self.stiffness, bound, self.hold, own, ends, pull, rest[0], rest[1])
+            u[:], slips[:], ends[1] = state.u, state.slips, at
+            march_plane(u, slips, self.gap, self.stiffness, bounds, self.hold, own, ends, pull, rest[0], rest[1])
             return np.asarray(target - pull[0])
 
         at, left, rise = start.copy(), short(start), stuck * np.eye(2)
         for _ in range(MOST_NEWTON_STEPS):
             missed = float(np.linalg.norm(left))
             if missed <= FORCE_TOLERANCE * scale:
-                self.shift[index + 1] = at
-                return
+                return at
             step = np.linalg.solve(rise, left)
             after = short(at + step)
             if np.linalg.norm(after) >= 0.9 * missed:
@@ -219,42 +195,34 @@ class SingleSprings(Row[int, SpringPlaces]):
             f"a shear force of {size:.6g} N is missed by {np.linalg.norm(left):.3g} N; give more points, or a Shift."
         )
 
-    def _work(self, index: int, u: Array, slips: Array) -> float:
-        """Return the work on springs that were at u, on the path to point `index` [J]."""
-        depths, move = self.own[index : index + 2].tolist(), self.shift[index + 1] - self.shift[index]
-        bounds = self.bound(index, index + 2)
-        return float(self.stiffness @ work_on_springs(u, slips, self.gap, bounds, self.hold, tuple(depths), move))
-
     def states(self) -> Iterator[SpringState]:
         """Yield the springs as they stand at every point."""
-        for index, (places, work, lost) in enumerate(follow(self, range(self.path.time.size))):
+        columns = zip(self.path.time.tolist(), *(each.tolist() for each in self.contact), strict=True)
+        for normal, (places, work, lost) in zip(columns, follow(self, self.goals), strict=True):
             line = self.line
             yield SpringState(
-                float(self.path.time[index]),
-                float(self.depth[index]),
-                float(self.force[index]),
-                float(self.radius[index]),
+                *normal,
                 self.bed,
                 self.springs,
                 float(places.shift[0]) if line else places.shift,
-                float(places.force) if line else places.force,
-                self._stick_radius(index, places),
+                float(places.force[0]) if line else places.force,
+                self._stick_radius(normal[-1], places),
                 work,
                 places.stored,
                 lost,
                 places.u[0] if line else places.u.T.copy(),
             )
 
-    def _stick_radius(self, index: int, places: SpringPlaces) -> float:
+    def _stick_radius(self, radius: float, places: SpringPlaces) -> float:
         """Return the place from which on springs slip: where what is left to the bound, drawn on, ends."""
-        bound = self.bound(index + 1, index + 2)[0]
+        bound = self.bound(places.depth)
         size = np.hypot(*places.u)
         touching = int(np.count_nonzero(bound > 0.0))
         left = (bound - size)[:touching]
         slip = places.slips[:touching] if self.hold > 1.0 else left <= BOUND_TOLERANCE * bound[:touching]
         free = np.flatnonzero(slip)
         if not free.size:
-            return float(self.radius[index])
+            return radius
         first = int(free[0])
         if first < 2 or self.hold > 1.0:
             return float(self.springs.position[first]) if first else 0.0

@@ -6,14 +6,15 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.bed import Bed, PressedSprings, slipping_springs
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.round_march import RoundNormal
+from winkler.problems.row import CURVED_STEP_TOLERANCE
 from winkler.values.checks.contract import offered
-from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
@@ -92,23 +93,11 @@ class SpringState(RoundNormal[float]):
         OutsideValidity
             In a layered medium, where tractions are not those of pressed contacts.
         """
-        spread = ratio_spread(self.springs)
-        if spread > RATIO_TOLERANCE:
-            raise OutsideValidity(
-                "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
-                f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces: "
-                "the method rings restores them on bonded layers and on gradings in depth."
-            )
         inner = self.springs.gap < self.depth
-        depths = np.append(self.springs.gap[inner], self.depth)
-        radii = np.append(self.springs.position[inner], self.radius)
-        moved = self.displacement[inner]
-        moved = np.concatenate([moved, np.zeros((1, *moved.shape[1:]))])
-        width = np.diff(depths).reshape(-1, *(1,) * (moved.ndim - 1))
-        chords = np.concatenate([np.diff(moved, axis=0) / width, np.zeros((1, *moved.shape[1:]))])
-        factors = np.diff(chords, axis=0)
-        ratio = float(self.springs.mindlin_ratio[0]) if depths.size > 1 else 1.0
-        return ShearedSprings(self.pressed, ratio, self.shift, depths[1:], radii[1:], factors, np.zeros(factors.shape))
+        edges = np.append(self.springs.gap[inner], self.depth)
+        ends = np.append(self.displacement[inner], np.zeros((1, *np.shape(self.shift))), axis=0)
+        bed = slipping_springs(self.bed)
+        return sheared_by_pieces(bed, self.depth, self.shift, edges, ends[:-1], ends[1:])
 
 
 IN_PLANE = Note(
@@ -118,14 +107,15 @@ IN_PLANE = Note(
     "restored over the contact is not admissible everywhere. It exceeds the coefficient times the pressure by 5 % "
     "after two strokes at a right angle; it grows like a logarithm at the edge of the stick zone of a circle.",
     "measured on a sphere, each stroke or the circle's radius half the shift of gross slip; tests/problems/"
-    "test_spring_march.py",
+    "friction/test_single_springs.py",
 )
 
 DROPPING = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump. "
-    "Forces and energies are of first order in the distance of the springs; restored tractions are singular there.",
+    "Forces and energies are of first order in the distance of the springs; restored tractions are singular there. "
+    "Between two points depth and shift go straight: where a prescribed force bends their path, give more points.",
     "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(
@@ -157,7 +147,8 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
             Standing.ASYMPTOTIC,
             f"{count} springs: shear force and energies are of second order in their distance; under a sphere the "
             f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force. "
-            "Between two points depth and shift go straight: where a prescribed force bends their path, give more.",
+            f"Where a prescribed force bends the step between two points, they are followed to "
+            f"{CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
             "compared with the exact solution for one direction, tests/convergence/test_order_springs.py",
         )
     ]

@@ -80,6 +80,7 @@ class Tangential:
     tolerance : float, optional
         On bodies that relax the error of a step: of the shear force over what friction can bear, of the energy lost to
         friction over that force times the greatest shift, and of depth and shift under forces over the greatest ones.
+        With a dashpot alongside, under a normal force and a shift, the work counts in place of the shear force.
 
     Raises
     ------

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -22,10 +22,10 @@ from winkler.problems.friction.straight_step import LEAST_DEPTH
 from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.ring_slip.steady_path import steady_history
-from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
+from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, over
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["SlipGoal", "SlipRow", "SlipState"]
+__all__ = ["PressedRow", "SlipGoal", "SlipRow", "SlipState", "refuse_shear"]
 
 MANY = 20
 """Points of a path from which on its turning points take less time than its steps."""
@@ -39,12 +39,68 @@ MOST_NEWTON_STEPS = 200
 """Steps of Newton's method, halving where that leads astray."""
 
 
+State = TypeVar("State")
+
+
 class SlipGoal(NamedTuple):
-    """What is prescribed at a moment: d [m] with F_N [N], and U [m] or F_x [N]."""
+    """What is prescribed at a moment: d [m] with F_N [N], and U [m] or F_x [N], in the plane ``(2,)``."""
 
     depth: float
     force: float
-    along: float
+    along: Any
+
+
+class PressedRow(Row[SlipGoal, State]):
+    """Springs under a path of depths or normal forces, and of shifts or shear forces.
+
+    Parameters
+    ----------
+    path : Path
+    goals : list of SlipGoal
+        Those of its points.
+    """
+
+    order: int | None = 2
+    curves, bends = True, False
+    """Whether steps are halved where a prescribed force bends them; whether a shear force bends them in itself."""
+
+    def __init__(self, path: Path, goals: list[SlipGoal]) -> None:
+        self.goals = goals
+        self.driven, self.pressed = isinstance(path.lateral, Shift), isinstance(path.normal, Depth)
+
+    def _allow(self, stiffness: float, most: float) -> None:
+        """Set what counts as little, from the stiffness without slip [N/m] and the greatest bound of a spring [m]."""
+        greatest = max(float(np.max(np.abs(goal.along))) for goal in self.goals)
+        size = min(most, greatest if self.driven or stiffness == 0.0 else greatest / stiffness)
+        self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * stiffness * size**2
+
+    def force_at(self, depth: float) -> float:
+        """Return the normal force at a depth [N]."""
+        raise NotImplementedError
+
+    def halfway(self, state: State, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
+        """Return what is prescribed at the middle of the depths."""
+        if not self.curves or (self.driven and self.pressed):
+            return None
+        steady = start.depth == goal.depth
+        # with no change of shift it does not matter when the depth changes
+        if steady and (self.driven or not self.bends):
+            return None
+        if (steady or self.driven) and np.all(start.along == goal.along):
+            return None
+        depth, force, share = 0.5 * (start.depth + goal.depth), start.force, 0.5
+        if not (self.pressed or steady):
+            force = self.force_at(depth)
+            share = min(max((force - start.force) / (goal.force - start.force), 0.0), 1.0)
+        return SlipGoal(depth, force, start.along + (goal.along - start.along) * share)
+
+
+def refuse_shear(shear: float, most: float) -> None:
+    """Refuse a shear force [N] where friction bears less [N]."""
+    raise OutsideValidity(
+        f"a shear force of {shear:.6g} N is prescribed where friction bears {most:.6g} N at most, and the bodies "
+        "would slide away; give a smaller one, or a Shift."
+    )
 
 
 class SlipState(NamedTuple):
@@ -65,7 +121,7 @@ class PathPoint(NamedTuple):
     memory: SlipMemory
 
 
-class SlipRow:
+class SlipRow(PressedRow[SlipState]):
     """The springs under a path.
 
     Parameters
@@ -81,23 +137,17 @@ class SlipRow:
     """
 
     owner = "Tangential"
-    order: int | None = 2
 
     def __init__(self, bed: Bed, coefficient: float, ratio: float, path: Path, contact: IndentationSolution) -> None:
         self.coefficient, self.ratio, self.beta = coefficient, ratio, coefficient / ratio
         pressed = (np.atleast_1d(quantity).tolist() for quantity in (contact.depth, contact.force, path.along))
-        self.goals = [SlipGoal(*goal) for goal in zip(*pressed, strict=True)]
-        self.driven = isinstance(path.lateral, Shift)
-        self.pressed = isinstance(path.normal, Depth)
+        super().__init__(path, [SlipGoal(*goal) for goal in zip(*pressed, strict=True)])
         deepest = max(0.0, *(goal.depth for goal in self.goals))
         self._curves = NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH)
         depths = np.atleast_1d(contact.depth)
         self.sums = SlipSums(self._curves, self._curves.many(depths) if deepest > 0.0 and depths.size >= MANY else None)
         stiffness, _, _ = self.sums.at(deepest)
-        greatest = float(np.max(np.abs(path.along)))
-        size = greatest if self.driven or stiffness == 0.0 else greatest / (ratio * stiffness)
-        size = min(self.beta * deepest, size) if deepest > 0.0 else 0.0
-        self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * ratio * stiffness * size**2
+        self._allow(ratio * stiffness, self.beta * deepest if deepest > 0.0 else 0.0)
 
     def points(self) -> Iterator[PathPoint]:
         """Yield the springs at every point of the path, many of them under a steady depth all at once.
@@ -148,16 +198,9 @@ class SlipRow:
         shift = goal.along if self.driven else state.shift + change
         return Reached(SlipState(memory, shift), self.ratio * work, max(self.ratio * lost, 0.0))
 
-    def halfway(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
-        """Return what is prescribed at the middle of the depths."""
-        # with no change of shift it does not matter when the depth changes
-        if start.depth == goal.depth or (self.driven and (self.pressed or start.along == goal.along)):
-            return None
-        depth, force, share = 0.5 * (start.depth + goal.depth), 0.0, 0.5
-        if not self.pressed:
-            force = self.sums.at(depth)[1]
-            share = min(max((force - start.force) / (goal.force - start.force), 0.0), 1.0)
-        return SlipGoal(depth, force, start.along + (goal.along - start.along) * share)
+    def force_at(self, depth: float) -> float:
+        """Return as `PressedRow.force_at`."""
+        return self.sums.at(depth)[1]
 
     def apart(self, one: Reached[SlipState], two: Reached[SlipState]) -> float:
         """Return by how much displacements and energies differ, over a small part of those on the path."""
@@ -179,10 +222,7 @@ class SlipRow:
         force = self.sums.at(depth)[1] if depth > 0.0 else 0.0
         most = self.coefficient * force if force > 0.0 else 0.0
         if abs(target) > most * (1.0 + SLIDING_TOLERANCE):
-            raise OutsideValidity(
-                f"a shear force of {target:.6g} N is prescribed where friction bears {most:.6g} N at most, and the "
-                "bodies would slide away; give a smaller one, or a Shift."
-            )
+            refuse_shear(abs(target), most)
         if depth <= 0.0:
             return 0.0
         change, slope, short = 0.0, 0.0, 0.0

@@ -151,22 +151,10 @@ class Torsion:
             return
         unit = 8.0 * twisted_medium(self.bed.medium).torsional_modulus
         forced = not isinstance(self.path.normal, Depth)
-        for point in ring_points(self.bed, self.law.coefficient, self.path, unit, twist_bound):
-            yield TorsionState(
-                time=point.time,
-                depth=point.depth,
-                force=point.force,
-                radius=point.radius,
-                angle=point.motion,
-                torque=point.load,
-                torque_limit=point.limit,
-                stick_radius=point.stick_radius,
-                work=point.work,
-                stored_energy=point.stored,
-                dissipation=point.lost,
-                nested=point.nested,
-                springs=TwistedSprings(self.bed, self.law.coefficient, point.bound.widest, forced, point.memory),
-            )
+        for normal, at, limit, bound in ring_points(self.bed, self.law.coefficient, self.path, unit, twist_bound):
+            springs = TwistedSprings(self.bed, self.law.coefficient, bound.widest, forced, at.memory)
+            energies = at.work, at.stored, at.lost
+            yield TorsionState(*normal, at.motion, at.load, limit, at.stick_radius, *energies, at.nested, springs)
 
     def gathered(self, states: Iterable[TwistState]) -> TorsionSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

@@ -26,7 +26,7 @@ from winkler.problems.ring_slip.torsion_march import (
     trapezoid,
     unrounded,
 )
-from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory, fresh, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
 
 __all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
@@ -146,24 +146,14 @@ class RingRow:
 class RingPoint(NamedTuple):
     """The contact at a point of a path.
 
-    `motion` is the angle [rad] or shift [m], `load` what it takes [N m] or [N], `limit` what friction bears at most;
-    work, stored energy and dissipation in J.
+    `normal` are the numbers of `RoundNormal`; `at` has the motion in rad or m and energies in J; `limit` is what
+    friction bears at most [N m] or [N].
     """
 
-    time: float
-    depth: float
-    force: float
-    radius: float
-    motion: float
-    load: float
+    normal: tuple[float, ...]
+    at: HistoryPoint
     limit: float
-    stick_radius: float
-    work: float
-    stored: float
-    lost: float
-    nested: bool
     bound: TwistBound
-    memory: TwistMemory | TurnedTwist
 
 
 def ring_points(
@@ -202,22 +192,14 @@ def ring_points(
     targets = [unit * each if moved else each for each in path.along.tolist()]
     history = _steady if all(each == presses[0] for each in presses) and falls(bound, presses[0]) else _marched
     for i, point in enumerate(history(bound, presses, targets, moved)):
-        yield RingPoint(
-            time=float(path.time[i]),
-            depth=float(depth[i]),
-            force=float(force[i]),
-            radius=float(radius[i]),
+        at = point._replace(
             motion=float(path.along[i]) if moved else point.motion / unit,
-            load=point.load,
-            limit=_limit(bound, presses[i], float(radius[i]), bound_of),
-            stick_radius=point.stick_radius,
             work=2.0 * point.work / unit,
             stored=point.stored / unit,
             lost=2.0 * point.lost / unit,
-            nested=point.nested,
-            bound=bound,
-            memory=point.memory,
         )
+        normal = tuple(float(each[i]) for each in (path.time, depth, force, radius))
+        yield RingPoint(normal, at, _limit(bound, presses[i], float(radius[i]), bound_of), bound)
 
 
 def _limit(

@@ -160,6 +160,8 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         self.row, self.shear, self.coefficient, self.scales = row, shear, coefficient, scales
         self.cells, self.owner = cells, cells.owner
         self.by_depth, self.by_shift = by_depth, by_shift
+        # with a dashpot a spring bears at once where it is touched: forces jump, and only what they do settles
+        self.jumps = row.series.viscosity > 0.0 and by_shift and not by_depth
         self.recovery = Recovery.of(shear)
         self.law = self.recovery.law(shear)
 
@@ -191,7 +193,9 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         """Return by how much forces, losses and motions differ, over what is allowed."""
         (here, there), scales = (one.state, two.state), self.scales
         return max(
-            over(abs(here.shear_force - there.shear_force), scales.shear_force),
+            over(abs(one.work - two.work), scales.energy)
+            if self.jumps
+            else over(abs(here.shear_force - there.shear_force), scales.shear_force),
             over(abs(here.friction - there.friction), scales.energy),
             over(abs(here.shift - there.shift), scales.shift),
             0.0 if self.by_depth else over(abs(here.row.depth - there.row.depth), scales.depth),
