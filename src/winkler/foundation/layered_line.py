@@ -26,7 +26,7 @@ import numpy as np
 from winkler.foundation.line import LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.foundation.periodic import from_line
-from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, risen, turns, twists
+from winkler.foundation.strip_kernels import bends, risen, twists
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
@@ -41,7 +41,6 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded, has_tail, in_own_lengths
 from winkler.numerics.transforms.strips import strip_punches
@@ -388,10 +387,9 @@ class LayeredLineFoundation(LineBed):
     def shear_compliance(self, edges: Array) -> Array:
         """Return how far tractions move the middles of elements along, as of `LineBed.shear_compliance`."""
         far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
-        unit = float(edges[-1])
-        found = waves(self.medium.along_response, int(octaves(self.medium.along_response, np.array([unit]))[0]))
-        twice = fit_panels(lambda t: turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
-        lifted = np.sign(far) * twice(np.abs(far) / unit)
+        octave = int(octaves(self.medium.along_response, edges[-1:])[0])
+        unit = self.medium.along_response.smooth * 2.0**octave
+        lifted = unit / edges[-1] * np.sign(far) * twists(self.medium.along_response, octave)(np.abs(far) / unit)
         added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
         return LineBed.shear_compliance(self, edges) + added
 
