@@ -18,7 +18,7 @@ __all__ = ["added_responses", "added_sums", "edge_fall"]
 
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
-MOST_KEPT = 4096
+MOST_KEPT = 16384
 """Half-widths whose modes are kept of one bed."""
 MANY, FEWEST, MOST_FITTED, FITTED = 64, 8, 4, 1e-12
 """Half-widths, of all and in an octave, up to which each is solved by itself; polynomials in an octave, their error."""

@@ -10,7 +10,6 @@ with the share :math:`\sigma_j` of the load that they still bear; so does the ap
 from __future__ import annotations
 
 import dataclasses
-import functools
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -19,6 +18,7 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
+from winkler.foundation.strip_sums import added_responses
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms.strips.strip_modes import pressure_of_modes
 from winkler.numerics.types import Array
@@ -29,9 +29,6 @@ __all__ = ["RelaxingBed", "elastic_line", "layered_approaches", "layered_pressur
 
 TOLERANCE = 1e-9
 """Of an approach, over the greatest, between half-widths at which it is computed."""
-
-MOST_KEPT = 16384
-"""Half-widths whose modes are kept."""
 
 RelaxingBed = LineFoundation | LayeredLineFoundation
 Line = TypeVar("Line", bound=RelaxingBed)
@@ -66,7 +63,7 @@ def layered_pressure(
     """
     weights = shares - np.append(shares[1:], 0.0)  # of the contact up to the upper edge of each interval
     used, last = weights != 0.0, float(edges[-1])
-    c, modes = edges[1:][used, None], _added_modes(line, edges[1:][used].tolist())
+    c, modes = edges[1:][used, None], added_responses(line, edges[1:][used]).closing if used.any() else np.zeros((0, 1))
     weights = -2.0 / np.pi * line.medium.modulus * weights[used, None] / c
     punch = line.carried(last, 1.0).added - line.carried(last, 0.0).added if edge_load > 0.0 else np.zeros(1)
 
@@ -82,27 +79,6 @@ def layered_pressure(
         return np.asarray(found)
 
     return pressure
-
-
-@functools.lru_cache(maxsize=16)
-def _kept(line: LayeredLineFoundation) -> dict[float, Array]:
-    """Return the modes of half-widths that were asked for; it fills itself."""
-    return {}
-
-
-def _added_modes(line: LayeredLineFoundation, half_widths: list[float]) -> Array:
-    """Return the modes that layers add to the pressures of half-planes [m] ``(n, modes)``."""
-    kept = _kept(line)
-    if len(kept) > MOST_KEPT:
-        kept.clear()
-    for c in half_widths:
-        if c not in kept:
-            kept[c] = line.carried(c, 0.0).added
-    rows = [kept[c] for c in half_widths]
-    found = np.zeros((len(rows), max((row.size for row in rows), default=1)))
-    for own, row in zip(found, rows, strict=True):
-        own[: row.size] = row
-    return found
 
 
 def layered_approaches(line: LayeredLineFoundation, edges: Array, sunk: Array, places: tuple[Place, Place]) -> Array:
