@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.foundation import layered_line
+from winkler.foundation import layered_line, strip_sums
 
 pytestmark = pytest.mark.bench
 
@@ -21,7 +21,8 @@ LOADS = np.geomspace(1.0, 3e3, 200)
 
 def forget() -> None:
     """Leave out what was kept of earlier half-widths."""
-    layered_line._kept.cache_clear()
+    strip_sums._kept.cache_clear()
+    strip_sums._octaves.cache_clear()
     layered_line._carried.cache_clear()
 
 

@@ -26,7 +26,8 @@ import numpy as np
 from winkler.foundation.line import LineFoundation, ZonedBed
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.foundation.periodic import from_line
-from winkler.foundation.strip_kernels import KERNEL_TOLERANCE, bends, risen, turns, twists
+from winkler.foundation.strip_kernels import bends, risen, twists
+from winkler.foundation.strip_sums import added_responses, added_sums, edge_fall
 from winkler.foundation.strip_waves import punches, smooth_modes, transforms
 from winkler.media.layered.coated import CoatedHalfSpace, SlidingFilm, StackedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
@@ -41,7 +42,6 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.chunks import chunks, wave_sums
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.surfaces.strip_elements import by_hats
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, WaveResponse, faded, has_tail, in_own_lengths
 from winkler.numerics.transforms.strips import strip_punches
@@ -79,8 +79,6 @@ from winkler.values.value import value
 __all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
 
 RelaxingKinds = RelaxingInProportion | ViscoelasticCoatedHalfSpace | PoroelasticFilm
-WIDEST = 1024.0
-"""Greatest half-width over the thickness of the uppermost layer."""
 MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
 """Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""
 LEAST_NODES = 12
@@ -89,8 +87,6 @@ VALLEY = 3e-3
 """Part over u that is left out before a sharp valley on gradings."""
 STEP = 1e-4
 """Of differences, over the length that is changed."""
-MOST_KEPT = 4096
-"""Half-widths whose modes are kept of one bed."""
 MOST_EXAMINED = 16
 """Half-widths of many whose contacts are examined for tension and overlap."""
 PLACES_BESIDE = np.geomspace(1e-3, 1.0, 25)[:-1]
@@ -232,8 +228,9 @@ class LayeredLineFoundation(LineBed):
 
     @property
     def alike(self) -> tuple[object, ...]:
-        """What beds have in common whose strips of one half-width press alike, but for the modulus."""
-        return (self.profile, *in_own_lengths(self.medium.response))
+        """What beds have in common whose strips press alike, but for the modulus; under cylinders at one a/h."""
+        own, unit = in_own_lengths(self.medium.response)
+        return (own,) if self.half_plane.hertzian else (self.profile, own, unit)
 
     def solved(self, half_width: Array) -> StripResponse:
         """Return what the layers add under strips [m]."""
@@ -282,14 +279,14 @@ class LayeredLineFoundation(LineBed):
     def load_profile(self, half_width: Array) -> Array:
         """Return the load per length over E* of the uppermost layer [m]."""
         own = self.half_plane.load_profile(half_width)
-        return _touching(half_width, own, lambda a, own: own + _responses(self, a).closing[:, 0])
+        return _touching(half_width, own, lambda a, own: own + added_sums(self, a)[0])
 
     def load_profile_slope(self, half_width: Array) -> Array:
         """Return its derivative by the half-width [-]."""
 
         def widened(a: Array, own: Array) -> Array:
-            found = _responses(self, a)
-            return np.asarray((own - _edge_fall(found.closing, a)) / np.sum(found.punch, axis=1))
+            _, fall, steep = added_sums(self, a)
+            return np.asarray((own - fall) / steep)
 
         return _touching(half_width, self.half_plane.load_profile_slope(half_width), widened)
 
@@ -298,7 +295,7 @@ class LayeredLineFoundation(LineBed):
         ones, response = np.ones(np.shape(half_width)), self.medium.response
         if has_tail(response):
             return _touching(half_width, ones, lambda a, _: punch_edges(response, a)[0])
-        return _touching(half_width, ones, lambda a, _: np.sum(_responses(self, a).punch, axis=1))
+        return _touching(half_width, ones, lambda a, _: added_sums(self, a)[2])
 
     def edge_share_slope(self, half_width: Array) -> Array:
         """Return its derivative by the half-width [1/m].
@@ -311,10 +308,10 @@ class LayeredLineFoundation(LineBed):
         def widened(a: Array, _: Array) -> Array:
             if has_tail(self.medium.response):
                 return punch_edges(self.medium.response, a)[1]
-            punch = _responses(self, a).punch
+            punch = added_responses(self, a).punch
             none = np.zeros(a.size)  # the waves of no grading, which alone ask for slopes
             added = strip_responses(self.medium.response, a, lambda a, k: -k * j1(a[:, None] * k), none)
-            return np.asarray(_edge_fall(punch, a) - np.sum(punch, axis=1) ** 2 * added.closing[:, 0])
+            return np.asarray(edge_fall(punch, a) - np.sum(punch, axis=1) ** 2 * added.closing[:, 0])
 
         return _touching(half_width, np.zeros(np.shape(half_width)), widened)
 
@@ -388,10 +385,9 @@ class LayeredLineFoundation(LineBed):
     def shear_compliance(self, edges: Array) -> Array:
         """Return how far tractions move the middles of elements along, as of `LineBed.shear_compliance`."""
         far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
-        unit = float(edges[-1])
-        found = waves(self.medium.along_response, int(octaves(self.medium.along_response, np.array([unit]))[0]))
-        twice = fit_panels(lambda t: turns(found, unit * t) / unit, np.array([0.0, 2.0]), KERNEL_TOLERANCE)
-        lifted = np.sign(far) * twice(np.abs(far) / unit)
+        octave = int(octaves(self.medium.along_response, edges[-1:])[0])
+        unit = self.medium.along_response.smooth * 2.0**octave
+        lifted = unit / edges[-1] * np.sign(far) * twists(self.medium.along_response, octave)(np.abs(far) / unit)
         added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
         return LineBed.shear_compliance(self, edges) + added
 
@@ -497,7 +493,7 @@ class LayeredLineFoundation(LineBed):
     def examined(self, half_width: Array) -> Array:
         """Return up to 16 of many half-widths, ascending [m], the first and the last among them."""
         chosen = half_width[np.unique(np.linspace(0.0, half_width.size - 1.0, MOST_EXAMINED).round().astype(int))]
-        _responses(self, chosen)  # at once, not one by one
+        added_responses(self, chosen)  # at once, not one by one
         return np.asarray(chosen)
 
     def gaps(self, half_width: float, end: float) -> tuple[Array, Array]:
@@ -724,7 +720,7 @@ def _zones(bed: LayeredLineFoundation, half_width: Array, span: Array, strength:
         added = np.zeros((2, half_width.size, found.closing.shape[1]))
         added[:, strips] = found
         load = load + added[0, :, 0]
-        edge[strips] = (edge[strips] - _edge_fall(found.closing, half_width[strips])) / np.sum(found.punch, axis=1)
+        edge[strips] = (edge[strips] - edge_fall(found.closing, half_width[strips])) / np.sum(found.punch, axis=1)
         for i in strips:
             gap[i] -= lowered(added[0, i], float(half_width[i]), outer[i : i + 1])[0]
             closing[i] += lowered(added[1, i], float(half_width[i]), outer[i : i + 1])[0]
@@ -748,44 +744,10 @@ def _touching(half_width: Array, alone: Array, found: Callable[[Array, Array], A
     return result
 
 
-def _edge_fall(modes: Array, half_width: Array) -> Array:
-    """Return how steeply loads of modes ``(a, n)`` fall at the edges of strips, over a flat punch of one [1/m]."""
-    return np.asarray(2.0 / half_width * (modes @ np.arange(modes.shape[1]) ** 2))
-
-
-@functools.lru_cache(maxsize=16)
-def _kept(alike: tuple[object, ...]) -> dict[float, tuple[Array, Array]]:
-    """Return the responses of the last half-widths under beds that are alike; it fills itself."""
-    return {}
-
-
-def _responses(bed: LayeredLineFoundation, half_width: Array) -> StripResponse:
-    """Return what the layers add under strips of these half-widths; those solved before are kept."""
-    kept, places = _kept(bed.alike), half_width.tolist()
-    missing = np.array(sorted({a for a in places if a not in kept}))
-    if missing.size:
-        if len(kept) > MOST_KEPT:
-            kept.clear()
-            missing = np.unique(half_width)
-        response, top = bed.medium.response, bed.layered_body.unit[1]
-        if not has_tail(response) and missing[-1] > WIDEST * top:
-            raise OutsideValidity(
-                f"LayeredLineFoundation: a strip of the half-width {missing[-1]:.6g} m is more than {WIDEST:.0f} times "
-                f"as wide as the uppermost layer is thick ({top:.6g} m); press less, or leave so thin a layer out."
-            )
-        solved = bed.solved(missing)
-        kept.update(zip(missing.tolist(), zip(solved.closing, solved.punch, strict=True), strict=True))
-    rows = [kept[a] for a in places]
-    result = StripResponse(*np.zeros((2, len(rows), max(closing.size for closing, _ in rows))))
-    for place, (closing, punch) in enumerate(rows):
-        result.closing[place, : closing.size], result.punch[place, : punch.size] = closing, punch
-    return result
-
-
 @functools.lru_cache(maxsize=256)
 def _carried(bed: LayeredLineFoundation, half_width: float, rim_load: float) -> Carried:
     one = np.array([half_width])
-    found = _responses(bed, one)
+    found = added_responses(bed, one)
     own = bed.own_modes(one)
     added = found.closing[0] + rim_load * found.punch[0]
     return Carried(half_width, None if own is None else own[0], added, rim_load * float(np.sum(found.punch[0])))

@@ -11,7 +11,7 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.strips.strip_equation import Waves, waves
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["KERNEL_TOLERANCE", "bends", "risen", "turns", "twists"]
+__all__ = ["bends", "risen", "twists"]
 
 KERNEL_TOLERANCE = 1e-12
 """Error of what the layers add to the displacement of an element, over its greatest value."""
@@ -19,17 +19,16 @@ SUMMED = 2e-15
 """Rounding of a sum of waves, over the sum of their sizes."""
 
 
-def turns(found: Waves, x: Array) -> Array:
-    """Return the integral of M (sin kx - kx) / k^2 by k [m], twice integrated from the middle."""
-    sines = wave_sums(np.sin, x, found.k, found.weights / found.k)
-    return sines - x * float(np.sum(found.weights) + np.sum(found.shares))
-
-
 @cached_by_value(64)
 def twists(response: WaveResponse, octave: int) -> Panels:
     """Return the integral of M (sin kx - kx) / k^2 by k as of x, both over the greatest half-width of the octave."""
     found, unit = waves(response, octave), response.smooth * 2.0**octave
-    return _panels(lambda t: turns(found, unit * t) / unit, found)
+    level = float(np.sum(found.weights) + np.sum(found.shares))
+
+    def turned(t: Array) -> Array:
+        return wave_sums(np.sin, unit * t, found.k, found.weights / found.k) / unit - level * t
+
+    return _panels(turned, found)
 
 
 @cached_by_value(64)

@@ -80,3 +80,29 @@ def test_another_modulus_solves_no_equation(monkeypatch):
     assert load(2.1e11, 3.0) == pytest.approx(first, rel=1e-12)
     with pytest.raises(AssertionError, match="solved again"):
         load(2.1e11, 3.5)
+
+
+def test_another_thickness_and_radius_solve_no_equation(monkeypatch):
+    """200 loads at the same ratios of half-width and thickness; the loads over E* are as h^2 / R."""
+    from winkler.foundation import layered_line
+
+    def loads(thickness, radius):
+        medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.0, 0.3), thickness)], on=wk.Elastic(5.3, 0.2))
+        bed = wk.LayeredLineFoundation(wk.Paraboloid(radius), medium)
+        return bed.load_profile(thickness * np.geomspace(0.1, 3.0, 200)) * radius / thickness**2
+
+    first = loads(1.0, 2.0)
+    monkeypatch.setattr(layered_line, "strip_responses", None)
+    assert loads(0.37e-6, 3e-3) == pytest.approx(first, rel=1e-12)
+
+
+@pytest.mark.parametrize("profile", [wk.Paraboloid(1.0), wk.PowerLaw(0.5, 3.5), wk.RoundedCone(0.2, 0.3)])
+@pytest.mark.parametrize("contrast", [0.1, pytest.param(1e3, marks=pytest.mark.slow)])
+def test_many_half_widths_are_those_one_by_one(profile, contrast):
+    """Polynomials over octaves against the equation of each strip."""
+    medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(contrast, 0.3), 1.0)], on=wk.Elastic(1.0, 0.3))
+    bed = wk.LayeredLineFoundation(profile, medium)
+    a = np.geomspace(0.01, 3.0, 300)
+    for curve in (bed.load_profile, bed.load_profile_slope, bed.edge_share):
+        one_by_one = np.concatenate([curve(part) for part in np.split(a, 30)])
+        assert curve(a) == pytest.approx(one_by_one, rel=2e-10)

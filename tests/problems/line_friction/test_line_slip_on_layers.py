@@ -11,7 +11,7 @@ from scipy.special import k0
 from slip_of_layers import SlippingCylinder
 
 import winkler as wk
-from winkler.problems.line_friction import elements
+from winkler.problems.line_friction import element_row, elements
 
 MU, NU = 0.4, 0.3
 SHEAR = 0.5 * (1.0 - NU)
@@ -230,3 +230,36 @@ def alike(body):
     """C11, C12, C13, C33, C44 of an isotropic solid."""
     lame = 2.0 * body.shear * body.poisson / (1.0 - 2.0 * body.poisson)
     return lame + 2.0 * body.shear, lame, lame, lame + 2.0 * body.shear, body.shear
+
+
+@pytest.mark.parametrize(("contrast", "a"), [(0.1, 0.3), pytest.param(1000.0, 3.0, marks=pytest.mark.slow)])
+def test_what_turning_points_remember_is_what_elements_march_to(contrast, a, monkeypatch):
+    """Twice the first slip under twice the force, against steps in each of which the zones are sought anew.
+
+    Under a stiff layer it is not the edge that slips first.  Loops are closed, left, met exactly and gone round again.
+    """
+    bed = wk.LayeredLineFoundation(CYLINDER, coating(contrast))
+    load, rng = force(bed, a), np.random.default_rng(7)
+    shares = [0.0, *rng.uniform(-0.98, 0.98, 16), 1.0, 0.0, -0.6, 0.3, -0.6, -0.6, 0.5, -0.6, 0.9, -1.0, 0.2]
+    path = wk.LinePath(load, MU * load * np.array(shares))
+    remembered = pushed(bed, path)
+    monkeypatch.setattr(element_row.ElementRow, "_first", None)
+    marched = pushed(bed, path)
+    for name in ("slip_shift", "dissipation_per_length"):
+        wanted = getattr(marched, name)
+        assert getattr(remembered, name) == pytest.approx(wanted, abs=1e-12 * np.max(np.abs(wanted)))
+    assert remembered.stick_half_width == pytest.approx(marched.stick_half_width, abs=0.01 * a)  # within an element
+    x = a * np.linspace(-0.99, 0.99, 23)
+    for one, other in zip(remembered.states[1:], marched.states[1:], strict=True):
+        wanted = other.traction(x)
+        assert one.traction(x) == pytest.approx(wanted, abs=1e-11 * np.max(np.abs(wanted)))
+
+
+@pytest.mark.parametrize("contrast", [1e-6, 1e3])
+def test_wide_strips_are_sheared_on_hard_and_soft_layers(contrast):
+    """At a/h 3 and a contrast of 1,000 the kernel was refused as too rough; the loss is that of a closed cycle."""
+    bed = wk.LayeredLineFoundation(CYLINDER, coating(contrast))
+    load = force(bed, 3.0)
+    found = pushed(bed, wk.LinePath(load, 0.6 * MU * load * np.array([0.0, 1.0, -1.0, 1.0])))
+    first, loop = found.dissipation_per_length[1], found.dissipation_per_length[-1] - found.dissipation_per_length[1]
+    assert loop == pytest.approx(4.0 * first, rel=1e-9)  # twice over twice the slip, back and forth

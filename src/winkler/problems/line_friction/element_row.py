@@ -31,6 +31,7 @@ from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line_friction.elements import elements_for, pressed_elements
+from winkler.problems.line_friction.first_slip import FirstSlip, first_slip
 from winkler.problems.line_friction.path import LinePath
 from winkler.problems.row import Reached, Row
 from winkler.values.errors import OutsideValidity
@@ -121,6 +122,8 @@ class LineCells(NamedTuple):
     shift: float
     number: int = -1
     crept: tuple[Array, Array] = (np.zeros(0), np.zeros((0, 0)))
+    turned: LineCells | None = None
+    """The turning point of the shear force from which they came, under a steady normal force."""
 
 
 class ElementRow(Row[LineGoal, LineCells]):
@@ -144,7 +147,7 @@ class ElementRow(Row[LineGoal, LineCells]):
         self.most = friction * max(goal.force for goal in self.goals)
         self.strained = bool(path.bulk.any())
         self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
-        pieces = [self._piece(before, after) for before, after in pairwise(self.goals)]
+        pieces = [self._piece(before, after) for before, after in pairwise(self.goals) if before.force != after.force]
         start = self.goals[0].force
         forces = np.unique(np.concatenate([[start, 0.5 * start], *(piece[:, 0] for piece in pieces)]))
         found = under_force(bed, forces * self.elements.scale) / self.elements.scale  # at once, not one by one
@@ -161,11 +164,49 @@ class ElementRow(Row[LineGoal, LineCells]):
     def step(self, state: LineCells, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements after forces and strain have changed in proportion."""
         refuse_sliding(self.friction, goal.force, goal.shear, self.unit)
+        if self._first is not None:
+            return self._turned(self._first, state, goal)
         piece = self._piece(state.goal, goal)
         reached = Reached(state._replace(last=np.zeros(self.elements.x.size)), 0.0, 0.0)
         for at, middle in zip(piece[1::2], piece[::2], strict=True):
             reached = reached.then(self._go(reached.state, goal, at, float(middle[0])))
         return reached
+
+    @functools.cached_property
+    def _first(self) -> FirstSlip | None:
+        """How elements slip from nothing on; None where more than the shear force changes."""
+        force = self.goals[0].force
+        if self.strained or force == 0.0 or any(goal.force != force for goal in self.goals):
+            return None
+        return first_slip(self.elements, self._bound(force))
+
+    def _turned(self, first: FirstSlip, cells: LineCells, goal: LineGoal) -> Reached[LineCells]:
+        """Return the elements under another shear force, from the turning point to which that leads back."""
+        if goal.shear == cells.goal.shear:
+            return Reached(cells._replace(last=np.zeros(cells.last.size)), math.nan, 0.0)
+        side, turned = math.copysign(1.0, goal.shear - cells.goal.shear), cells.turned
+        if side * (cells.goal.shear - (turned.goal.shear if turned else 0.0)) < 0.0:
+            turned = cells
+        origin = turned
+        while turned is not None:  # a loop is closed where the point is reached at which it began
+            before = turned.turned
+            end = before.goal.shear if before else -turned.goal.shear
+            if side * (goal.shear - end) < 0.0:
+                break
+            turned = before.turned if before else None
+            origin = turned if goal.shear != end else origin
+        times, start = (2.0, origin.goal.shear) if origin else (1.0, 0.0)
+        traction, ahead, slips, shift = first.at(abs(goal.shear - start) / times)
+        traction, ahead, shift = (side * times * each for each in (traction, ahead, shift))
+        if origin:
+            traction, ahead, shift = traction + origin.traction, ahead + origin.ahead, shift + origin.shift
+        gone = ahead - cells.ahead
+        rubbed = cells.bound * np.abs(gone)
+        new = cells._replace(
+            goal=goal, traction=traction, ahead=ahead, slips=side * slips, rubbed=cells.rubbed + rubbed, last=gone,
+            half_width_before=cells.half_width, shift=shift, turned=turned,
+        )  # fmt: skip
+        return Reached(new, math.nan, float(rubbed @ self.elements.widths))
 
     def _piece(self, start: LineGoal, goal: LineGoal) -> Array:
         """Return middles and ends of the steps along a straight piece of the path, in turn."""
@@ -267,7 +308,7 @@ class ElementRow(Row[LineGoal, LineCells]):
         rows, scale, modulus = np.flatnonzero(cells.bound), self.elements.scale, self.bed.medium.modulus
         shift = cells.shift
         if rows.size:
-            shift -= cells.goal.shear * self.bed.stuck_compliance(scale * cells.half_width, scale)
+            shift -= cells.goal.shear * _stuck(self.bed, scale * cells.half_width, scale)
         return TouchingElements(
             scale * self.elements.x[rows],
             scale * self.elements.widths[rows],
@@ -278,6 +319,12 @@ class ElementRow(Row[LineGoal, LineCells]):
             modulus * scale * cells.rubbed[rows],
             scale * shift,
         )
+
+
+@functools.lru_cache(maxsize=64)
+def _stuck(bed: LineBed, half_width: float, unit: float) -> float:
+    """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`, kept."""
+    return bed.stuck_compliance(half_width, unit)
 
 
 def refuse_sliding(friction: float, force: float, shear: float, unit: float) -> None:

@@ -10,7 +10,7 @@ with the share :math:`\sigma_j` of the load that they still bear; so does the ap
 from __future__ import annotations
 
 import dataclasses
-import functools
+from collections.abc import Callable
 from typing import Any, TypeVar
 
 import numpy as np
@@ -18,6 +18,7 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
+from winkler.foundation.strip_sums import added_responses
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms.strips.strip_modes import pressure_of_modes
 from winkler.numerics.types import Array
@@ -28,9 +29,6 @@ __all__ = ["RelaxingBed", "elastic_line", "layered_approaches", "layered_pressur
 
 TOLERANCE = 1e-9
 """Of an approach, over the greatest, between half-widths at which it is computed."""
-
-MOST_KEPT = 16384
-"""Half-widths whose modes are kept."""
 
 RelaxingBed = LineFoundation | LayeredLineFoundation
 Line = TypeVar("Line", bound=RelaxingBed)
@@ -48,15 +46,15 @@ def shares_of(line: LineBed, edges: Array, loads: Array) -> Array:
     return np.asarray(-np.diff(loads, axis=-1) / np.where(grown > 0.0, grown, np.inf))
 
 
-def layered_pressure(line: LayeredLineFoundation, x: Array, edges: Array, shares: Array, edge_load: float) -> Array:
-    """Return what layers add to the pressure on half-planes [Pa].
+def layered_pressure(
+    line: LayeredLineFoundation, edges: Array, shares: Array, edge_load: float
+) -> Callable[[Array], Array]:
+    """Return what layers add to the pressure on half-planes [Pa], over places that are not negative ``(k,)`` [m].
 
     Parameters
     ----------
     line : LayeredLineFoundation
         The elastic layers.
-    x : ndarray, (k,)
-        Places, not negative [m].
     edges, shares : ndarray
         Half-widths c, ascending from zero [m] ``(n,)``, and the parts of the elastic loads that strips between them
         bear ``(n - 1,)``.
@@ -64,41 +62,23 @@ def layered_pressure(line: LayeredLineFoundation, x: Array, edges: Array, shares
         What the last edge bears like that of a flat punch [N/m].
     """
     weights = shares - np.append(shares[1:], 0.0)  # of the contact up to the upper edge of each interval
-    used = weights != 0.0
-    c, modes = edges[1:][used, None], _added_modes(line, edges[1:][used].tolist())
-    t = np.minimum(x / c, 1.0)
-    before, now, total = np.zeros(t.shape), np.ones(t.shape), np.zeros(t.shape)  # sin(n angle) / sin(angle)
-    for mode in modes.T[1:]:
-        total += mode[:, None] * now**2
-        before, now = now, 2.0 * t * now - before
-    density = weights[used, None] / c * np.sqrt((1.0 - t) * (1.0 + t))
-    found = -2.0 / np.pi * line.medium.modulus * np.sum(density * total, axis=0)
-    if edge_load > 0.0:
-        last = float(edges[-1])
-        punch = line.carried(last, 1.0).added - line.carried(last, 0.0).added
-        found += edge_load * pressure_of_modes(punch, last, x, float(np.sum(punch)))
-    return np.asarray(found)
+    used, last = weights != 0.0, float(edges[-1])
+    c, modes = edges[1:][used, None], added_responses(line, edges[1:][used]).closing if used.any() else np.zeros((0, 1))
+    weights = -2.0 / np.pi * line.medium.modulus * weights[used, None] / c
+    punch = line.carried(last, 1.0).added - line.carried(last, 0.0).added if edge_load > 0.0 else np.zeros(1)
 
+    def pressure(x: Array) -> Array:
+        t = np.minimum(x / c, 1.0)
+        before, now, total = np.zeros(t.shape), np.ones(t.shape), np.zeros(t.shape)  # sin(n angle) / sin(angle)
+        for mode in modes.T[1:]:
+            total += mode[:, None] * now**2
+            before, now = now, 2.0 * t * now - before
+        found = np.sum(weights * np.sqrt((1.0 - t) * (1.0 + t)) * total, axis=0)
+        if edge_load > 0.0:
+            found += edge_load * pressure_of_modes(punch, last, x, float(np.sum(punch)))
+        return np.asarray(found)
 
-@functools.lru_cache(maxsize=16)
-def _kept(line: LayeredLineFoundation) -> dict[float, Array]:
-    """Return the modes of half-widths that were asked for; it fills itself."""
-    return {}
-
-
-def _added_modes(line: LayeredLineFoundation, half_widths: list[float]) -> Array:
-    """Return the modes that layers add to the pressures of half-planes [m] ``(n, modes)``."""
-    kept = _kept(line)
-    if len(kept) > MOST_KEPT:
-        kept.clear()
-    for c in half_widths:
-        if c not in kept:
-            kept[c] = line.carried(c, 0.0).added
-    rows = [kept[c] for c in half_widths]
-    found = np.zeros((len(rows), max((row.size for row in rows), default=1)))
-    for own, row in zip(found, rows, strict=True):
-        own[: row.size] = row
-    return found
+    return pressure
 
 
 def layered_approaches(line: LayeredLineFoundation, edges: Array, sunk: Array, places: tuple[Place, Place]) -> Array:

@@ -10,6 +10,8 @@ q(c) is what the strips wider than c bear, and u(c) its hereditary integral with
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
@@ -93,7 +95,7 @@ class LineViscoelasticState:
             return 0.0
         if is_sharp(self.bed, self.half_width, self.edge_load):
             return np.inf
-        return highest_of_curve(self.pressure, self.half_width)
+        return highest_of_curve(self._pressures(), self.half_width)
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure [Pa], zero outside of the contact.
@@ -104,26 +106,33 @@ class LineViscoelasticState:
             Places on the surface [m], on either side of the middle.
         """
         places = np.abs(finite_places("LineViscoelasticState.pressure", "x", x))
-        flat, found = places.ravel(), np.zeros(places.size)
-        if self.half_width > 0.0:
-            edges, borne = self._strips
-            line = elastic_line(self.bed)
-            loads, edge_load, shares = -np.diff(borne), self.edge_load, np.zeros(0)
-            layered = isinstance(line, LayeredLineFoundation) and not offers(self.bed.medium, RelaxingByWaves)
-            if layered:
-                shares, edge_load = shares_of(line, edges, borne), 0.0
-                loads = line.medium.modulus * shares * np.diff(line.half_plane.load_profile(edges))
-            block = max(1, BLOCK // edges.size)
-            for start in range(0, flat.size, block):
-                part = slice(start, start + block)
-                found[part] = self._pressure(flat[part], edges, loads, edge_load)
-                if layered and isinstance(line, LayeredLineFoundation):
-                    found[part] += layered_pressure(line, flat[part], edges, shares, self.edge_load)
-        return found.reshape(places.shape)
+        return self._pressures()(places)
 
-    def _pressure(self, x: Array, edges: Array, loads: Array, edge_load: float) -> Array:
+    def _pressures(self) -> Callable[[Array], Array]:
+        """Return the pressure over places that are not negative, with all prepared that is the same at each."""
+        if self.half_width == 0.0:
+            return np.zeros_like
+        edges, borne = self._strips
+        line = elastic_line(self.bed)
+        loads, edge_load, added = -np.diff(borne), self.edge_load, np.zeros_like
+        if isinstance(line, LayeredLineFoundation) and not offers(self.bed.medium, RelaxingByWaves):
+            shares, edge_load = shares_of(line, edges, borne), 0.0
+            loads = line.medium.modulus * shares * np.diff(line.half_plane.load_profile(edges))
+            added = layered_pressure(line, edges, shares, self.edge_load)
+        densities, block = self._densities(edges, loads), max(1, BLOCK // edges.size)
+
+        def pressures(places: Array) -> Array:
+            flat, found = places.ravel(), np.empty(places.size)
+            for start in range(0, flat.size, block):
+                part = flat[start : start + block]
+                found[start : start + block] = self._pressure(part, edges, densities, edge_load) + added(part)
+            return found.reshape(places.shape)
+
+        return pressures
+
+    def _pressure(self, x: Array, edges: Array, densities: tuple[Array, Array], edge_load: float) -> Array:
         """Sum the strips between edges, whose load density is that of the profile times what is left of it."""
-        middle, steep = self._densities(edges, loads)
+        middle, steep = densities
         inside = x[:, None] < edges
         roots = np.where(inside, abel.root_difference(np.maximum(edges, x[:, None]), x[:, None]), 0.0)
         total = np.diff(roots, axis=1) @ steep

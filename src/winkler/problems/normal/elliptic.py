@@ -20,17 +20,19 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.foundation.elliptic import EllipticFoundation
+from winkler.foundation.foundation import Foundation
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import numbers_of
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior.peak import StressSpot
-from winkler.media.mapped import MappedMedium
+from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal import elliptic_fields as inside
 from winkler.problems.normal.elliptic_fields import EllipticFields
+from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
@@ -40,9 +42,10 @@ from winkler.problems.pressed_shape.pressed_map import PIXELS, PressedMap, edge_
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
+from winkler.profiles.power import Paraboloid
 from winkler.values.checks.number_checks import Advice
 from winkler.values.checks.place_checks import common_places
-from winkler.values.errors import OutsideValidity
+from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
@@ -59,6 +62,10 @@ IN_LAYERS = "this problem computes no stresses in layers; ContactStress and Elli
 AXES = (0.0, 0.5 * math.pi)
 """Directions of the semi-axes [rad]."""
 EDGE_ERROR = ("", "", "relative error of area, stiffness and edge of the contact that pixels leave")
+BENT = 30.0
+"""1 + M of waves as long as the contact, above which layers bend over it: by depth their pressures hardly converge."""
+MOST_FORCES, MET = 12, 1e-6
+"""Forces that are tried in the place of such a depth, and its error over itself."""
 CONFORMING = "M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, doi:10.1016/S0020-7683(00)00289-4"
 
 
@@ -201,7 +208,19 @@ def pressed_ellipse(
 
     hertz = EllipticIndentation(bodies, HalfSpace(Elastic(medium.modulus, 0.0)), load).solve()  # a first guess
     start = float(hertz.longitudinal_semi_axis), float(hertz.lateral_semi_axis)
-    return pressed_levels("EllipticIndentation", gap, medium, load, start, pixels=pixels)
+    stretch = start[0] / start[1]
+    if isinstance(load, Force) or float(layers_of(medium).whole(np.array([1.0 / max(start)]))[0]) < BENT:
+        return pressed_levels("EllipticIndentation", gap, medium, load, start, pixels=pixels)
+    ball = Indentation(Foundation(Paraboloid(bodies.equivalent_radius), medium), load).solve()
+    start, force = (ball.radius * math.sqrt(stretch), ball.radius / math.sqrt(stretch)), float(ball.force)
+    for _ in range(MOST_FORCES):
+        coarse, fine = pressed_levels("EllipticIndentation", gap, medium, Force(force), start, pixels=pixels)
+        if abs(fine.depth / float(load.depth) - 1.0) < MET:
+            return coarse, fine
+        force += fine.stiffness * (float(load.depth) - fine.depth)
+    raise NotConverged(
+        f"EllipticIndentation: no force is found at which the depth is {float(load.depth):.6g} m; give a force instead."
+    )
 
 
 @value
