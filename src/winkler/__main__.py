@@ -27,7 +27,7 @@ def main() -> int:
             signal.signal(signal.SIGINT, leave)
         import gc
 
-        gc.set_threshold(100_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
+        gc.set_threshold(300_000)  # loaded modules stay: searching them for garbage takes a tenth of a short run
         os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # sought in all that is installed; none is used
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small: threads cost more than they save
         from winkler.cli import main as command

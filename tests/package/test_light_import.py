@@ -7,6 +7,8 @@ import sys
 
 import pytest
 
+from winkler.plot.registered import everything, modules_naming
+
 HEAVY = (
     "matplotlib",
     "plotly",
@@ -65,7 +67,7 @@ def test_the_process_of_a_page_loads_fits_when_one_is_asked_for():
 
 
 @pytest.mark.slow
-def test_a_picture_of_one_kind_loads_those_of_its_part_and_is_the_same():
+def test_a_picture_of_one_kind_loads_those_that_name_it_and_is_the_same():
     code = """
 import sys
 import winkler as wk
@@ -81,3 +83,15 @@ assert [name for name in sys.modules if name.startswith("winkler.plot.rolling.")
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_picture_of_each_class_is_found_by_its_name():
+    """Else all pictures, and the four hundred modules that they show, are loaded for one of them."""
+    registry = everything().sheet_of.registry
+    missed = {
+        kind.__name__: drawn.__module__
+        for kind, drawn in registry.items()
+        if kind is not object and drawn.__module__ not in modules_naming(kind)
+    }
+    assert len(registry) > 100
+    assert missed == {}

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.fitting.curves.events.record import MAD_TO_SIGMA
+from winkler.fitting.curves.medians import median
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 
@@ -82,7 +83,7 @@ def misfit_of(residuals: Array, touched: Array, counted: Array, freedoms: tuple[
     whole, contact = (float(np.sum((r / level) ** 2)) for r in (residuals[counted], residuals[touched & counted]))
     local, place = 0.0, 0
     if has_free:
-        usual = MAD_TO_SIGMA * float(np.median(np.abs(own - np.median(own)))) or level
+        usual = MAD_TO_SIGMA * median(np.abs(own - median(own))) or level
         local, place = _greatest_row(residuals[counted])
         local, place = local / max(usual, level * LEAST_USUAL), int(np.flatnonzero(counted)[place])
     found = Misfit(whole / freedoms[0], contact / freedoms[1], MISFIT_LIMIT, local, place)

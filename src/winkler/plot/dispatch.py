@@ -32,6 +32,7 @@ def without_extent(*kinds: type) -> Callable[[Callable[[Any], Sheet]], Callable[
     """Register a function as the picture of some classes; an extent, which it has none of, is refused."""
 
     def registered(drawn: Callable[[Any], Sheet]) -> Callable[[Any], Sheet]:
+        @functools.wraps(drawn)
         def sheet(item: Any, *, extent: float | None = None) -> Sheet:
             if extent is not None:
                 raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import pkgutil
 from importlib import import_module
-from importlib.util import find_spec
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from winkler.plot.dispatch import sheet_of
@@ -33,18 +33,26 @@ def everything() -> _Everything:
 
 
 def sheet_of_kind(item: Any) -> Sheet:
-    """Return the panels that show `item`, with the pictures of its own part of the package loaded.
-
-    All are loaded where that part does not hold the very picture of this class.
-    """
-    kind = type(item)
-    if kind not in sheet_of.registry:
-        _, _, part, *_ = f"{kind.__module__}...".split(".")  # as heating, of winkler.problems.heating.steady
-        if part and find_spec(f"winkler.plot.{part}") is not None:
-            _load(f"winkler.plot.{part}")
+    """Return the panels that show `item`; of the pictures those are loaded that name its class, else all."""
+    for kind in type(item).__mro__[:-1]:
         if kind not in sheet_of.registry:
-            everything()
+            for module in modules_naming(kind):
+                import_module(module)
+        if kind in sheet_of.registry:
+            return sheet_of(item)
+    everything()
     return sheet_of(item)
+
+
+def modules_naming(kind: type) -> list[str]:
+    """Return the modules of pictures that import a class, as their sources say."""
+    line, name = f"from {kind.__module__} import ".encode(), kind.__name__.encode()
+    root, found = Path(__file__).parent, []
+    for page in sorted(root.rglob("*.py")):
+        source = page.read_bytes()
+        if line in source and name in source:
+            found.append(".".join(["winkler.plot", *page.relative_to(root).with_suffix("").parts]))
+    return found
 
 
 def _load(package: str) -> None:

@@ -25,6 +25,7 @@ import numpy as np
 
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.events.saturation import saturated_rows
+from winkler.fitting.curves.medians import median
 from winkler.fitting.curves.outline import (
     BASELINE_POINTS,
     FEWEST,
@@ -125,7 +126,7 @@ def _ends_in_tension(position: Array, force: Array, noise: float, back: Array, p
 def _backwards(position: Array, force: Array, limit: float) -> bool:
     """Return whether the force falls from a steep beginning to a flat end, with contact at the least position."""
     count = max(FEWEST, int(TAIL_SHARE * force.size))
-    if not far_force(force) - float(np.median(force[-count:])) > limit or not np.ptp(position[-count:]) > 0.0:
+    if not far_force(force) - median(force[-count:]) > limit or not np.ptp(position[-count:]) > 0.0:
         return False
     if not np.ptp(position[:count]) > 0.0:
         return False

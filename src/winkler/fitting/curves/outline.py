@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.medians import median
 from winkler.numerics.types import Array
 
 __all__ = ["BASELINE_POINTS", "FEWEST", "SIGNAL_TO_NOISE", "CurveOutline", "far_force", "outline", "single_direction"]
@@ -25,6 +26,8 @@ MOST_SPLITS, BEHIND_DEGREE = 100, 3
 """Most trial ends of the baseline, and degree of the polynomial behind."""
 LEAST_SLOPE_TO_ERROR, LEAST_FREE_SHARE = 4.0, 0.1
 """Least slope of a baseline over its standard error, and least part of the points on it."""
+ROUNDING = 1e-15
+"""Least eigenvalue of sums of powers over the greatest; of less, polynomials are not determined."""
 MOST_SLOPE_SHARE = 0.3
 """Greatest slope of a baseline relative to the mean slope in contact."""
 
@@ -74,10 +77,10 @@ def outline(curve: ForceCurve) -> CurveOutline:
     position, force = single_direction(curve)
     slope = _first_slope(position.tobytes(), force.tobytes())
     base = far_force(force - slope * position) + slope * position
-    noise = float(np.median(np.abs(np.diff(force, 2)))) / (0.6745 * math.sqrt(6.0))
+    noise = median(np.abs(np.diff(force, 2))) / (0.6745 * math.sqrt(6.0))
     tip = max(3, force.size // 200)
     for _ in range(2):
-        top = float(np.median(force[-tip:] - base[-tip:]))
+        top = median(force[-tip:] - base[-tip:])
         pull = _pull(curve, noise, abs(top), slope)
         within_noise = np.flatnonzero(force <= base + max(4.0 * noise, 1e-3 * abs(top)))
         last = int(within_noise[-1]) if within_noise.size and top > 0.0 else int(0.5 * force.size)
@@ -131,13 +134,15 @@ def _explained(sums: Array, right: Array, degree: int) -> Array:
     """Return the squares explained by polynomials ``(m,)``, from sums of powers and of their products with levels."""
     size = degree + 1
     order = np.add.outer(np.arange(size), np.arange(size))
-    numbers = np.einsum("mij,mj->mi", np.linalg.pinv(sums[:, order], hermitian=True), right[:, :size])
-    return np.asarray(np.einsum("mi,mi->m", numbers, right[:, :size]))
+    values, vectors = np.linalg.eigh(sums[:, order])
+    along = np.einsum("mji,mj->mi", vectors, right[:, :size])
+    determined = values > ROUNDING * values[:, -1:]
+    return np.asarray(np.sum(np.divide(along**2, values, out=np.zeros_like(along), where=determined), axis=1))
 
 
 def far_force(force: Array) -> float:
     """Return the force far from the sample, of forces in the order of positions."""
-    return float(np.median(force[: _far_count(force.size)]))
+    return median(force[: _far_count(force.size)])
 
 
 def _far_count(points: int) -> int:

@@ -17,6 +17,7 @@ import numpy as np
 
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.events.record import MAD_TO_SIGMA
+from winkler.fitting.curves.medians import median
 from winkler.fitting.elastic.contact import DirectionRun
 from winkler.fitting.misfit import FEWEST_FREE_POINTS
 from winkler.numerics.types import Array
@@ -68,8 +69,8 @@ def _jump(residuals: Array, inside: int) -> tuple[int, int]:
     far = free[free.size // 2 :]
     if inside == 0 or far.size < FEWEST_FREE_POINTS:
         return inside, inside
-    level, floor = float(np.median(far)), LEAST_SHARE * float(np.abs(residuals).max())
-    noise = max(MAD_TO_SIGMA * float(np.median(np.abs(far - level))), floor)
+    level, floor = median(far), LEAST_SHARE * float(np.abs(residuals).max())
+    noise = max(MAD_TO_SIGMA * median(np.abs(far - level)), floor)
     outward = _leading(np.abs(free - level) > LEAST_RATIO * noise)
     outward += int(FADING_SHARE * outward)
     if not 0 < outward < free.size // 2:
@@ -77,7 +78,7 @@ def _jump(residuals: Array, inside: int) -> tuple[int, int]:
     if outward < FEWEST_OF_A_SLOW_JUMP:
         return inside, inside + outward
     contact = np.abs(residuals[:inside][::-1])
-    inward = _leading(contact > LEAST_RATIO * max(float(np.median(contact)), noise))
+    inward = _leading(contact > LEAST_RATIO * max(median(contact), noise))
     return inside - min(inward, outward), inside + outward
 
 

@@ -34,4 +34,4 @@ def disturbances_of(curve: ForceCurve, *, of_force: bool = True) -> Array:
         own = float(np.linalg.norm(centred))
         if own > LEAST_OWN_SHARE * whole:
             found.append(centred * np.sqrt(curve.count) / own)
-    return np.stack(found, axis=1) if found else np.zeros((curve.count, 0))
+    return np.array(found).T if found else np.zeros((curve.count, 0))

@@ -23,6 +23,7 @@ Y. Yamamoto et al., Electron. Trans. Numer. Anal. 44, 306 (2015) (an orthonormal
 
 from __future__ import annotations
 
+import functools
 import itertools
 from typing import NamedTuple
 
@@ -111,6 +112,7 @@ class _Solutions(NamedTuple):
     factors: Array
 
 
+@functools.cache
 def amplitudes_of(count: int) -> tuple[Array, Array]:
     """Return levels ``(l, q)`` of disturbances and their prior weights: none, all faint, and each choice of them."""
     if not count:
@@ -183,17 +185,17 @@ def orthonormal(columns: Array) -> tuple[Array, Array]:
     columns : ndarray, (n, p)
         Of unit length.
     """
-    basis, triangle = columns, np.eye(columns.shape[1])
+    rows, triangle = np.ascontiguousarray(columns.T), np.eye(columns.shape[1])
     for _ in range(2):
-        products = basis.T @ basis
+        products = rows @ rows.T
         if not np.all(np.isfinite(products)):
             return np.linalg.qr(columns)
         values = np.linalg.eigvalsh(products)
         if not values[0] > LEAST_INDEPENDENT * values[-1]:
             return np.linalg.qr(columns)
         upper = np.linalg.cholesky(products).T
-        basis, triangle = basis @ np.linalg.inv(upper), upper @ triangle
-    return basis, triangle
+        rows, triangle = np.linalg.inv(upper).T @ rows, upper @ triangle
+    return rows.T, triangle
 
 
 def _own(disturbances: Array, basis: Array) -> Array:

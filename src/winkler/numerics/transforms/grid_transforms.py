@@ -103,6 +103,11 @@ class GridTransforms:
         self.rim_load = self.load_of_rim()
 
     @functools.cached_property
+    def springs_at_nodes(self) -> Array:
+        """Return `springs_within` the nodes."""
+        return self.springs_within(self.squares)
+
+    @functools.cached_property
     def node_moments(self) -> Array:
         """Return `moments` up to the nodes."""
         return self.moments(self.squares)
@@ -173,7 +178,8 @@ class GridTransforms:
             beyond = beyond - (positive @ cut.slope - whole @ cut.cut_slope)
         if values[-1] > 0.0:
             beyond = beyond + values[-1] * self.rim_load
-        return np.asarray(-np.diff(np.append(beyond, 0.0)) / self.areas)
+        beyond[:-1] -= beyond[1:]
+        return np.asarray(beyond / self.areas)
 
 
 class SurfaceTransform:
@@ -203,8 +209,15 @@ class SurfaceTransform:
 
 
 def inner_product(matrix: Array, values: Array) -> Array:
-    """Return the product of a lower triangular matrix ``(n, n)`` and values ``(n,)``, by blocks that are not zero."""
-    return np.concatenate([matrix[low:high, :high] @ values[:high] for low, high in _blocks(values.size)])
+    """Return the product of a lower triangular matrix ``(n, n)`` and values ``(n,)``, by blocks that are not zero.
+
+    Values are zero up to where something slips or wears, and so is the product there.
+    """
+    first = int((values != 0.0).argmax())
+    result = np.zeros(values.size)
+    for low, high in _blocks(first, values.size):
+        result[low:high] = matrix[low:high, first:high] @ values[first:high]
+    return result
 
 
 def outer_product(matrix: Array, values: Array) -> Array:
@@ -215,12 +228,12 @@ def outer_product(matrix: Array, values: Array) -> Array:
     pressed = values.nonzero()[0]
     stop = int(pressed[-1]) + 1 if pressed.size else 0
     result = np.zeros(values.size)
-    for low, high in _blocks(min(stop + 1, values.size)):
+    for low, high in _blocks(0, min(stop + 1, values.size)):
         inside = max(low - 1, 0)
         result[low:high] = matrix[low:high, inside:stop] @ values[inside:stop]
     return result
 
 
-def _blocks(count: int) -> list[tuple[int, int]]:
+def _blocks(first: int, end: int) -> list[tuple[int, int]]:
     """Return where blocks of rows begin and end."""
-    return [(low, min(low + BLOCK, count)) for low in range(0, count, BLOCK)]
+    return [(low, min(low + BLOCK, end)) for low in range(first, end, BLOCK)]

@@ -118,7 +118,7 @@ class RoundGrid(WornGrid):
 
     def force_of(self, stretch: Array, cut: Cuts) -> float:
         """Return the force [N] of springs pressed by what is positive of a stretch [m]."""
-        return 2.0 * self.modulus * self.rings.integral(stretch, cut)
+        return 2.0 * self.modulus * self.rings.pressed(stretch)[0]
 
     @functools.cached_property
     def sheared(self) -> ShearedGrid:
@@ -161,7 +161,7 @@ def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array)
     """Return the depth [m] at which springs of these transforms under a gap [m] bear a force [N]."""
     # the force at the depths of the nodes, as if g never fell, gives the start
     climbing = np.maximum.accumulate(gap)
-    areas = 2.0 * modulus * rings.springs_within(rings.squares)
+    areas = 2.0 * modulus * rings.springs_at_nodes
     means = np.cumsum(np.append(0.0, np.diff(areas) * 0.5 * (climbing[1:] + climbing[:-1])))
     depth = float(np.interp(force, climbing * areas - means, climbing))
     if depth == climbing[-1]:

@@ -7,6 +7,7 @@ import functools
 import inspect
 import typing
 from collections.abc import Callable
+from collections.abc import Set as AbstractSet
 from typing import Any, TypeVar
 
 import numpy as np
@@ -75,12 +76,12 @@ def lacking(kinds: tuple[type, ...], part: Any) -> str:
     return f" without {', '.join(missing)}" if few else ""
 
 
-def _missing(part: Any, protocol: type) -> set[str]:
+def _missing(part: Any, protocol: type) -> AbstractSet[str]:
     """Return the public members of a protocol that a value has not, without evaluating any of them."""
     unknown = _unknown(part.__class__, protocol)
     if isinstance(part, type):
         return {name for name in unknown if inspect.getattr_static(part, name, unknown) is unknown}
-    return {name for name in unknown if name not in getattr(part, "__dict__", ())}  # the class has none of them
+    return unknown.difference(getattr(part, "__dict__", ()))  # the class has none of them
 
 
 @functools.cache

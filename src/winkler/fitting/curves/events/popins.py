@@ -9,6 +9,7 @@ import numpy as np
 from winkler.fitting.curves.directions import IN
 from winkler.fitting.curves.events.record import Record
 from winkler.fitting.curves.events.steps import Step, found_steps
+from winkler.fitting.curves.medians import median
 from winkler.numerics.types import Array
 
 __all__ = ["PopIn", "pop_ins"]
@@ -69,7 +70,7 @@ def _other(signal: Array, step: Step) -> float:
 
 def _usual(signal: Array) -> float:
     """Return a few usual changes of a signal from point to point."""
-    return 3.0 * float(np.median(np.abs(np.diff(signal)))) + 1e-3 * float(np.ptp(signal))
+    return 3.0 * median(np.abs(np.diff(signal))) + 1e-3 * float(np.ptp(signal))
 
 
 def _driven(position: Array, force: Array, step: Step) -> bool:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.fitting.curves.directions import IN, OUT
+from winkler.fitting.curves.medians import median
 from winkler.fitting.curves.segments import Segment, segments_of
 from winkler.numerics.types import Array
 
@@ -76,7 +77,7 @@ def deviation(samples: Array) -> float:
     """Return the standard deviation of samples by their median absolute deviation; zero of none."""
     if not samples.size:
         return 0.0
-    return MAD_TO_SIGMA * float(np.median(np.abs(samples - np.median(samples))))
+    return MAD_TO_SIGMA * median(np.abs(samples - median(samples)))
 
 
 def moving_mean(samples: Array, width: int) -> Array:
