@@ -91,6 +91,8 @@ ROUNDING_POWER, DEPTH_POWER = 1.5, 0.6
 of c by which its depth is less; fitted to finite elements of ellipses of b/a = 4.5 and 21."""
 GREATEST_SINKING = 0.872
 """Gamma - 1 at the end of the tables of a ball, where the pressure of an ellipse is that of a ball."""
+MOST_SLENDER = 100.0
+"""Greatest ratio of the semi-axes of an ellipse; beyond, a residual depth could come out negative."""
 LEAST_LOAD = 1e-12
 """A load over the strength of which no table knows anything: the bodies are elastic."""
 
@@ -667,6 +669,14 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
             f"{owner}: the bed is a {type(bed).__name__}; how bodies yield is known by their shape: give a Foundation "
             "of a profile on a HalfSpace, or an EllipticFoundation; of lines LinePlasticIndentation knows it."
         )
+    if (outline := bed.footprint).unlike_disc and isinstance(outline, EllipticOutline):
+        ratio = max(outline.slenderness, 1.0 / outline.slenderness)
+        if ratio > MOST_SLENDER:
+            raise InvalidInput(
+                f"{owner}: one semi-axis of the contact is {ratio:.4g} times the other one, nearly a line, and what "
+                f"is known of ellipses ends at {MOST_SLENDER:g} times: give curvature radii that are less different, "
+                "or press a cylinder with LinePlasticIndentation."
+            )
     homogeneous, name = isinstance(bed.medium, HalfSpace), type(bed.medium).__name__
     if not (homogeneous or offers(bed.medium, LayerStack)):
         raise InvalidInput(
