@@ -91,7 +91,9 @@ def test_energy_closes_and_scales():
 def test_struck_bodies_bounce_by_what_the_dent_gives_back():
     bed = on_ellipse(5e-3, 50e-3)
     for law in (wk.Coulomb(0.0), wk.Coulomb(0.2)):
-        struck = wk.PlasticImpact(bed, mass=4e-3, velocity=np.array([0.05, 1.0]), law=law, lateral_velocity=0.01).solve()
+        struck = wk.PlasticImpact(
+            bed, mass=4e-3, velocity=np.array([0.05, 1.0]), law=law, lateral_velocity=0.01
+        ).solve()
         assert struck.restitution[0] == 1.0
         pressed_in = wk.PlasticIndentation(bed, wk.Depth([struck.greatest_depth[1]])).solve()
         assert struck.mean_pressure[1] == pytest.approx(pressed_in.mean_pressure[0], rel=1e-8)

@@ -98,7 +98,9 @@ class Body:
         for level in range(self.nz):
             stress = (plastic[level] @ self.law).reshape(-1, 48)
             force = self.weights[level] * (stress @ self.strains[level].reshape(48, 24))
-            for part, view in zip(np.moveaxis(force.reshape(self.nx, self.ny, 8, 3), 2, 0), self._at(quarter, level), strict=True):
+            for part, view in zip(
+                np.moveaxis(force.reshape(self.nx, self.ny, 8, 3), 2, 0), self._at(quarter, level), strict=True
+            ):
                 view += np.moveaxis(part, -1, 0)
         whole = np.zeros((self.nz + 1, 3, *self.waves))
         x, y = np.arange(self.nx + 1), np.arange(self.ny + 1)
@@ -177,7 +179,10 @@ def pressed(bodies, gap, loads):
             force, depth = touching(compliance, gap + sunk, load, force, 1e-5 if turn < 4 else 1e-7)
             here = rfft2(force)
             new = np.concatenate(
-                [body.returned(wave + body.pressed * here, part).ravel() for body, wave, part in zip(bodies, waves, parts(old), strict=True)]
+                [
+                    body.returned(wave + body.pressed * here, part).ravel()
+                    for body, wave, part in zip(bodies, waves, parts(old), strict=True)
+                ]
             )
             move = new - guess
             if np.linalg.norm(move) <= LEFT * np.linalg.norm(new - old):

@@ -669,7 +669,9 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
             f"{owner}: the bed is a {type(bed).__name__}; how bodies yield is known by their shape: give a Foundation "
             "of a profile on a HalfSpace, or an EllipticFoundation; of lines LinePlasticIndentation knows it."
         )
-    if (outline := bed.footprint).unlike_disc and isinstance(outline, EllipticOutline):
+    if isinstance(bed, Foundation):
+        refuse_unless_round(bed, owner, "yielding, whose laws are those of bodies of revolution and of ellipses,")
+    elif isinstance(outline := bed.footprint, EllipticOutline):
         ratio = max(outline.slenderness, 1.0 / outline.slenderness)
         if ratio > MOST_SLENDER:
             raise InvalidInput(
