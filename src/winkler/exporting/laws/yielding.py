@@ -7,7 +7,7 @@ import numpy as np
 from winkler.exporting.laws.normal import BEYOND
 from winkler.exporting.step_law import LawTable, StatePart, StepLaw, StepNumber
 from winkler.exporting.translation.plain import plain
-from winkler.foundation.foundation import Foundation
+from winkler.foundation.on_medium import UnderProfile
 from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -24,7 +24,7 @@ MOTION = (StepNumber("depth", "m", "d at the end of the step, not positive witho
 ANSWER = (
     StepNumber("force", "N", "normal force, compression positive"),
     StepNumber("stiffness", "N/m", "dF/dd"),
-    StepNumber("radius", "m", "contact radius, zero without contact"),
+    StepNumber("radius", "m", "contact radius, zero without contact; of an ellipse that of the disc as stiff"),
     StepNumber("residual_depth", "m", "depth at which the unloaded bodies would just touch"),
     StepNumber("energy", "J", "what unloading would give back"),
     StepNumber("dissipation", "J", "what it would not, since the beginning"),
@@ -62,7 +62,7 @@ def yielding_law(problem: PlasticIndentation, deepest: float, tolerance: float, 
         If the table would need too many rows.
     """
     bed = problem.bed
-    assert isinstance(bed, Foundation)
+    assert isinstance(bed, UnderProfile)
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"export: the medium is a {type(bed.medium).__name__}; layers are followed up to first yield only, so that "

@@ -65,7 +65,9 @@ def plastic_sheet(item: PlasticSolution) -> Sheet:
         else (f"yielding begins at $F_Y$ = {with_unit(item.yield_force, 'N')}")
     )
     left = f"the dent is {with_unit(float(item.residual_depth[-1]), 'm')} deep"
-    return Sheet(titled((*loop, _dent_panel(item)), *LOOP_TITLES, "the dent"), height=3.5, title=f"{begun}; {left}")
+    elliptic = bool(item.problem.bed.footprint.unlike_disc)  # of whose dent the depth alone is known
+    panels = titled(loop if elliptic else (*loop, _dent_panel(item)), *LOOP_TITLES, *([] if elliptic else ["the dent"]))
+    return Sheet(panels, height=3.5, title=f"{begun}; {left}")
 
 
 @without_extent(DentLimitSolution)

@@ -32,7 +32,7 @@ class DentLimit:
 
     Parameters
     ----------
-    bed : Foundation
+    bed : Foundation or EllipticFoundation
         As of `PlasticIndentation`.
     residual_depth : float
         d0 [m], positive: how far the bodies have come nearer for good, both dents together.
@@ -64,7 +64,6 @@ class DentLimit:
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
-    needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
 
     def __post_init__(self) -> None:
         refuse_unknown(type(self).__name__, self.bed)
@@ -116,7 +115,7 @@ class DentLimitSolution:
     problem : DentLimit
         The problem that was solved.
     force, depth, radius, mean_pressure : float
-        F_N [N], d [m], a [m] and F_N / (pi a^2) [Pa] under the load.
+        F_N [N], d [m], a [m] and F_N over the area [Pa] under the load; a as of `PlasticPress`.
     elastic_peak_pressure : float
         What bodies that do not yield would bear in the middle under this load [Pa]: the contact stress by which
         standards state it.

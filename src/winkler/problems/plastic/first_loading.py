@@ -8,6 +8,10 @@ between them, against the second as the rest, and both bear the same mean pressu
 
 where E P is the mean pressure that an elastic body would bear under a rigid one.  While both are elastic, and where
 both are alike, this is no approximation.
+
+On the springs of an ellipse (`winkler.foundation.elliptic`) the mean pressure is that over its area, and the tables of
+a ball count from the onset of the ellipse on.  As it yields it gets rounder, from Hertz' ratio of its axes towards the
+root of that of the curvature radii, and springs back further by the factor c of a rounder ellipse of the same area.
 """
 
 from __future__ import annotations
@@ -21,7 +25,10 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.foundation.bed import Bed
+from winkler.foundation.elliptic import EllipticFoundation
+from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import RIGID, Elastic, Solid
 from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
@@ -39,12 +46,14 @@ from winkler.problems.plastic.yielded_response import (
     GREATEST_POISSON,
     LEAST_POISSON,
     Yielded,
+    ball_onset,
     beyond_tables,
     round_part,
     strain_of_pressure,
     strain_of_shape,
     yielded,
 )
+from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = [
@@ -77,6 +86,13 @@ NEAR, LAST_STEP, MOST_STEPS = 1e-7, 3e-8, 60
 """Difference over which slopes are taken, the last step of Newton's method, which leaves its square, and how many."""
 WIDEST_STEP = 0.8
 """Part of the way to none of the gap, or to all of it, that one step may go."""
+ROUNDING_POWER, DEPTH_POWER = 1.5, 0.6
+"""Power of the part of the recovery that is that of an even pressure with which an ellipse has got rounder, and power
+of c by which its depth is less; fitted to finite elements of ellipses of b/a = 4.5 and 21."""
+GREATEST_SINKING = 0.872
+"""Gamma - 1 at the end of the tables of a ball, where the pressure of an ellipse is that of a ball."""
+MOST_SLENDER = 100.0
+"""Greatest ratio of the semi-axes of an ellipse; beyond, a residual depth could come out negative."""
 LEAST_LOAD = 1e-12
 """A load over the strength of which no table knows anything: the bodies are elastic."""
 
@@ -137,6 +153,8 @@ class YieldingHalf(NamedTuple):
         p_el / Y [-] where it begins to yield.
     solid : Elastic or Rigid
         What it is made of.
+    rise : float
+        `start` below an ellipse over that below a ball [-].
     """
 
     modulus: float
@@ -144,6 +162,7 @@ class YieldingHalf(NamedTuple):
     strength: float
     start: float
     solid: Solid
+    rise: float = 1.0
 
     def answer(self, elastic: Array, exponent: Array, stress: Array) -> Yielded:
         """Return the departure from an elastic body that would bear a pressure [Pa]; `stress` is near the flow's."""
@@ -158,14 +177,18 @@ class YieldingHalf(NamedTuple):
         return Yielded(*(np.where(past, part, 0.0) for part in departure))
 
     def _beyond_start(self, load: Array, exponent: Array) -> Yielded:
-        start, part = max(self.start, LEAST_LOAD), round_part(exponent)
+        start, part, load = max(self.start / self.rise, LEAST_LOAD), round_part(exponent), load / self.rise
         alike = part.size and bool(np.all(part == part[0]))
         begun = (
             _begun(start, self.poisson, float(part[0]))
             if alike
             else yielded(np.full(exponent.shape, start), self.poisson, exponent)
         )
-        return yielded(load, self.poisson, exponent).less(begun)
+        departure = yielded(load, self.poisson, exponent).less(begun)
+        if self.rise == 1.0:
+            return departure
+        fuller = math.log(self.rise) * np.minimum(departure.sinking / GREATEST_SINKING, 1.0)
+        return departure._replace(fall=departure.fall + fuller)
 
     def _hardened(self, elastic: Array, exponent: Array, stress: Array, past: Array) -> Yielded:
         """Return the departure with the flow stress in place of the strength; zeros where it has not yielded.
@@ -264,8 +287,8 @@ class FirstLoading(NamedTuple):
 
     Parameters
     ----------
-    bed : Foundation
-        Of a rising profile on half-spaces or layers.
+    bed : Foundation or EllipticFoundation
+        Of a rising profile on half-spaces or layers, or of bodies of two curvatures on half-spaces.
     first, second : YieldingHalf
         The bodies, the first as its surface is; of layers nothing is followed beyond the onset.
     onset : float
@@ -274,7 +297,7 @@ class FirstLoading(NamedTuple):
         On layers where that is, the end of a sentence; empty on half-spaces, which are followed beyond it.
     """
 
-    bed: Foundation
+    bed: UnderProfile
     first: YieldingHalf
     second: YieldingHalf
     onset: float
@@ -302,6 +325,16 @@ class FirstLoading(NamedTuple):
         depth = self.bed.gap(place)
         return float((self.bed.stiffness(place) * depth - self.bed.gap_load(place) if by_force else depth)[0])
 
+    def edge(self, radius: Array) -> Array:
+        """Return the height of the gap at the edge of contacts of radii `(n,)` [m], the mean around an ellipse."""
+        bed = self.bed
+        if not (isinstance(bed, EllipticFoundation) and isinstance(outline := bed.footprint, EllipticOutline)):
+            return bed.profile.height(radius)
+        (along, across), bodies = outline.semi_axes(radius), bed.bodies.together
+        return np.asarray(
+            0.25 * (along**2 / bodies.longitudinal_curvature_radius + across**2 / bodies.lateral_curvature_radius)
+        )
+
     def exponent(self, radius: Array) -> Array:
         """Return d ln g / d ln a [-] at contact radii `(n,)` [m]."""
         return np.asarray(radius * self.bed.gap_slope(radius) / self.bed.gap(radius))
@@ -311,7 +344,7 @@ class FirstLoading(NamedTuple):
         at = np.array([radius])
         strain, exponent, share = self._strain(at), self.exponent(at), self.parts(at).share
         return any(
-            bool(beyond_tables(body.modulus * part * strain / body.strength, body.poisson, exponent)[0])
+            bool(beyond_tables(body.modulus * part * strain / body.strength / body.rise, body.poisson, exponent)[0])
             for body, part in ((self.first, share), (self.second, 1.0 - share))
             if math.isfinite(body.strength)
         )
@@ -320,7 +353,18 @@ class FirstLoading(NamedTuple):
         """Return P [-], the mean pressure of the elastic contact over its modulus."""
         bed = self.bed
         force = bed.stiffness(radius) * bed.gap(radius) - bed.gap_load(radius)
-        return np.asarray(force / (np.pi * radius**2 * bed.medium.modulus))  # type: ignore[attr-defined]
+        return np.asarray(force / (bed.footprint.area(radius) * bed.medium.modulus))  # type: ignore[attr-defined]
+
+    def _rounder(self, kept: Array) -> Array:
+        """Return c [-], with the parts of the recovery that have the shape of an elastic contact; one of a disc."""
+        bed = self.bed
+        if not (isinstance(bed, EllipticFoundation) and isinstance(outline := bed.footprint, EllipticOutline)):
+            return np.ones_like(kept)
+        bodies = bed.bodies.together
+        last = math.sqrt(bodies.lateral_curvature_radius / bodies.longitudinal_curvature_radius)
+        part = np.clip(1.0 - kept, 0.0, 1.0) ** ROUNDING_POWER
+        now = _area_of_stiffness(outline.slenderness ** (1.0 - part) * last**part)
+        return np.sqrt(now / _area_of_stiffness(np.array(outline.slenderness)))
 
     def at(self, radius: Array, parts: Parts | None = None) -> GreatestLoad:
         """Return the states of first loading at contact radii `(n,)` [m], positive.
@@ -335,7 +379,6 @@ class FirstLoading(NamedTuple):
         gap = bed.gap(radius)
         stiffness = bed.stiffness(radius)
         elastic_force = stiffness * gap - bed.gap_load(radius)
-        area = np.pi * radius**2
         exponent = self.exponent(radius)
         strain = self._strain(radius)
         share, first, second = self.parts(radius) if parts is None else parts
@@ -351,9 +394,14 @@ class FirstLoading(NamedTuple):
             kept += weight * (1.0 - answer.evening)
             weights += weight
         kept /= weights
-        force = area * pressure
+        force = bed.footprint.area(radius) * pressure
         # q(x) = E* d_e (theta (1 - g/g(a)) + (1 - theta) sqrt(1 - x^2/a^2)) has the integral F
-        fullness = kept * elastic_force / (stiffness * gap) + (1.0 - kept) * 0.25 * np.pi
+        own, even = elastic_force / (stiffness * gap), 0.25 * np.pi
+        fullness = kept * own + (1.0 - kept) * even
+        if bed.footprint.unlike_disc:
+            rounder = self._rounder(kept)
+            fullness = np.maximum(fullness / rounder, own)
+            kept, taken = (even - fullness) / (even - own), taken * rounder**-DEPTH_POWER
         return GreatestLoad(radius, gap * taken, force, force / (stiffness * fullness), kept)
 
     def parts(self, radius: Array, guess: Parts | None = None) -> Parts:
@@ -455,12 +503,28 @@ class FirstLoading(NamedTuple):
         energy[touching] = modulus * integral_of_square(pressed, self.bed, radius, radius)
         return energy
 
-    def springs(self, state: GreatestLoad, index: int) -> Foundation:
-        """Return the bed on which the contact is elastic after one of the states."""
+    def springs(self, owner: str, state: GreatestLoad, index: int) -> Foundation:
+        """Return the bed on which the contact is elastic after one of the states; `owner` is who asks, for a message.
+
+        Raises
+        ------
+        OutsideValidity
+            If the contact is no disc.
+        """
+        refuse_unless_round(self.bed, owner, "the bed of a dent")
+        assert isinstance(self.bed, Foundation)
         radius, recovery, share = (float(part[index]) for part in (state.radius, state.recovery, state.elastic_share))
         if radius <= self.onset:
             return self.bed
         return Foundation(Dent(self.bed.profile, radius, recovery, share), self.bed.medium)
+
+
+def _area_of_stiffness(slenderness: Array) -> Array:
+    """Return the areas of ellipses b/a [-] over those of the discs that are as stiff."""
+    from scipy.special import elliprf
+
+    ratio = np.minimum(slenderness, 1.0 / slenderness)
+    return np.asarray(ratio * (2.0 / math.pi * elliprf(0.0, ratio**2, 1.0)) ** 2)
 
 
 class LoadingTable:
@@ -546,7 +610,7 @@ def _refuse_turning(levels: Array) -> None:
         )
 
 
-def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
+def stored_energy(bed: UnderProfile, depth: Array, radius: Array) -> Array:
     """Return the elastic energy [J] of contacts on half-spaces or layers at depths [m] and radii [m] `(n,)`."""
     if not isinstance(bed.medium, HalfSpace):
         curves = _elastic_curves(bed)
@@ -558,12 +622,12 @@ def stored_energy(bed: Foundation, depth: Array, radius: Array) -> Array:
 
 
 @functools.lru_cache(maxsize=16)
-def _elastic_curves(bed: Foundation) -> NormalCurves:
+def _elastic_curves(bed: UnderProfile) -> NormalCurves:
     """Return force and energy on layers up to the onset of yield."""
     return NormalCurves(bed, first_loading(bed).at_onset(by_force=False))
 
 
-def integral_of_square(curve: Callable[[Array, Array], Array], bed: Foundation, wall: Array, radius: Array) -> Array:
+def integral_of_square(curve: Callable[[Array, Array], Array], bed: UnderProfile, wall: Array, radius: Array) -> Array:
     """Return the integrals of curve(x, index)^2 from 0 to radii; it may end like a root at the wall of that index."""
     nodes, weights = gauss_legendre(ENERGY_NODES)
     total, walled = np.zeros(radius.shape), np.isfinite(wall)[:, None]
@@ -600,12 +664,21 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
         If no body has a strength, a strength is above a fiftieth of Young's modulus, the medium is no half-space, or
         the profile has a flat end, a rim or a valley.
     """
-    if not isinstance(bed, Foundation):
+    if not isinstance(bed, Foundation | EllipticFoundation):
         raise InvalidInput(
             f"{owner}: the bed is a {type(bed).__name__}; how bodies yield is known by their shape: give a Foundation "
-            "of a profile on a HalfSpace; of lines and ellipses LineYieldOnset and EllipticYieldOnset know where it "
-            "begins."
+            "of a profile on a HalfSpace, or an EllipticFoundation; of lines LinePlasticIndentation knows it."
         )
+    if isinstance(bed, Foundation):
+        refuse_unless_round(bed, owner, "yielding, whose laws are those of bodies of revolution and of ellipses,")
+    elif isinstance(outline := bed.footprint, EllipticOutline):
+        ratio = max(outline.slenderness, 1.0 / outline.slenderness)
+        if ratio > MOST_SLENDER:
+            raise InvalidInput(
+                f"{owner}: one semi-axis of the contact is {ratio:.4g} times the other one, nearly a line, and what "
+                f"is known of ellipses ends at {MOST_SLENDER:g} times: give curvature radii that are less different, "
+                "or press a cylinder with LinePlasticIndentation."
+            )
     homogeneous, name = isinstance(bed.medium, HalfSpace), type(bed.medium).__name__
     if not (homogeneous or offers(bed.medium, LayerStack)):
         raise InvalidInput(
@@ -641,7 +714,7 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
 
 
 @functools.lru_cache(maxsize=64)
-def first_loading(bed: Foundation) -> FirstLoading:
+def first_loading(bed: UnderProfile) -> FirstLoading:
     """Return the loading curve of a bed on half-spaces, or on layers up to the onset of yield in one of them.
 
     Raises
@@ -663,7 +736,7 @@ def first_loading(bed: Foundation) -> FirstLoading:
     return FirstLoading(bed, first, second, min(onsets.values(), default=math.inf))
 
 
-def _onset(bed: Foundation, part: StrongPart) -> float:
+def _onset(bed: UnderProfile, part: StrongPart) -> float:
     """Return the contact radius at which a part begins to yield [m]; zero of a sharp tip, infinite if it never does."""
     try:
         found = onset_in(bed, part, 0.0)
@@ -672,15 +745,17 @@ def _onset(bed: Foundation, part: StrongPart) -> float:
     return math.inf if isinstance(found, str) else found[0]
 
 
-def _body(bed: Foundation, solid: Solid, onset: float) -> YieldingHalf:
+def _body(bed: UnderProfile, solid: Solid, onset: float) -> YieldingHalf:
     if not isinstance(solid, Elastic):
         return YieldingHalf(math.inf, 0.0, math.inf, math.inf, solid)
     modulus = solid.young / (1.0 - solid.poisson**2)
-    start = math.inf
+    start, rise = math.inf, 1.0
     if onset == 0.0:
         start = 0.0
     elif math.isfinite(onset):
         at = np.array([onset])
-        pressure = (bed.stiffness(at) * bed.gap(at) - bed.gap_load(at)) / (np.pi * at**2)
+        pressure = (bed.stiffness(at) * bed.gap(at) - bed.gap_load(at)) / bed.footprint.area(at)
         start = float(pressure[0]) / solid.strength
-    return YieldingHalf(modulus, solid.poisson, solid.strength, start, solid)
+        if bed.footprint.unlike_disc:
+            rise = start / ball_onset(solid.poisson)
+    return YieldingHalf(modulus, solid.poisson, solid.strength, start, solid, rise)

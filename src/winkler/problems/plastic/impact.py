@@ -25,6 +25,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.on_medium import UnderProfile
 from winkler.laws.friction import Coulomb
 from winkler.numerics.equations.roots import invert
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -86,7 +87,7 @@ class PlasticImpact(PerLoad[Q]):
 
     Parameters
     ----------
-    bed : Foundation
+    bed : Foundation or EllipticFoundation
         As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`, one body of which has a strength,
         or both; the strength is that at the rate of the impact.  On layers the restitution is one up to the velocity at
         which one of them yields, and no greater one is taken.
@@ -141,7 +142,6 @@ class PlasticImpact(PerLoad[Q]):
     inertia: PositiveOrInfinite = math.inf
     lever: NonNegative = 0.0
 
-    needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015", "tabor_1948")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.INERTIA}
 
@@ -168,7 +168,7 @@ class PlasticImpact(PerLoad[Q]):
 
     @property
     def _loading(self) -> FirstLoading:
-        assert isinstance(self.bed, Foundation)
+        assert isinstance(self.bed, UnderProfile)
         return first_loading(self.bed)
 
     @property
@@ -299,8 +299,9 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def mean_pressure(self) -> Q:
-        """F_max / (pi a^2) [Pa], at the moment of rest."""
-        return shaped(np.asarray(self.greatest_force) / (np.pi * np.asarray(self.largest_radius) ** 2))
+        """F_max over the area [Pa], at the moment of rest."""
+        area = self.problem.bed.footprint.area(np.asarray(self.largest_radius))
+        return shaped(np.asarray(self.greatest_force) / area)
 
     @property
     def dented(self) -> Foundation:
@@ -310,7 +311,7 @@ class PlasticImpactSolution(PerLoad[Q]):
         """
         depth = np.array([single(self.greatest_depth, "dent")])
         curve = self.problem._loading
-        return curve.springs(curve.at_level(depth, by_force=False)[0], 0)
+        return curve.springs("PlasticImpactSolution", curve.at_level(depth, by_force=False)[0], 0)
 
     def at(self, index: int | tuple[int, ...]) -> PlasticImpactSolution[float]:
         """Return the solution at one velocity of an array.
@@ -548,12 +549,12 @@ WIDER = 1.01
 """By how much a curve that is looked at is wider than where it begins, at least."""
 
 
-def _rough_radius(bed: Foundation, energy: float) -> float:
+def _rough_radius(bed: UnderProfile, energy: float) -> float:
     """Return a contact radius [m] of the order of that at which a bed has stored an energy [J]."""
     return float(at_depth(bed, np.array([rough_depth(bed, energy)]))[1][0])
 
 
-def _beyond(bed: Foundation, energy: float) -> OutsideValidity:
+def _beyond(bed: UnderProfile, energy: float) -> OutsideValidity:
     return OutsideValidity(
         f"PlasticImpact: {energy:.6g} J press the body beyond its reach ({bed.reach:.6g} m); describe more of the "
         "profile, or give a slower or lighter body."

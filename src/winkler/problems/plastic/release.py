@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.foundation.foundation import Foundation
+from winkler.foundation.on_medium import UnderProfile
 from winkler.numerics.equations.roots import invert
 from winkler.numerics.types import Array
 from winkler.problems.plastic.dent import dimple_integral
@@ -28,13 +28,13 @@ class Release(NamedTuple):
 
     Parameters
     ----------
-    bed : Foundation
+    bed : Foundation or EllipticFoundation
         The bed before it yielded.
     greatest : GreatestLoad
         The loads, all of bodies that have yielded.
     """
 
-    bed: Foundation
+    bed: UnderProfile
     greatest: GreatestLoad
 
     def _parts(self, index: Array) -> tuple[Array, Array, Array]:

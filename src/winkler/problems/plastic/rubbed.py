@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.foundation.foundation import Foundation
+from winkler.foundation.on_medium import UnderProfile
 from winkler.numerics.types import Array
 from winkler.problems.plastic.first_loading import FirstLoading, GreatestLoad
 
@@ -108,7 +108,7 @@ def sheared(curve: FirstLoading, rest: GreatestLoad, motion: NormalMotion, law: 
 class _Pressed:
     """Displacements of springs at places x `(n, springs)` under n blows."""
 
-    def __init__(self, bed: Foundation, rest: GreatestLoad, x: Array, dented: Array) -> None:
+    def __init__(self, bed: UnderProfile, rest: GreatestLoad, x: Array, dented: Array) -> None:
         self.bed, self.x, self.dented = bed, x, dented
         self.gap = bed.gap(x.ravel()).reshape(x.shape)
         recovery, share = rest.recovery[:, None], rest.elastic_share[:, None]

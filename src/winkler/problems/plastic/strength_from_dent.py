@@ -158,7 +158,7 @@ class StrengthFromDent:
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
-    needs_round: ClassVar[str] = "yielding, whose laws are those of bodies of revolution,"
+    needs_round: ClassVar[str] = "the radius of a dent"
 
     def __post_init__(self) -> None:
         owner = type(self).__name__
