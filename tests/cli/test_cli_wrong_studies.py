@@ -191,8 +191,9 @@ def test_wrong_study(case, tmp_path, monkeypatch, capsys):
     code = main(["run", "wrong.toml", "--output", "made/answer"])
     message = capsys.readouterr()
     given = re.search(r"kind is '?(\w+)|$", case["sentence"])[1] or ""
-    sentence = case["sentence"].replace("{profiles}", listed(given, CATALOGUE["profile"]))
-    sentence = sentence.replace("{problems}", listed(given, CATALOGUE["problem"]))
+    sentence = case["sentence"]
+    for slot in ("profile", "problem", "medium"):
+        sentence = sentence.replace(f"{{{slot}s}}", listed(given, CATALOGUE[slot]))
     assert message.err == "winkler: " + "\n".join(f"wrong.toml: {line}" for line in sentence.split("\n")) + "\n"
     assert message.out == ""
     assert code == 2

@@ -13,11 +13,11 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.materials.sweeps import RowsOfOneLength
 from winkler.materials.viscoelastic import FittedSolid
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
 from winkler.values.checks.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
-from winkler.values.errors import InvalidInput
 from winkler.values.limits import MEASURED_TIMES
 from winkler.values.value import value, words
 
@@ -31,18 +31,10 @@ PER_DECADE = 8
 """Terms in each decade of time that may be taken; few of them are, since none may be negative."""
 
 
-class _MeasuredSolid(FittedSolid):
+class _MeasuredSolid(RowsOfOneLength, FittedSolid):
     """What the solids here share: rows of one length, and the span of the data."""
 
     time: Array
-
-    def __post_init__(self) -> None:
-        (first, content), *others = ((name, row) for name, row in vars(self).items() if isinstance(row, np.ndarray))
-        for name, row in others:
-            if row.size != content.size:
-                raise InvalidInput(
-                    f"{type(self).__name__}: {first} has {content.size} numbers and {name} {row.size}; give as many."
-                )
 
     @property
     def _times(self) -> Array:

@@ -13,14 +13,14 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MEASURED_TIMES
 from winkler.values.value import value, words
 
-__all__ = ["DynamicSweeps", "RelaxationSweeps"]
+__all__ = ["DynamicSweeps", "RelaxationSweeps", "RowsOfOneLength"]
 
 FEWEST_ROWS = 4
 ROWS = Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)
 
 
-class _Sweeps:
-    """What both kinds share: rows of one length."""
+class RowsOfOneLength:
+    """Measurements whose rows have as many numbers each."""
 
     def __post_init__(self) -> None:
         (first, content), *others = ((name, row) for name, row in vars(self).items() if isinstance(row, np.ndarray))
@@ -32,7 +32,7 @@ class _Sweeps:
 
 
 @value
-class DynamicSweeps(_Sweeps):
+class DynamicSweeps(RowsOfOneLength):
     """Storage and loss over frequency and temperature: isothermal or isochronal sweeps, rows in any order.
 
     Parameters
@@ -79,7 +79,7 @@ class DynamicSweeps(_Sweeps):
 
 
 @value
-class RelaxationSweeps(_Sweeps):
+class RelaxationSweeps(RowsOfOneLength):
     """Relaxation over time at several temperatures, rows in any order.
 
     Parameters

@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.io.instruments.cantilever import force_factor
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest
-from winkler.io.instruments.number_block import rows_of
+from winkler.io.instruments.number_block import rows_of, stated_number
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
@@ -82,8 +82,8 @@ def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: Give
         raise InvalidInput(f"{path}: none of its columns {', '.join(words)} is a height; export one, too.")
     of_tip = height in TIP_PLACES
     place = "depth" if of_tip else "position"
-    spring = given.spring_constant or _number(first, "springConstant")
-    stated = given.sensitivity or _number(first, "sensitivity")
+    spring = given.spring_constant or stated_number(first, "springConstant")
+    stated = given.sensitivity or stated_number(first, "sensitivity")
     origin = "given" if given.sensitivity else "from the file"
     factor, facts = force_factor(units[places[DEFLECTION]], spring, stated, origin, path)
     position, force = -rows[:, places[height]], rows[:, places[DEFLECTION]] * factor
@@ -98,7 +98,7 @@ def _test(segments: Sequence[_SegmentRows], name: str, path: object, given: Give
         f"segments {kinds}; {segment_fact(position, force, numbers, 'segment')}",
         *([f"{turned} of {len(segments)} segments, written backwards, are turned round"] if turned else []),
     )
-    x, y = (_number(first, key) for key in PLACES)
+    x, y = (stated_number(first, key) for key in PLACES)
     return InstrumentTest(
         "JPK, text export",
         name,
@@ -139,10 +139,3 @@ def _segments(lines: Sequence[str], path: object) -> list[_SegmentRows]:
     if not segments:
         raise InvalidInput(f"{path}: there are no numbers below the names of the columns; export the curve again.")
     return segments
-
-
-def _number(settings: dict[str, str], key: str) -> float | None:
-    try:
-        return float(settings[key].split()[0])
-    except (KeyError, ValueError, IndexError):
-        return None

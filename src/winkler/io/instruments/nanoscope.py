@@ -16,6 +16,7 @@ import numpy as np
 
 from winkler.fitting.curves.directions import IN, OUT
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
+from winkler.io.instruments.number_block import stated_number
 from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
@@ -73,7 +74,7 @@ def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest
     if deflection is None:
         there = ", ".join(f"'{one.name}'" for one in head.channels) or "none"
         raise InvalidInput(f"{path}: its channels are {there}; a force curve needs the deflection.")
-    spring = given.spring_constant or _number(deflection.settings, "Spring Constant")
+    spring = given.spring_constant or stated_number(deflection.settings, "Spring Constant")
     if not spring:
         raise InvalidInput(f"{path}: it states no spring constant; give spring_constant in N/m.")
     sensor = next((one for one in head.channels if one.name.lower() == "height sensor"), None)
@@ -249,7 +250,7 @@ def _ramp(channel: _Channel, head: _Head, path: Path) -> tuple[float, float]:
     if piezo is None or not measures(piezo["unit"], "m"):
         raise InvalidInput(f"{path}: '{match['soft']}', which makes lengths of the ramp, is not stated; save it anew.")
     per_volt = float(piezo["number"]) * scale(piezo["unit"], "m")
-    return float(match["hard"]) * per_volt, (_number(head.settings, "Forward vel.") or 0.0) * per_volt
+    return float(match["hard"]) * per_volt, (stated_number(head.settings, "Forward vel.") or 0.0) * per_volt
 
 
 def _whole_ramp(passes: tuple[int, int], head: _Head) -> tuple[float, float]:
@@ -259,14 +260,14 @@ def _whole_ramp(passes: tuple[int, int], head: _Head) -> tuple[float, float]:
     points over the ramp, or one in a second.
     """
     there, back = passes
-    there_speed, back_speed = _number(head.settings, "Forward vel."), _number(head.settings, "Reverse vel.")
+    there_speed, back_speed = stated_number(head.settings, "Forward vel."), stated_number(head.settings, "Reverse vel.")
     in_time = back * back_speed / there_speed if there_speed and back_speed else back
     return min((full for full in (float(back), in_time) if full >= there), default=float(there)), float(back)
 
 
 def _time(passes: tuple[int, int], whole: tuple[float, float], ramp: float, speed: float, head: _Head) -> Array:
     """Return the times of all points [s]; none where a speed is missing."""
-    per_volt_free = _number(head.settings, "Reverse vel."), _number(head.settings, "Forward vel.")
+    per_volt_free = stated_number(head.settings, "Reverse vel."), stated_number(head.settings, "Forward vel.")
     if not speed > 0.0 or not per_volt_free[0] or not per_volt_free[1]:
         return np.zeros(0)
     back = speed * per_volt_free[0] / per_volt_free[1]
@@ -274,7 +275,7 @@ def _time(passes: tuple[int, int], whole: tuple[float, float], ramp: float, spee
         ramp / rate * np.arange(1, count + 1) / full
         for rate, count, full in zip((speed, back), passes, whole, strict=True)
     )
-    return np.concatenate([there, there[-1] + (_number(head.settings, "Ramp delay") or 0.0) + retracts])
+    return np.concatenate([there, there[-1] + (stated_number(head.settings, "Ramp delay") or 0.0) + retracts])
 
 
 def _scan(head: _Head) -> tuple[float, tuple[float, float]]:
@@ -289,13 +290,6 @@ def _length(words: Sequence[str]) -> float:
         return float(words[0]) * scale(words[-1].replace("~m", "um"), "m")
     except (InvalidInput, ValueError, IndexError):
         return float("nan")
-
-
-def _number(settings: dict[str, str], key: str) -> float | None:
-    try:
-        return float(settings[key].split()[0])
-    except (KeyError, ValueError, IndexError):
-        return None
 
 
 def _whole(settings: dict[str, str], key: str, path: Path) -> int:

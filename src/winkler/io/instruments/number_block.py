@@ -13,7 +13,7 @@ from winkler.io.tables.table_cells import ABSENT, is_number
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["columns_of", "is_row", "rows_of", "split_unit"]
+__all__ = ["columns_of", "is_row", "rows_of", "split_unit", "stated_number"]
 
 
 def is_row(line: str, count: int, separator: str | None = "\t") -> bool:
@@ -94,3 +94,11 @@ def _cells(line: str, separator: str | None) -> list[str]:
 
 def _like(cell: str) -> bool:
     return is_number(cell) or is_number(cell.replace(",", ".")) or (cell.lower() in ABSENT)
+
+
+def stated_number(settings: dict[str, str], key: str) -> float | None:
+    """Return the number with which a setting of an instrument begins; None where it is absent or begins with none."""
+    try:
+        return float(settings[key].split()[0])
+    except (KeyError, ValueError, IndexError):
+        return None

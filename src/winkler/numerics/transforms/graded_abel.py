@@ -21,13 +21,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.jacobi_quadrature import settled_power
-from winkler.numerics.transforms.abel import root_difference
+from winkler.numerics.transforms.abel_intervals import noise, pieces, root_difference
 from winkler.numerics.types import Array, Curve
 
 __all__ = [
@@ -37,25 +36,11 @@ __all__ = [
     "gap_slope",
     "half_beta",
     "kink_slope",
-    "pieces",
     "share",
     "surface",
 ]
 
 Kinks = Sequence[tuple[float, float]]
-
-
-def pieces(edges: Sequence[float], end: float) -> list[tuple[float, float]]:
-    """Return the pieces into which `edges` cut the interval from 0 to `end`; the last one is open."""
-    inner = sorted({edge for edge in edges if 0.0 < edge < end})
-    return list(pairwise([0.0, *inner, math.inf]))
-
-
-def _noise(x: Array, low: float) -> Array | None:
-    """Return how far rounding of places near x spoils a function of the distance from `low`, relative to it."""
-    if low == 0.0:
-        return None
-    return np.asarray(np.finfo(float).eps * x / (x - low))
 
 
 def share(function: np.ufunc, w: Array) -> Array:
@@ -98,7 +83,7 @@ def _angular_own(function: Curve, low: float, high: float, k: float, power: floa
         # widest^k t^k (sin w / w)^k: the power of t is in the rule
         return result
 
-    return settled_power(integrand, x.size, k, what, _noise(x, low))
+    return settled_power(integrand, x.size, k, what, noise(x, low))
 
 
 def _angular_past(function: Curve, low: float, high: float, k: float, power: float, x: Array, what: str) -> Array:
@@ -114,7 +99,7 @@ def _angular_past(function: Curve, low: float, high: float, k: float, power: flo
         result: Array = np.multiply(function(r), weight * span / (1.0 + k))
         return result
 
-    return settled(integrand, x.size, what, _noise(x, low))
+    return settled(integrand, x.size, what, noise(x, low))
 
 
 def gap(slope: Curve, edges: Sequence[float], k: float, x: Array) -> Array:
@@ -208,7 +193,7 @@ def _near_low(function: Curve, low: float, top: float, k: float, r: Array) -> Ar
         result: Array = np.multiply(function(x), kernel * weight)
         return result
 
-    return settled_power(integrand, r.size, k, "surface transform", _noise(r, low))
+    return settled_power(integrand, r.size, k, "surface transform", noise(r, low))
 
 
 def _near_high(function: Curve, low: float, top: float, k: float, r: Array) -> Array:
@@ -227,7 +212,7 @@ def _near_high(function: Curve, low: float, top: float, k: float, r: Array) -> A
         return result
 
     if own.size:
-        total[own] = settled_power(on_own, own.size, -k, "surface transform", _noise(r[own], low))
+        total[own] = settled_power(on_own, own.size, -k, "surface transform", noise(r[own], low))
     if past.size:
         start, stop = root_difference(r[past], top) ** (1.0 - k), widest[past] ** (1.0 - k)
 
@@ -238,5 +223,5 @@ def _near_high(function: Curve, low: float, top: float, k: float, r: Array) -> A
             result: Array = np.multiply(function(x), x ** (k - 1.0) * width / (1.0 - k))
             return result
 
-        total[past] = settled(beyond, past.size, "surface transform", _noise(r[past], low))
+        total[past] = settled(beyond, past.size, "surface transform", noise(r[past], low))
     return total
