@@ -17,8 +17,8 @@ from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.headline.declared import CALLED
 from winkler.study.report.headline.elastic_state import elastic_state, stressed_contact
+from winkler.study.report.headline.shown_contact import shown_contact, shown_point
 from winkler.study.report.headline.summary import contact_summary
-from winkler.study.report.shown_contact import shown_contact, shown_point
 from winkler.values.units import quantity
 
 SLOW_EXAMPLES = {"viscoelastic_impact"}

@@ -23,8 +23,8 @@ from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
 from winkler.study.report import archive
 from winkler.study.report.figures import figures_of
+from winkler.study.report.headline.shown_contact import shown_point
 from winkler.study.report.report import page
-from winkler.study.report.shown_contact import shown_point
 from winkler.values.validity import Assumption, worst
 from winkler.web.pictures import answer
 from winkler.web.pictures.moments import initial_moment, moments_of

@@ -7,7 +7,7 @@ import pytest
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
-from winkler.study.report.shown_contact import shown_point
+from winkler.study.report.headline.shown_contact import shown_point
 from winkler.web.pictures import answer
 from winkler.web.pictures.moments import moments_of
 from winkler.web.pictures.view import NO_VIEW

@@ -81,7 +81,7 @@ def report(
 
             text = with_reading(text, shown)
         if film:
-            from winkler.study.report.shown_contact import shown_point
+            from winkler.study.report.headline.shown_contact import shown_point
             from winkler.web.pictures.film_page import with_film
 
             text = with_film(text, shown_point(outcome))

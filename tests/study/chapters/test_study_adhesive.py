@@ -22,9 +22,9 @@ from winkler.study.language.writing import study_text
 from winkler.study.report import figures
 from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of
+from winkler.study.report.headline.shown_contact import shown_contact, shown_point
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
-from winkler.study.report.shown_contact import shown_contact, shown_point
 
 RUBBER = wk.HalfSpace.between(wk.Elastic(1e6, 0.5))
 BED = wk.Foundation(wk.Paraboloid(1e-3), RUBBER)

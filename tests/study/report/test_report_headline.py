@@ -16,8 +16,8 @@ from winkler.study.language.reading import parse_study
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.section import doubt_line, doubt_of, headline_section
+from winkler.study.report.headline.shown_contact import shown_point
 from winkler.study.report.headline.summary import contact_summary
-from winkler.study.report.shown_contact import shown_point
 from winkler.study.report.tables import contact_section
 from winkler.values.units import quantity
 from winkler.values.validity import Assumption, Note, Standing, in_words

@@ -24,7 +24,7 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
-from winkler.study.report.shown_contact import shown_contact, shown_point, stressed_contact, stresses_inside
+from winkler.study.report.headline.shown_contact import shown_contact, shown_point, stressed_contact, stresses_inside
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
 from winkler.values.errors import WinklerError

@@ -15,8 +15,8 @@ from winkler.study.report.figure import ReportFigure
 from winkler.study.report.figures import figures_of
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
+from winkler.study.report.headline.shown_contact import shown_contact, shown_point
 from winkler.study.report.markup import assumed_line, badge, safe, section
-from winkler.study.report.shown_contact import shown_contact, shown_point
 from winkler.study.report.tables import (
     answer_section,
     contact_section,

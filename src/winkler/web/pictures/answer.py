@@ -23,9 +23,9 @@ from winkler.study.report.figure import ReportFigure, capital, svg_element
 from winkler.study.report.figures import answers_over
 from winkler.study.report.headline.questions import questions_of
 from winkler.study.report.headline.section import doubt_line, doubt_of
+from winkler.study.report.headline.shown_contact import shown_point
 from winkler.study.report.markup import badge, safe
 from winkler.study.report.page_parts import code_section, papers, trust
-from winkler.study.report.shown_contact import shown_point
 from winkler.study.report.tables import answer_section, expected, failures
 from winkler.values.errors import WinklerError
 from winkler.values.validity import worst

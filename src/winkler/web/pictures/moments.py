@@ -17,7 +17,7 @@ from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG, PicturedContact
 from winkler.study.chapters.contents import answer_of
 from winkler.study.language.explain import plain_symbol
-from winkler.study.report.shown_contact import shown_contact
+from winkler.study.report.headline.shown_contact import shown_contact
 from winkler.values.readable import with_unit
 
 __all__ = ["Moments", "bed_of", "contact_at", "initial_moment", "labels_of", "moments_of"]

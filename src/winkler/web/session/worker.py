@@ -214,7 +214,7 @@ class _WorkerState:
     def _answered(self, request: Solve) -> Iterator[Any]:
         from winkler.study.language.reading import parse_study
         from winkler.study.language.writing import study_text
-        from winkler.study.report.shown_contact import shown_point
+        from winkler.study.report.headline.shown_contact import shown_point
         from winkler.web.pictures.moments import initial_moment, moments_of
 
         study = parse_study(request.text, file=STUDY, folder=request.folder)

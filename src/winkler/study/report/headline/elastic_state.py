@@ -25,7 +25,7 @@ from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.normal.yielding import YieldOnset, onset_of_part
 from winkler.profiles.power import Paraboloid
 from winkler.study.batch.outcome import SolvedPoint
-from winkler.study.report.shown_contact import stressed_contact
+from winkler.study.report.headline.shown_contact import stressed_contact
 from winkler.values.errors import WinklerError
 
 __all__ = ["ElasticState", "elastic_state"]

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.problems.last_cycle import Cycled, loss_factor
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report.describe import settings_text
-from winkler.study.report.shown_contact import shown_point
+from winkler.study.report.headline.shown_contact import shown_point
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import word
 

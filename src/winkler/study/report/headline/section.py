@@ -14,9 +14,9 @@ from winkler.study.report.headline.advice import Doubt, worst_doubt
 from winkler.study.report.headline.declared import WORDS, numbers_of_contact
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
+from winkler.study.report.headline.shown_contact import shown_contact, shown_point
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
-from winkler.study.report.shown_contact import shown_contact, shown_point
 from winkler.values.readable import with_readable_numbers, with_unit
 from winkler.values.validity import Standing
 

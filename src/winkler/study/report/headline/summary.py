@@ -21,7 +21,13 @@ from winkler.study.report.describe import settings_text
 from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact, sides_of_map
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
-from winkler.study.report.shown_contact import medium_of, shown_contact, shown_point, stressed_contact, stresses_inside
+from winkler.study.report.headline.shown_contact import (
+    medium_of,
+    shown_contact,
+    shown_point,
+    stressed_contact,
+    stresses_inside,
+)
 from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
 
